@@ -1,0 +1,126 @@
+"""Makes the two zips of the add-on from its sources and the built native modules, unless they are up to date.
+
+package.py --modules DIR --stage DIR --dist DIR [-- BLENDER COMMAND...]
+
+DIST/motus-VERSION-extension.zip  extension, Blender 4.2 on: made by `extension build` of the Blender given (4.2 or later), or
+                                  without one as the same plain zip
+DIST/motus-VERSION-legacy.zip     add-on, Blender 3.4-4.1: a folder motus/, with a bl_info made from the manifest
+"""
+
+import argparse
+import ast
+import hashlib
+import shutil
+import subprocess
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+
+CLONE = Path(__file__).resolve().parents[1]
+SOURCES = CLONE / "addon" / "motus"
+IGNORED = shutil.ignore_patterns("__pycache__", ".*")
+EPOCH = (1980, 1, 1, 0, 0, 0)  # fixed times: the same content gives the same zip
+
+
+def stage(folder, modules):
+    """Fills `folder` with what an installed add-on consists of."""
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(SOURCES, folder, ignore=IGNORED)
+    for source in (CLONE / "LICENSE", *(CLONE / "native" / "bindings").glob("*.pyi"), *modules):
+        shutil.copy2(source, folder)
+
+
+def digest(*folders):
+    """One number for all names and contents below the folders."""
+    total = hashlib.sha256()
+    for path in sorted(path for folder in folders for path in folder.rglob("*") if path.is_file()):
+        content = path.read_bytes()
+        total.update(f"{path.name}\0{path.parent}\0{len(content)}\0".encode())
+        total.update(content)
+    return total.hexdigest()
+
+
+def bl_info(manifest):
+    """The description that Blender before 4.2 reads instead of the manifest."""
+    info = {
+        "name": manifest["name"],
+        "description": manifest["tagline"],
+        "author": manifest["maintainer"],
+        "version": tuple(int(part) for part in manifest["version"].split(".")),
+        "blender": (3, 4, 0),
+        "location": "3D View > Sidebar > Motus",
+        "category": "Animation",
+    }
+    lines = "".join(f"    {key!r}: {value!r},\n" for key, value in info.items())
+    return f"bl_info = {{\n{lines}}}\n"
+
+
+def insert_bl_info(source, manifest):
+    """`source` of the package with bl_info at the first place where a statement may stand."""
+    after = 0
+    for statement in ast.parse(source).body:
+        is_docstring = isinstance(statement, ast.Expr) and isinstance(statement.value, ast.Constant)
+        is_future = isinstance(statement, ast.ImportFrom) and statement.module == "__future__"
+        if not (is_docstring or is_future):
+            break
+        after = statement.end_lineno
+    lines = source.splitlines(keepends=True)
+    return "".join(lines[:after]) + "\n" + bl_info(manifest) + "".join(lines[after:])
+
+
+def write_zip(path, folder, prefix):
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for file in sorted(file for file in folder.rglob("*") if file.is_file()):
+            entry = zipfile.ZipInfo(prefix + file.relative_to(folder).as_posix(), EPOCH)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = 0o644 << 16
+            archive.writestr(entry, file.read_bytes())
+
+
+def build_extension(blender, folder, path):
+    """Lets Blender make the zip, which checks the manifest; a plain zip where there is no Blender that can."""
+    if not blender:
+        write_zip(path, folder, "")
+        return
+    command = [*blender, "--command", "extension", "build", "--source-dir", str(folder), "--output-filepath", str(path)]
+    done = subprocess.run(command, text=True, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+    if done.returncode or not path.is_file():
+        sys.exit(f"{done.stdout}\nmotus: `extension build` failed, see above")
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    for name in ("--modules", "--stage", "--dist"):
+        parser.add_argument(name, type=Path, required=True)
+    parser.add_argument("blender", nargs="*", help="command that runs a Blender of 4.2 or later")
+    options = parser.parse_args(arguments)
+
+    modules = sorted(options.modules.glob("motus_native.*.so"))
+    manifest = tomllib.loads((SOURCES / "blender_manifest.toml").read_text(encoding="utf-8"))
+    version = manifest["version"]
+    extension = options.dist / f"motus-{version}-extension.zip"
+    legacy = options.dist / f"motus-{version}-legacy.zip"
+
+    stamp = options.stage / "stamp"
+    extension_stage, legacy_stage = options.stage / "extension", options.stage / "legacy"
+    stage(extension_stage, modules)
+    content = digest(extension_stage, Path(__file__).parent)
+    if extension.exists() and legacy.exists() and stamp.exists() and stamp.read_text() == content:
+        return
+
+    stamp.unlink(missing_ok=True)
+    stage(legacy_stage, modules)
+    package = legacy_stage / "__init__.py"
+    package.write_text(insert_bl_info(package.read_text(encoding="utf-8"), manifest), encoding="utf-8")
+    options.dist.mkdir(parents=True, exist_ok=True)
+    for old in options.dist.glob("motus-*.zip"):
+        old.unlink()
+    build_extension(options.blender, extension_stage, extension)
+    write_zip(legacy, legacy_stage, "motus/")
+    stamp.write_text(content)
+    abis = ", ".join(module.name.split(".")[1].split("-x86")[0] for module in modules)
+    print(f"motus: packaged {extension.name} and {legacy.name} in {options.dist} (native modules: {abis})", file=sys.stderr)
+
+
+main(sys.argv[1:])

@@ -1,0 +1,67 @@
+"""Runs the unittest modules of a folder: a traceback for each failure, and one summary line that .ci/test.py reads."""
+
+import os
+import sys
+import time
+import unittest
+
+
+class _Result(unittest.TestResult):
+    """Prints failures as they happen, and the seconds of the slow tests."""
+
+    SLOW = 2.0
+
+    def startTest(self, test):
+        super().startTest(test)
+        self._started = time.perf_counter()
+
+    def stopTest(self, test):
+        super().stopTest(test)
+        seconds = time.perf_counter() - self._started
+        if seconds > self.SLOW:
+            print(f"slow: {test.id()} {seconds:.1f} s", flush=True)
+
+    def addFailure(self, test, err):
+        super().addFailure(test, err)
+        self._report(test, self.failures)
+
+    def addError(self, test, err):
+        super().addError(test, err)
+        self._report(test, self.errors)
+
+    def addSubTest(self, test, subtest, err):
+        known = len(self.failures), len(self.errors)
+        super().addSubTest(test, subtest, err)
+        if len(self.failures) > known[0]:
+            self._report(subtest, self.failures)
+        if len(self.errors) > known[1]:
+            self._report(subtest, self.errors)
+
+    @staticmethod
+    def _report(test, collected):
+        print(f"FAILED {test.id()}\n{collected[-1][1]}", flush=True)
+
+
+def failed_tests(result):
+    """Ids of the tests that failed, each once however many of its subtests did."""
+    broken = [test for test, _ in result.failures + result.errors] + list(result.unexpectedSuccesses)
+    return {getattr(test, "test_case", test).id() for test in broken}
+
+
+def run_folder(folder, patterns=()):
+    """Runs folder/test_*.py, or of it the tests whose id contains one of `patterns`; returns the exit status."""
+    os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
+    sys.dont_write_bytecode = True
+    sys.path.insert(0, str(folder))
+    loader = unittest.TestLoader()
+    if patterns:
+        loader.testNamePatterns = [f"*{pattern}*" for pattern in patterns]
+    result = _Result()
+    loader.discover(str(folder), top_level_dir=str(folder)).run(result)
+    failed = len(failed_tests(result))
+    skipped = len(result.skipped)
+    for test, reason in result.skipped:
+        print(f"skipped: {test.id()}: {reason}")
+    passed = max(result.testsRun - failed - skipped, 0)
+    print(f"summary: {passed} passed, {failed} failed, {skipped} skipped", flush=True)
+    return 1 if failed or not (result.testsRun or patterns) else 0

@@ -1,0 +1,1 @@
+"""The machinery all systems share; it never imports a system."""

@@ -1,0 +1,80 @@
+"""F-curves of a datablock, the same in every Blender: plain actions up to 4.3, slotted ones since."""
+
+import bpy
+
+from . import capabilities
+
+
+def fcurves(id_data):
+    """The F-curves that animate a datablock; an empty tuple where there are none."""
+    animation = id_data.animation_data
+    action = animation and animation.action
+    if not action:
+        return ()
+    if not capabilities.has_slotted_actions():
+        return action.fcurves
+    bag = animation.action_slot and _channelbag(action, animation.action_slot)
+    return bag.fcurves if bag else ()
+
+
+def find(id_data, data_path, index=0):
+    """The F-curve of one property, or None."""
+    curves = fcurves(id_data)
+    return curves.find(data_path, index=index) if curves else None
+
+
+def slot_identifier(id_data):
+    """Which slot of its action animates the datablock; "" where it has none or actions have no slots."""
+    animation = id_data.animation_data
+    slot = animation.action_slot if animation and capabilities.has_slotted_actions() else None
+    return slot.identifier if slot else ""
+
+
+def assign(id_data, action, slot=""):
+    """Let an action, by the slot of this identifier, animate the datablock; None takes it off."""
+    animation = id_data.animation_data or id_data.animation_data_create()
+    animation.action = action
+    if action and capabilities.has_slotted_actions():
+        animation.action_slot = action.slots.get(slot)
+
+
+def assign_copy(id_data, name):
+    """Let a copy of its action, without the slots of others, animate the datablock; a new one where it has none.
+
+    Returns what holds the F-curves (`fcurves`) and their groups (`groups`).
+    """
+    animation = id_data.animation_data or id_data.animation_data_create()
+    slot = slot_identifier(id_data)
+    action = animation.action.copy() if animation.action else bpy.data.actions.new(name)
+    action.name = name
+    action.use_fake_user = False
+    assign(id_data, action, slot)
+    if not capabilities.has_slotted_actions():
+        return action
+    if animation.action_slot is None:
+        animation.action_slot = action.slots.new(id_data.id_type, id_data.name)
+    for other in [one for one in action.slots if one != animation.action_slot]:
+        action.slots.remove(other)
+    return _ensure_channelbag(action, animation.action_slot)
+
+
+def new_fcurve(bag, data_path, index, group):
+    """A new F-curve in what assign_copy() returned, listed under `group` in the animation editors."""
+    curve = bag.fcurves.new(data_path, index=index)
+    curve.group = bag.groups.get(group) or bag.groups.new(group)
+    return curve
+
+
+def _channelbag(action, slot):
+    for layer in action.layers:
+        for strip in layer.strips:
+            bag = strip.channelbag(slot)
+            if bag:
+                return bag
+    return None
+
+
+def _ensure_channelbag(action, slot):
+    layer = action.layers[0] if action.layers else action.layers.new("Layer")
+    strip = layer.strips[0] if layer.strips else layer.strips.new(type='KEYFRAME')
+    return strip.channelbag(slot, ensure=True)

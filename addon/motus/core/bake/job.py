@@ -1,0 +1,134 @@
+"""Baking and unbaking as plain functions; baking in steps, so that it can show its progress and be cancelled."""
+
+import math
+
+import bpy
+
+from .. import system, wiring
+from ..translations import tr
+from . import keys
+from .sampling import Track, is_mirrored
+
+
+class BakeError(Exception):
+    """A sentence that tells the user why nothing was done."""
+
+
+def owner_and_systems(thing, name=""):
+    """(owner, systems) to bake where the user names an owner or one of its members; name "" means every system."""
+    for owner, systems in _candidates(thing):
+        chosen = [one for one in systems if name in ("", one.name)]
+        if chosen:
+            return owner, chosen
+    raise BakeError(tr("{object} is not driven by Motus: add a system to it first").format(object=thing.name))
+
+
+def _candidates(thing):
+    systems = system.registered.values()
+    yield thing, [one for one in systems if wiring.is_attached(one, thing)]
+    for one in systems:
+        leader = system.of_owner(one, thing).leader
+        if leader:
+            yield leader, [one]
+
+
+def frame_range(start, end, step):
+    """The frames from start to end inclusive; floats where the step is not whole."""
+    if end < start:
+        raise BakeError(tr("The range is empty: the end frame comes before the start frame"))
+    count = int(math.floor((end - start) / step + 1e-6)) + 1
+    return [start + step * index for index in range(count)]
+
+
+def bake(scene, view_layer, owner, systems, frames):
+    """Bake in steps: a generator of how many frames are done. Nothing is changed before the last one."""
+    tracks = _tracks(owner, systems)
+    _check(tracks, view_layer)
+    before = scene.frame_current, scene.frame_subframe
+    try:
+        for index, frame in enumerate(frames):
+            whole = math.floor(frame)
+            scene.frame_set(whole, subframe=frame - whole)
+            for track in tracks:
+                track.record(view_layer.depsgraph)
+            yield index + 1
+    finally:
+        scene.frame_set(before[0], subframe=before[1])
+    _apply(owner, systems, tracks, frames)
+    scene.frame_set(before[0], subframe=before[1])
+
+
+def unbake(thing, name=""):
+    """Put back what was before baking; returns the objects that were baked together.
+
+    thing: the owner or one of its members. name: of a system that has to be among the baked ones.
+    """
+    owner = thing.motus.bake.owner or thing
+    systems = [one for one in system.registered.values() if system.of_owner(one, owner).is_baked]
+    baked = [one for one in bpy.data.objects if _is_baked_with(owner, one)]
+    if not baked or (name and name not in [one.name for one in systems]):
+        raise BakeError(tr("{object} is not baked").format(object=thing.name))
+    for one in baked:
+        keys.restore(one)
+    for one in systems:
+        system.of_owner(one, owner).is_baked = False
+        wiring.set_muted(one, owner, False)
+    return baked
+
+
+def _is_baked_with(owner, thing):
+    state = thing.motus.bake
+    return state.is_baked and (state.owner or thing) == owner
+
+
+def objects_of(owner, systems):
+    """The objects that the systems drive, themselves or their bones."""
+    return {member.id_data for one in systems for member in one.members(owner)}
+
+
+def _sinks(owner, systems):
+    return [constraint for one in systems for _, constraint in wiring.sinks(one, owner)]
+
+
+def _tracks(owner, systems):
+    sinks = _sinks(owner, systems)
+    channels = {}
+    for one in systems:
+        for member in one.members(owner):
+            channels.setdefault(member, set()).update(one.channels(system.of_owner(one, owner)))
+    for member, names in channels.items():
+        # The user's constraints act on top of the result or below it: all of it is baked, and they are switched off.
+        # A mirrored thing loses its negative scale in the sinks.
+        if keys.others(member, sinks) or is_mirrored(member.scale):
+            names.update(("location", "rotation", "scale"))
+    return [Track(member, frozenset(names)) for member, names in channels.items()]
+
+
+def _check(tracks, view_layer):
+    if not tracks:
+        raise BakeError(tr("The system drives nothing that could be baked"))
+    for one in {track.id_data for track in tracks}:
+        animation = one.animation_data
+        if one.library:
+            problem = tr("{object} is linked from another file: make a library override of it first")
+        elif one.motus.bake.is_baked:
+            problem = tr("{object} is baked already: unbake it first")
+        elif animation and animation.use_tweak_mode:
+            problem = tr("{object} is in the tweak mode of the NLA editor: leave it first")
+        elif not one.evaluated_get(view_layer.depsgraph).is_evaluated:
+            problem = tr("{object} is not evaluated: show it in the viewport first")
+        else:
+            continue
+        raise BakeError(problem.format(object=one.name))
+
+
+def _apply(owner, systems, tracks, frames):
+    sinks = _sinks(owner, systems)
+    for one in {track.id_data for track in tracks}:
+        own = [track for track in tracks if track.id_data == one]
+        keys.remember(one, owner, own, keys.mute(one, own, sinks))
+        keys.write(one, own, frames)
+        one.update_tag()
+    for one in systems:
+        wiring.set_muted(one, owner, True)
+        system.of_owner(one, owner).is_baked = True

@@ -1,0 +1,18 @@
+"""What a baked object remembers, to be put back by unbaking."""
+
+import bpy
+
+
+class MOTUS_PG_bake(bpy.types.PropertyGroup):
+    is_baked: bpy.props.BoolProperty(
+        name="Baked", description="The object moves by baked keyframes", options=set())
+    owner: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Owner", description="Object whose system was baked; empty where it is this one")
+    action: bpy.props.PointerProperty(
+        type=bpy.types.Action, name="Baked Action", description="Action that holds the baked keyframes")
+    previous_action: bpy.props.PointerProperty(
+        type=bpy.types.Action, name="Previous Action", description="The object's own action, which unbaking puts back")
+    previous_slot: bpy.props.StringProperty(
+        name="Previous Slot", description="The object's slot in its own action", options=set())
+    kept: bpy.props.StringProperty(
+        name="Kept", description="Values and switches as they were before baking", options=set())

@@ -1,0 +1,117 @@
+"""What a driven object or bone does over time, as values of its own transform channels."""
+
+import math
+
+import bpy
+from mathutils import Euler, Matrix, Quaternion, Vector
+
+ROTATION_PATHS = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}
+
+
+class Track:
+    """The channels of one Object or PoseBone, sampled frame by frame."""
+
+    def __init__(self, thing, channels):
+        self.thing = thing
+        self.channels = channels
+        self.values = {path: [] for path in _paths(thing, channels)}
+        self._last_rotation = None
+
+    @property
+    def id_data(self):
+        return self.thing.id_data
+
+    def data_path(self, name):
+        """Path of a channel from the object."""
+        if isinstance(self.thing, bpy.types.PoseBone):
+            return f"{self.thing.path_from_id()}.{name}"
+        return name
+
+    def record(self, depsgraph):
+        """Append the values that give the present evaluated transform."""
+        evaluated = self.id_data.evaluated_get(depsgraph)
+        matrix = _basis(self.thing, evaluated)
+        deltas = _deltas(self.thing)
+        signs = _signs(self.thing, deltas, matrix)
+        if "location" in self.channels:
+            self.values["location"].append(matrix.translation - deltas.location)
+        if "rotation" in self.channels:
+            columns = [axis.normalized() * sign for axis, sign in zip(matrix.to_3x3().col, signs)]
+            rotation = deltas.rotation.inverted() @ Matrix(columns).transposed().to_quaternion()
+            path = rotation_path(self.thing)
+            self._last_rotation = _rotation(self.thing, rotation, self._last_rotation)
+            self.values[path].append(self._last_rotation)
+        if "scale" in self.channels:
+            lengths = [axis.length * sign for axis, sign in zip(matrix.to_3x3().col, signs)]
+            self.values["scale"].append([
+                length / delta if delta else factor  # where the delta is 0 any value would do
+                for length, delta, factor in zip(lengths, deltas.scale, self.thing.scale)])
+
+
+class _Deltas:
+    """The delta transform that an object applies on top of its channels; a bone has none."""
+
+    location = Vector((0.0, 0.0, 0.0))
+    rotation = Quaternion()
+    scale = Vector((1.0, 1.0, 1.0))
+
+
+def _deltas(thing):
+    deltas = _Deltas()
+    if isinstance(thing, bpy.types.Object):
+        deltas.location = thing.delta_location
+        deltas.scale = thing.delta_scale
+        if thing.rotation_mode == 'QUATERNION':
+            deltas.rotation = thing.delta_rotation_quaternion.normalized()
+        elif thing.rotation_mode != 'AXIS_ANGLE':
+            deltas.rotation = thing.delta_rotation_euler.to_quaternion()
+    return deltas
+
+
+def is_mirrored(scale):
+    """Whether a scale turns right hands into left ones."""
+    return scale[0] * scale[1] * scale[2] < 0.0
+
+
+def _signs(thing, deltas, matrix):
+    """Signs of the scale in a matrix: the thing's own, where the matrix can have them."""
+    signs = [math.copysign(1.0, factor * delta) for factor, delta in zip(thing.scale, deltas.scale)]
+    if is_mirrored(signs) != matrix.is_negative:
+        return [-1.0 if matrix.is_negative else 1.0] * 3
+    return signs
+
+
+def rotation_path(thing):
+    """The channel that turns it in its own rotation mode."""
+    return ROTATION_PATHS.get(thing.rotation_mode, "rotation_euler")
+
+
+def _paths(thing, channels):
+    names = {"location": "location", "rotation": rotation_path(thing), "scale": "scale"}
+    return [path for channel, path in names.items() if channel in channels]
+
+
+def _basis(thing, evaluated):
+    """The evaluated transform relative to what the parents do: what the channels are to give."""
+    if isinstance(thing, bpy.types.PoseBone):
+        bone = evaluated.pose.bones[thing.name]
+        return evaluated.convert_space(pose_bone=bone, matrix=bone.matrix, from_space='POSE', to_space='LOCAL')
+    if evaluated.parent is None:
+        return evaluated.matrix_world
+    return evaluated.matrix_parent_inverse.inverted_safe() @ evaluated.matrix_local
+
+
+def _rotation(thing, rotation, last):
+    """A quaternion as values of the rotation channel, next to the values before it."""
+    if thing.rotation_mode == 'QUATERNION':
+        return -rotation if last is not None and rotation.dot(last) < 0.0 else rotation
+    if thing.rotation_mode == 'AXIS_ANGLE':
+        return _axis_angle(rotation, last or tuple(thing.rotation_axis_angle))
+    return rotation.to_euler(thing.rotation_mode, last or Euler(thing.rotation_euler, thing.rotation_mode))
+
+
+def _axis_angle(rotation, last):
+    axis, angle = rotation.to_axis_angle()
+    if axis.dot(Vector(last[1:])) < 0.0:
+        axis, angle = -axis, -angle
+    return (angle + math.tau * round((last[0] - angle) / math.tau), *axis)

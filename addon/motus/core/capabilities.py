@@ -1,0 +1,46 @@
+"""What this Blender can do, asked by name. The one place where Blender versions are told apart.
+
+Functions, not constants: several answers come from RNA, which is read only when somebody asks.
+"""
+
+import bpy
+
+
+def has_geometry_attribute_constraint():
+    """The constraint that takes a whole matrix from a mesh attribute (5.x): the better sink."""
+    types = bpy.types.Constraint.bl_rna.properties["type"].enum_items
+    return 'GEOMETRY_ATTRIBUTE' in types
+
+
+def has_limit_rotation_legacy_flag():
+    """Limit Rotation has had a switch for its old behaviour since 4.2."""
+    return "use_legacy_behavior" in bpy.types.LimitRotationConstraint.bl_rna.properties
+
+
+def has_slotted_actions():
+    """Actions have slots, layers and strips (4.4), and from 5.0 on nothing else."""
+    return hasattr(bpy.types, "ActionSlot")
+
+
+def eevee_engine():
+    """Identifier of EEVEE, which was renamed twice."""
+    engines = bpy.types.RenderSettings.bl_rna.properties["engine"].enum_items
+    return 'BLENDER_EEVEE_NEXT' if 'BLENDER_EEVEE_NEXT' in engines else 'BLENDER_EEVEE'
+
+
+def has_panel_category():
+    """The sidebar's open tab can be read and set."""
+    return "active_panel_category" in bpy.types.Region.bl_rna.properties
+
+
+def line_shader(is_uniform):
+    """Name of the built-in shader for wide lines, in one colour or in one a point."""
+    name = "POLYLINE_UNIFORM_COLOR" if is_uniform else "POLYLINE_SMOOTH_COLOR"
+    return name if bpy.app.version >= (4, 0, 0) else "3D_" + name
+
+
+def point_shader():
+    """Name of the built-in shader for points in one colour; one that knows their size has been there since 4.5."""
+    if bpy.app.version >= (4, 5, 0):
+        return "POINT_UNIFORM_COLOR"
+    return "UNIFORM_COLOR" if bpy.app.version >= (4, 0, 0) else "3D_UNIFORM_COLOR"

@@ -1,0 +1,161 @@
+"""Reads Blender's curves, of any kind, into native ones."""
+
+import threading
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+import numpy as np
+
+from . import native
+from .system import Problem
+
+ALL_SPLINES = -1
+MAX_DEGREE = 64
+MAX_ORDER = 6
+CONTROL_POLYGON_KEY = "motus_bezier"
+"""Custom property of a curve: the points of each poly spline are the control points of one Bézier curve."""
+
+NO_SPLINES = Problem("The curve has no splines")
+NO_SUCH_SPLINE = Problem("The curve has no spline of this index")
+TOO_FEW_POINTS = Problem("A spline needs two points at least")
+TOO_MANY_POINTS = Problem(f"A Bézier curve of more than {MAX_DEGREE + 1} control points is not supported")
+RATIONAL = Problem("NURBS splines with different weights cannot be followed: make the weights equal")
+HIGH_ORDER = Problem(f"NURBS splines of an order above {MAX_ORDER} cannot be followed: lower the order")
+PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONAL, HIGH_ORDER)
+
+# A second to_curve() on an object frees the first one's result, and drivers run in several threads.
+_temporary_curve = threading.Lock()
+_last_collection = {}
+
+
+class Unreadable(Exception):
+    """A curve that cannot be read; `problem` says why."""
+
+    def __init__(self, problem):
+        super().__init__(problem.sentence)
+        self.problem = problem
+
+
+@dataclass(frozen=True)
+class WorldCurve:
+    """A curve in world space, and the tilt (rad) at its segments' joints."""
+
+    curve: Any
+    tilt: np.ndarray
+
+
+def read_evaluated(curve_object, depsgraph, index):
+    """The WorldCurve of an evaluated curve object. Raises Unreadable."""
+    return read(curve_object, curve_object.data.splines, depsgraph, index, curve_object.matrix_world)
+
+
+def read(curve_object, splines, depsgraph, index, matrix):
+    """The WorldCurve of spline `index` (or ALL_SPLINES) of an evaluated curve object. Raises Unreadable.
+
+    splines: of its evaluated data; where the object has modifiers or shape keys, the deformed ones are read instead.
+    """
+    is_polygon = CONTROL_POLYGON_KEY in curve_object.data
+    if curve_object.modifiers or curve_object.data.shape_keys:
+        with _temporary_curve:
+            try:
+                deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
+                curve, tilt = _read_splines(deformed.splines, index, is_polygon)
+            finally:
+                curve_object.to_curve_clear()
+    else:
+        curve, tilt = _read_splines(splines, index, is_polygon)
+    return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), tilt)
+
+
+def is_deleted(curve_object):
+    """Whether the object stands in no collection any more; a pointer property keeps it in the file all the same."""
+    original = curve_object.original
+    if original.library:
+        return False
+    name = original.name
+    # Names, not references: undo invalidates those. Where it was last time is where it most probably is.
+    last = bpy.data.collections.get(_last_collection.get(name, ""))
+    if last and name in last.objects:
+        return False
+    for collection in bpy.data.collections:
+        if name in collection.objects:
+            _last_collection[name] = collection.name
+            return False
+    return not any(name in scene.collection.objects for scene in bpy.data.scenes)
+
+
+def _read_splines(splines, index, is_polygon):
+    count = len(splines)
+    if count == 0:
+        raise Unreadable(NO_SPLINES)
+    if index != ALL_SPLINES:
+        if index >= count:
+            raise Unreadable(NO_SUCH_SPLINE)
+        return _read_spline(splines[index], is_polygon)
+    if count == 1:
+        return _read_spline(splines[0], is_polygon)
+    return _joined([_read_spline(spline, is_polygon) for spline in splines])
+
+
+def _read_spline(spline, is_polygon):
+    if spline.type == 'BEZIER':
+        return _read_bezier(spline)
+    points, weights, tilt = _read_points(spline)
+    if spline.type == 'NURBS':
+        return _read_nurbs(spline, points, weights, tilt)
+    if is_polygon:
+        if len(points) > MAX_DEGREE + 1:
+            raise Unreadable(TOO_MANY_POINTS)
+        return native.module.Bezier(points), tilt[[0, -1]]
+    return native.module.PolyLine(points, spline.use_cyclic_u), tilt
+
+
+def _read_bezier(spline):
+    points = spline.bezier_points
+    _require_points(points)
+    arrays = [_vectors(points, name, 3) for name in ("co", "handle_left", "handle_right")]
+    return native.module.Spline(*arrays, spline.use_cyclic_u), _vectors(points, "tilt", 1)
+
+
+def _read_nurbs(spline, points, weights, tilt):
+    if np.ptp(weights) > 1e-6 * weights.max():
+        raise Unreadable(RATIONAL)
+    if spline.order_u > MAX_ORDER:
+        raise Unreadable(HIGH_ORDER)
+    options = spline.order_u, spline.use_cyclic_u, spline.use_endpoint_u, spline.use_bezier_u
+    curve = native.module.BSpline(points, *options)
+    # Tilt is blended by the same basis functions as the position.
+    tilts = native.module.BSpline(np.column_stack((tilt, tilt, tilt)), *options)
+    joints = np.arange(curve.segment_count + (not curve.cyclic), dtype=float)
+    return curve, tilts.position(joints)[:, 0]
+
+
+def _read_points(spline):
+    points = spline.points
+    _require_points(points)
+    homogeneous = _vectors(points, "co", 4)
+    return homogeneous[:, :3], homogeneous[:, 3], _vectors(points, "tilt", 1)
+
+
+def _require_points(points):
+    if len(points) < 2:
+        raise Unreadable(TOO_FEW_POINTS)
+
+
+def _vectors(points, name, size):
+    buffer = np.empty(len(points) * size, np.float32)
+    points.foreach_get(name, buffer)
+    return buffer.reshape(-1, size) if size > 1 else buffer
+
+
+def _joined(parts):
+    """One chain of several curves, with gaps between them."""
+    degree = max(curve.degree for curve, _ in parts)
+    segments = np.concatenate([
+        curve.elevate(degree - curve.degree).control_points.reshape(-1, degree + 1, 3) for curve, _ in parts])
+    # A joint belongs to the segment that begins there: at a gap the tilt of the spline before is not reached.
+    last, last_tilt = parts[-1]
+    end = last_tilt[0 if last.cyclic else -1]
+    tilt = np.concatenate([*(values[:curve.segment_count] for curve, values in parts), [end]])
+    return native.module.Chain(segments, False), tilt

@@ -1,0 +1,57 @@
+"""The one place that imports the native module: `module` (None where it is unusable) and `status` (why, for the user)."""
+
+import importlib.machinery
+import re
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+OK = 'OK'
+MISSING = 'MISSING'
+WRONG_ABI = 'WRONG_ABI'
+LOAD_ERROR = 'LOAD_ERROR'
+VERSION_MISMATCH = 'VERSION_MISMATCH'
+
+PACKAGE_FOLDER = Path(__file__).resolve().parent.parent
+
+
+class Status(NamedTuple):
+    """What came of the import, and one sentence that tells the user what to do about it."""
+
+    code: str
+    sentence: str
+
+
+def addon_version():
+    """The version in the manifest, which both kinds of zip contain."""
+    manifest = (PACKAGE_FOLDER / "blender_manifest.toml").read_text(encoding="utf-8")
+    return re.search(r'^version\s*=\s*"([^"]+)"', manifest, re.MULTILINE).group(1)
+
+
+def _import_failure(error):
+    """Status of a failed import, told apart by the files that lie beside the add-on."""
+    this_python = f"{sys.version_info.major}.{sys.version_info.minor}"
+    files = sorted(path.name for path in PACKAGE_FOLDER.glob("motus_native.*") if path.suffix in {".so", ".pyd"})
+    if not files:
+        return Status(MISSING, "The native module is missing from this copy of Motus: "
+                               "remove the add-on and install it from a release zip")
+    if not any(f"motus_native{suffix}" in files for suffix in importlib.machinery.EXTENSION_SUFFIXES):
+        pythons = ", ".join(".".join(found) for found in re.findall(r"cpython-(\d)(\d+)", " ".join(files)))
+        return Status(WRONG_ABI, f"This copy of Motus is built for Python {pythons or 'on another system'}, but this Blender "
+                                 f"runs Python {this_python}: install a Motus release that contains it")
+    return Status(LOAD_ERROR, f"The native module could not be loaded ({error}): reinstall Motus, "
+                              "and report this line if that does not help")
+
+
+def _load():
+    try:
+        from .. import motus_native
+    except (ImportError, OSError) as error:
+        return None, _import_failure(error)
+    if motus_native.__version__ != addon_version():
+        return None, Status(VERSION_MISMATCH, f"The native module is version {motus_native.__version__} but the add-on is "
+                                              f"{addon_version()}: restart Blender, and reinstall Motus if that does not help")
+    return motus_native, Status(OK, f"Native module {motus_native.__version__}")
+
+
+module, status = _load()

@@ -1,0 +1,59 @@
+"""Registers everything in a stated order, and takes everything back in the reverse one."""
+
+import bpy
+
+from . import bake, menus, overlay, preferences, system, translations, ui, wiring
+
+_undo = []
+
+
+def register(systems, extra_classes=(), extra_add_menu=()):
+    """Register all systems and the shared classes. On an error what was registered is taken back."""
+    try:
+        _register(systems, tuple(extra_classes), tuple(extra_add_menu))
+    except Exception:
+        unregister()
+        raise
+
+
+def unregister():
+    """Take back what register() did, last first."""
+    while _undo:
+        _undo.pop()()
+
+
+def _register(systems, extra_classes, extra_add_menu):
+    # Property groups before the groups that point to them, and all of them before the panels that draw them.
+    for one in systems:
+        system.registered[one.name] = one
+        _undo.append(lambda name=one.name: system.registered.pop(name))
+        _register_classes(one.classes)
+    _register_classes(preferences.classes + ui.classes + bake.classes + overlay.classes + extra_classes)
+    _register_settings(systems)
+    _call(wiring.register, wiring.unregister)
+    _call(overlay.register, overlay.unregister)
+    _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
+    _call(translations.register, translations.unregister)
+
+
+def _call(do, undo):
+    do()
+    _undo.append(undo)
+
+
+def _register_classes(classes):
+    for cls in classes:
+        bpy.utils.register_class(cls)
+        _undo.append(lambda cls=cls: bpy.utils.unregister_class(cls))
+
+
+def _register_settings(systems):
+    """Object.motus holds one group a system and what baking remembers; Scene.motus the viewport switches."""
+    annotations = {
+        one.name: bpy.props.PointerProperty(type=one.settings, override={'LIBRARY_OVERRIDABLE'}) for one in systems}
+    annotations["bake"] = bpy.props.PointerProperty(type=bake.MOTUS_PG_bake)
+    group = type("MOTUS_PG_object", (bpy.types.PropertyGroup,), {"__annotations__": annotations})
+    _register_classes((group,))
+    for owner, kind in ((bpy.types.Object, group), (bpy.types.Scene, preferences.MOTUS_PG_scene)):
+        owner.motus = bpy.props.PointerProperty(type=kind, name="Motus", override={'LIBRARY_OVERRIDABLE'})
+        _undo.append(lambda owner=owner: delattr(owner, "motus"))

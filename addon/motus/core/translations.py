@@ -1,0 +1,33 @@
+"""Collects the languages in translations/ for Blender."""
+
+import importlib
+
+import bpy
+
+LANGUAGES = ("es",)
+
+
+def register():
+    """Register all languages. Each module has CONTEXTS: context -> {English: translation}."""
+    catalogue = {}
+    for language in LANGUAGES:
+        module = importlib.import_module(f"...translations.{language}", __package__ + ".x")
+        catalogue[language] = {
+            (context, english): translated
+            for context, messages in module.CONTEXTS.items() for english, translated in messages.items()}
+    bpy.app.translations.register(_KEY, catalogue)
+
+
+def tr(text):
+    """A report or other sentence in the user's language; fill its {placeholders} afterwards."""
+    # Reports have a preference of their own since 4.1.
+    translate = getattr(bpy.app.translations, "pgettext_rpt", bpy.app.translations.pgettext_tip)
+    return translate(text)
+
+
+def unregister():
+    """Forget all languages."""
+    bpy.app.translations.unregister(_KEY)
+
+
+_KEY = __package__

@@ -1,0 +1,95 @@
+"""Panel parts that all systems share."""
+
+import bpy
+
+from . import native, wiring
+from .system import of_owner
+
+TAB = "Motus"
+
+
+class MOTUS_OT_copy_text(bpy.types.Operator):
+    bl_idname = "motus.copy_text"
+    bl_label = "Copy"
+    bl_description = "Copy the message to the clipboard"
+    bl_options = {'INTERNAL'}
+
+    text: bpy.props.StringProperty()
+
+    def execute(self, context):
+        context.window_manager.clipboard = self.text
+        return {'FINISHED'}
+
+
+class MOTUS_PT_sidebar(bpy.types.Panel):
+    bl_label = "Motus"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'UI'
+    bl_category = TAB
+
+    def draw(self, context):
+        layout = self.layout
+        if not draw_native_status(layout):
+            return
+        if context.object is None:
+            layout.label(text="Select an object", icon='INFO')
+            return
+        layout.label(text=context.object.name, icon='OBJECT_DATA', translate=False)
+
+
+class MOTUS_PT_overlay(bpy.types.Panel):
+    bl_label = "Overlay"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'UI'
+    bl_category = TAB
+    bl_order = 100
+    bl_options = {'DEFAULT_CLOSED'}
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.motus, "show_overlay", text="")
+
+    def draw(self, context):
+        settings = context.scene.motus
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        layout.active = settings.show_overlay
+        column = layout.column(heading="Show")
+        for name in ("show_curve", "show_control_points", "show_tangents", "show_frames", "show_speed"):
+            column.prop(settings, name)
+
+
+def draw_native_status(layout):
+    """Say what is wrong with the native module, with a copy button; True where all is well."""
+    if native.module is not None:
+        return True
+    draw_message(layout, native.status.sentence, 'ERROR')
+    layout.operator(MOTUS_OT_copy_text.bl_idname, icon='COPYDOWN').text = native.status.sentence
+    return False
+
+
+def draw_problem(layout, context, system, owner):
+    """The solver's sentence on this owner, if it has one."""
+    problem = wiring.problem(system, owner, context.view_layer.depsgraph)
+    if problem:
+        draw_message(layout, problem.sentence, 'ERROR' if problem.blocking else 'INFO')
+
+
+def draw_bake(layout, system, owner):
+    """Bake and unbake buttons."""
+    row = layout.row(align=True)
+    if of_owner(system, owner).is_baked:
+        row.operator("motus.unbake", icon='LOOP_BACK').system = system.name
+    else:
+        row.operator("motus.bake", icon='KEYFRAME').system = system.name
+
+
+def draw_message(layout, sentence, icon, width=44):
+    """A sentence over as many lines as a narrow sidebar needs."""
+    import textwrap
+    box = layout.box().column(align=True)
+    for index, line in enumerate(textwrap.wrap(bpy.app.translations.pgettext_tip(sentence), width)):
+        box.label(text=line, icon=icon if index == 0 else 'BLANK1', translate=False)
+
+
+classes = (MOTUS_OT_copy_text, MOTUS_PT_sidebar, MOTUS_PT_overlay)

@@ -1,0 +1,49 @@
+"""Drivers: made, found and removed in one place."""
+
+
+def add(owner, path, expression, variables, index=None, use_self=False):
+    """Drive one property by `expression` over `variables` (name -> Variable)."""
+    driver = _new(owner, path, index, variables)
+    driver.type = 'SCRIPTED'
+    driver.use_self = use_self
+    driver.expression = expression
+
+
+def copy_value(owner, path, source):
+    """Let one property have the value of another, without Python."""
+    _new(owner, path, None, {"v": source}).type = 'SUM'
+
+
+def minimum(owner, path, variables):
+    """Let one property have the least value of others, without Python."""
+    _new(owner, path, None, variables).type = 'MIN'
+
+
+def _new(owner, path, index, variables):
+    curve = owner.driver_add(path) if index is None else owner.driver_add(path, index)
+    driver = curve.driver
+    for name, source in variables.items():
+        variable = driver.variables.new()
+        variable.name = name
+        target = variable.targets[0]
+        if source.id_type != 'OBJECT':
+            target.id_type = source.id_type
+        target.id = source.id
+        target.data_path = source.data_path
+    return driver
+
+
+def remove_under(id_data, prefix):
+    """Remove every driver of the datablock whose path begins with `prefix`."""
+    animation = id_data.animation_data
+    if animation is None:
+        return
+    for curve in [c for c in animation.drivers if c.data_path.startswith(prefix)]:
+        animation.drivers.remove(curve)
+
+
+def drop_empty_animation(id_data):
+    """Leave no empty animation data behind, so that a removed system leaves nothing."""
+    animation = id_data.animation_data
+    if animation and not animation.action and not animation.drivers and not animation.nla_tracks:
+        id_data.animation_data_clear()

@@ -1,0 +1,78 @@
+"""Sinks for every Blender: Limit Location and Limit Rotation with min = max, read from the outbox.
+
+Their drivers only copy slots of the outbox, which takes no Python.
+"""
+
+import bpy
+
+from .. import capabilities
+from ..system import Variable
+from . import drivers, outbox
+
+AXES = "xyz"
+
+
+def add(system, target, carrier, settings_source, member, channels, direct=None):
+    """Drive `target` (Object or PoseBone) by slot block `member` of the carrier's outbox.
+
+    settings_source: (object, data path of its influence). direct: (expression prefix, variables) drives the sinks
+    without the outbox (see motus_direct).
+    """
+    base = outbox.pose_base(system, member)
+    made = []
+    if "location" in channels:
+        made.append((_location(target, system), base))
+    if "rotation" in channels:
+        made.append((_rotation(target, system), base + 3))
+    for constraint, first in made:
+        for axis, letter in enumerate(AXES):
+            for side in ("min_", "max_"):
+                _drive(constraint, side + letter, system, carrier, first + axis, direct)
+        _drive_influence(constraint, system, carrier, settings_source, direct)
+    return [constraint for constraint, _ in made]
+
+
+def _location(target, system):
+    constraint = target.constraints.new('LIMIT_LOCATION')
+    constraint.name = f"Motus {system.label} Location"
+    constraint.owner_space = system.space
+    for letter in AXES:
+        setattr(constraint, "use_min_" + letter, True)
+        setattr(constraint, "use_max_" + letter, True)
+    return constraint
+
+
+def _rotation(target, system):
+    constraint = target.constraints.new('LIMIT_ROTATION')
+    constraint.name = f"Motus {system.label} Rotation"
+    constraint.owner_space = system.space
+    constraint.euler_order = 'XYZ'
+    if capabilities.has_limit_rotation_legacy_flag():
+        # The old behaviour is a plain clamp: exact where min = max.
+        constraint.use_legacy_behavior = True
+    for letter in AXES:
+        setattr(constraint, "use_limit_" + letter, True)
+    return constraint
+
+
+def _slot(system, carrier, index):
+    id_type = 'OBJECT' if isinstance(carrier, bpy.types.Object) else 'MESH'
+    return Variable(id_type, carrier, outbox.out_path(system, index))
+
+
+def _drive(constraint, path, system, carrier, index, direct):
+    if direct is None:
+        drivers.copy_value(constraint, path, _slot(system, carrier, index))
+    else:
+        expression, variables = direct
+        drivers.add(constraint, path, expression.format(slot=index), variables, use_self=True)
+
+
+def _drive_influence(constraint, system, carrier, settings_source, direct):
+    influence = Variable('OBJECT', *settings_source)
+    if direct is None:
+        drivers.minimum(constraint, "influence", {"ok": _slot(system, carrier, outbox.OK_SLOT), "i": influence})
+    else:
+        expression, variables = direct
+        call = expression.format(slot=outbox.OK_SLOT)
+        drivers.add(constraint, "influence", f"i*{call}", variables | {"i": influence}, use_self=True)

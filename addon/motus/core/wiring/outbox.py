@@ -1,0 +1,77 @@
+"""The outbox: one float array property of a solver's carrier that holds all it computed.
+
+    [status, ok, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ...]
+
+The solver driver sits on the first slot, status: to Blender's dependency graph the array is one property, so whoever
+reads any slot of it waits for the solver. status is 0 or the index + 1 of the system's problem (INTERNAL for an error of our own); ok is 1 where the sinks may
+act. On the original it stays zero for ever: without the add-on, or before the first evaluation, nothing acts.
+"""
+
+from ..system import Problem, of_owner
+
+STATUS, OK_SLOT, FIRST_OUTPUT = 0, 1, 2
+POSE_SIZE = 6
+
+OWNER_KEY = "motus_owner"
+"""Custom property of a hub's mesh: the object whose settings it computes."""
+INTERNAL = -1
+
+_INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
+_SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
+
+
+def out_key(system):
+    """Name of the outbox property."""
+    return f"motus_{system.name}_out"
+
+
+def out_path(system, index=None):
+    """Data path of the outbox on its carrier, or of one slot of it."""
+    path = f'["{out_key(system)}"]'
+    return path if index is None else f"{path}[{index}]"
+
+
+def pose_base(system, member):
+    """First slot of a member's location and rotation."""
+    return FIRST_OUTPUT + len(system.outputs) + POSE_SIZE * member
+
+
+def create(system, carrier, members):
+    """Give `carrier` an empty outbox for so many members."""
+    carrier[out_key(system)] = [0.0] * pose_base(system, members)
+
+
+def remove(system, carrier):
+    """Take the outbox away."""
+    if out_key(system) in carrier:
+        del carrier[out_key(system)]
+
+
+def carrier_of(system, owner):
+    """The datablock that carries solver and outbox: the owner, or its hub's mesh."""
+    hub = of_owner(system, owner).hub
+    return hub.data if hub else owner
+
+
+def output_path(system, name):
+    """Data path, on the carrier, of an output for users' own drivers."""
+    return out_path(system, FIRST_OUTPUT + system.outputs.index(name))
+
+
+def output(system, owner, name, depsgraph):
+    """Value of an output as last evaluated; None where nothing was."""
+    out = carrier_of(system, owner).evaluated_get(depsgraph).get(out_key(system))
+    return None if out is None else out[FIRST_OUTPUT + system.outputs.index(name)]
+
+
+def problem(system, owner, depsgraph):
+    """The Problem the solver reported, or None."""
+    out = carrier_of(system, owner).evaluated_get(depsgraph).get(out_key(system))
+    if out is None:
+        return None
+    code = int(out[STATUS])
+    if code == INTERNAL:
+        return _INTERNAL_PROBLEM
+    if code == 0:
+        return None if out[OK_SLOT] else _SILENT_PROBLEM
+    return system.problems[code - 1]

@@ -1,0 +1,127 @@
+"""Late-afternoon light: a low warm sun, a graded sky with thin clouds, and the haze that ties both to the land."""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+from . import materials, shapes
+
+SUN_ELEVATION = math.radians(27.0)
+SUN_AZIMUTH = math.radians(205.0)  # from +X, counter-clockwise
+SUN_COLOR = (1.0, 0.71, 0.43)
+SUN_STRENGTH = 5.6
+SUN_ANGLE = math.radians(1.2)
+# Sky colours from the horizon to the zenith: (sine of the elevation, linear rgb).
+SKY_STOPS = (
+    (0.0, (0.70, 0.67, 0.65)),
+    (0.07, (0.47, 0.60, 0.76)),
+    (0.25, (0.20, 0.40, 0.69)),
+    (1.0, (0.055, 0.17, 0.44)),
+)
+GLOW_COLOR = (1.0, 0.62, 0.28, 1.0)
+CLOUD_COLOR = (1.0, 0.86, 0.74, 1.0)
+# View transform, look, exposure: the first that Blender has.
+VIEWS = (
+    ("AgX", "AgX - Punchy", 0.75),
+    ("Filmic", "High Contrast", 0.05),
+    ("Filmic", "Filmic - High Contrast", 0.05),
+)
+HAZE_DISTANCE = 3400.0  # metres in which the haze takes 63 % of the view
+HAZE_LIMIT = 0.93
+
+
+def sun_direction():
+    """Unit vector towards the sun."""
+    flat = math.cos(SUN_ELEVATION)
+    return Vector((flat * math.cos(SUN_AZIMUTH), flat * math.sin(SUN_AZIMUTH), math.sin(SUN_ELEVATION)))
+
+
+def build_sky_group():
+    """Node group: the sky's colour in a direction, without clouds."""
+    shader, entry, result = materials.new_group(
+        materials.SKY_GROUP, [("Direction", "NodeSocketVector")], [("Color", "NodeSocketColor")]
+    )
+    direction = entry.outputs["Direction"]
+    height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
+    sky = shader.ramp(shader.math("MAXIMUM", height, 0.0), SKY_STOPS)
+    toward = shader.add("ShaderNodeVectorMath", {0: direction, 1: sun_direction()}, operation="DOT_PRODUCT")
+    facing = shader.math("MAXIMUM", toward.outputs["Value"], 0.0)
+    halo = shader.math("MULTIPLY", shader.math("POWER", facing, 5.0), 0.45)
+    core = shader.math("MULTIPLY", shader.math("POWER", facing, 60.0), 0.8)
+    glow = shader.math("ADD", halo, core)
+    shader.feed(result.inputs[0], shader.mix(glow, sky, GLOW_COLOR, blend="ADD"))
+    return shader.tree
+
+
+def build_haze_group(sky):
+    """Node group: a surface seen through the air between it and the camera."""
+    shader, entry, result = materials.new_group(
+        materials.HAZE_GROUP, [("Surface", "NodeSocketShader")], [("Surface", "NodeSocketShader")]
+    )
+    distance = shader.add("ShaderNodeCameraData").outputs["View Distance"]
+    clear = shader.math("POWER", math.exp(-1.0 / HAZE_DISTANCE), distance)
+    amount = shader.math("MULTIPLY", shader.math("SUBTRACT", 1.0, clear), HAZE_LIMIT)
+    path = shader.add("ShaderNodeLightPath")
+    visible = shader.math("MAXIMUM", path.outputs["Is Camera Ray"], path.outputs["Is Glossy Ray"])
+    incoming = shader.add("ShaderNodeNewGeometry").outputs["Incoming"]
+    view = shader.add("ShaderNodeVectorMath", {0: incoming, "Scale": -1.0}, operation="SCALE").outputs[0]
+    air = shader.add("ShaderNodeEmission", {"Color": shader.group(sky, {"Direction": view}).outputs[0]})
+    mixed = shader.add(
+        "ShaderNodeMixShader",
+        {0: shader.math("MULTIPLY", amount, visible), 1: entry.outputs["Surface"], 2: air.outputs[0]},
+    )
+    shader.feed(result.inputs[0], mixed.outputs[0])
+    return shader.tree
+
+
+def build_world(sky):
+    """The world: the sky and a veil of high clouds drawn on a flat layer."""
+    world = bpy.data.worlds.new("Motus Sky")
+    if not world.use_nodes:
+        world.use_nodes = True
+    world.node_tree.nodes.clear()
+    shader = materials.Shader(world.node_tree)
+    direction = shader.add("ShaderNodeTexCoord").outputs["Generated"]
+    color = shader.group(sky, {"Direction": direction}).outputs[0]
+    clouds = _cloud_cover(shader, direction)
+    background = shader.add("ShaderNodeBackground", {"Color": shader.mix(clouds, color, CLOUD_COLOR)})
+    output = shader.add("ShaderNodeOutputWorld")
+    shader.feed(output.inputs["Surface"], background.outputs[0])
+    return world
+
+
+def _cloud_cover(shader, direction):
+    """How much cloud lies in a direction: noise on a plane overhead, fading out at the horizon."""
+    height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
+    lifted = shader.math("DIVIDE", 1.0, shader.math("ADD", shader.math("MAXIMUM", height, 0.0), 0.12))
+    plane = shader.add("ShaderNodeVectorMath", {0: direction, "Scale": lifted}, operation="SCALE").outputs[0]
+    stretched = shader.add("ShaderNodeVectorMath", {0: plane, 1: (0.45, 1.25, 0.0)}, operation="MULTIPLY").outputs[0]
+    cover = shader.ramp(
+        shader.noise(stretched, 1.5, detail=7.0), ((0.50, (0.0,) * 3), (0.78, (1.0,) * 3))
+    )
+    fade = shader.math("MULTIPLY", height, 7.0, clamp=True)
+    return shader.math("MULTIPLY", shader.math("MULTIPLY", cover, fade), 0.75)
+
+
+def add_sun(collection):
+    """The sun lamp."""
+    lamp = bpy.data.lights.new("Sun", "SUN")
+    lamp.energy, lamp.color, lamp.angle = SUN_STRENGTH, SUN_COLOR, SUN_ANGLE
+    sun = shapes.link_object(collection, "Sun", lamp)
+    sun.rotation_euler = sun_direction().to_track_quat("Z", "Y").to_euler()
+    sun.location = sun_direction() * 200.0
+    return sun
+
+
+def set_color_management(scene):
+    """A filmic view with some punch, by whichever name this Blender has it."""
+    view = scene.view_settings
+    for transform, look, exposure in VIEWS:
+        try:
+            view.view_transform = transform
+            view.look = look
+        except TypeError:  # this Blender does not know the name
+            continue
+        view.exposure = exposure
+        break

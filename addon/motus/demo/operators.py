@@ -1,0 +1,56 @@
+"""The operator that builds a demo scene."""
+
+import bpy
+
+from . import banked_flight
+
+SCENES = {"PATH": banked_flight.build}
+
+
+class MOTUS_OT_demo_scene(bpy.types.Operator):
+    """Build an example of a system in a new scene and show it; your own scenes stay as they are"""
+
+    bl_idname = "motus.demo_scene"
+    bl_label = "Demo Scene"
+    bl_options = {"REGISTER", "UNDO"}
+
+    system: bpy.props.EnumProperty(
+        name="System",
+        description="The system to show",
+        items=(("PATH", "Banked Flight", "An aeroplane on a curved course over a lake, with a chasing camera"),),
+        default="PATH",
+    )
+
+    @classmethod
+    def poll(cls, context):
+        if context.window is None:
+            cls.poll_message_set("A window is needed to show the new scene")
+            return False
+        return True
+
+    def execute(self, context):
+        previous = context.window.scene
+        try:
+            scene = SCENES[self.system](context)
+        except RuntimeError as error:  # one of the operators it calls refused
+            _discard(context.window, previous)
+            self.report({"ERROR"}, f"The demo scene could not be finished: {error}")
+            return {"CANCELLED"}
+        self.report({"INFO"}, f"Built {scene.name}")
+        return {"FINISHED"}
+
+
+def _discard(window, previous):
+    """Remove the half-built scene that the window shows, and show the previous one."""
+    unfinished = window.scene
+    window.scene = previous
+    if unfinished == previous:
+        return
+    for thing in list(unfinished.objects):
+        bpy.data.objects.remove(thing)
+    for collection in list(unfinished.collection.children_recursive):
+        bpy.data.collections.remove(collection)
+    bpy.data.scenes.remove(unfinished)
+
+
+classes = (MOTUS_OT_demo_scene,)

@@ -1,0 +1,117 @@
+"""Mesh building blocks of the demo: lofts, lathes and a builder that joins parts into one mesh."""
+
+import bpy
+import numpy as np
+
+
+def smooth_profile(stations, count):
+    """Resample rows of (position, value, ...) to `count` rows by cubic Hermite interpolation (Catmull-Rom slopes)."""
+    stations = np.asarray(stations, dtype=float)
+    x, y = stations[:, 0], stations[:, 1:]
+    slopes = np.gradient(y, x, axis=0)
+    # Ends of a profile are dense in curvature (noses, tips): cosine spacing puts more rows there.
+    sample = x[0] + (x[-1] - x[0]) * 0.5 * (1.0 - np.cos(np.linspace(0.0, np.pi, count)))
+    index = np.clip(_interval(x, sample), 0, len(x) - 2)
+    width = (x[index + 1] - x[index])[:, None]
+    t = ((sample - x[index])[:, None]) / width
+    h00, h10 = (1 + 2 * t) * (1 - t) ** 2, t * (1 - t) ** 2
+    h01, h11 = t * t * (3 - 2 * t), t * t * (t - 1)
+    values = h00 * y[index] + h10 * width * slopes[index] + h01 * y[index + 1] + h11 * width * slopes[index + 1]
+    return np.column_stack((sample, values))
+
+
+def smooth_profile_points(points, count):
+    """Resample a polyline of (radius, y) points to `count` points of a smooth curve through them."""
+    points = np.asarray(points, dtype=float)
+    steps = np.hypot(*np.diff(points, axis=0).T)
+    position = np.concatenate(([0.0], np.cumsum(steps)))
+    return smooth_profile(np.column_stack((position, points)), count)[:, 1:]
+
+
+def _interval(x, sample):
+    ascending = x if x[0] < x[-1] else -x
+    return np.searchsorted(ascending, sample if x[0] < x[-1] else -sample, side="right") - 1
+
+
+def ring(count):
+    """Angles of `count` points around a circle, starting at +X."""
+    return np.linspace(0.0, 2.0 * np.pi, count, endpoint=False)
+
+
+def loft(sections, closed=True):
+    """Vertices and quads through sections of shape (rows, points, 3); `closed` joins each row's ends."""
+    sections = np.asarray(sections, dtype=float)
+    rows, points = sections.shape[:2]
+    spans = points if closed else points - 1
+    row, point = np.meshgrid(np.arange(rows - 1), np.arange(spans), indexing="ij")
+    following = (point + 1) % points
+    here, beyond = row * points, (row + 1) * points
+    corners = np.stack((here + point, here + following, beyond + following, beyond + point), axis=-1)
+    return sections.reshape(-1, 3), corners.reshape(-1, 4)
+
+
+def lathe(profile, segments=32):
+    """Turn a profile of (radius, y) rows about the Y axis; the outside faces out when y falls along the profile."""
+    profile = np.asarray(profile, dtype=float)
+    angle = ring(segments)
+    radius, y = profile[:, :1], profile[:, 1:2]
+    sections = np.stack(
+        (radius * np.cos(angle), np.broadcast_to(y, (len(profile), segments)), radius * np.sin(angle)), axis=-1
+    )
+    return loft(sections)
+
+
+def sphere(radius, centre=(0.0, 0.0, 0.0), scale=(1.0, 1.0, 1.0), segments=20, rings=12):
+    """An ellipsoid about `centre`."""
+    polar = np.linspace(1e-3, np.pi - 1e-3, rings)
+    vertices, faces = lathe(np.column_stack((np.sin(polar), np.cos(polar))), segments)
+    return vertices * radius * np.asarray(scale) + np.asarray(centre), faces
+
+
+def box(size, centre=(0.0, 0.0, 0.0)):
+    """An axis-aligned box."""
+    corners = np.array([(x, y, z) for x in (-0.5, 0.5) for y in (-0.5, 0.5) for z in (-0.5, 0.5)])
+    faces = np.array([(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)])
+    return corners * np.asarray(size) + np.asarray(centre), faces
+
+
+def torus(radius, thickness, segments=64, sides=10):
+    """A ring around the Y axis."""
+    angle = np.linspace(0.0, 2.0 * np.pi, sides + 1)
+    return lathe(np.column_stack((radius + thickness * np.cos(angle), -thickness * np.sin(angle))), segments)
+
+
+class MeshBuilder:
+    """Collects parts, each with a material slot, and makes one mesh of them."""
+
+    def __init__(self):
+        self._vertices, self._faces, self._slots, self._smooth = [], [], [], []
+        self._count = 0
+
+    def add(self, part, slot=0, smooth=True):
+        """Add (vertices, faces); `slot` is one material index or one per face."""
+        vertices, faces = part
+        self._vertices.append(np.asarray(vertices, dtype=float))
+        self._faces.extend((np.asarray(faces) + self._count).tolist())
+        self._slots.append(np.broadcast_to(np.asarray(slot, dtype=np.int32), (len(faces),)))
+        self._smooth.append(np.full(len(faces), smooth))
+        self._count += len(vertices)
+
+    def build(self, name, materials):
+        """The joined mesh, with its materials."""
+        mesh = bpy.data.meshes.new(name)
+        mesh.from_pydata(np.concatenate(self._vertices).tolist(), [], self._faces)
+        mesh.polygons.foreach_set("material_index", np.concatenate(self._slots))
+        mesh.polygons.foreach_set("use_smooth", np.concatenate(self._smooth))
+        for material in materials:
+            mesh.materials.append(material)
+        mesh.update()
+        return mesh
+
+
+def link_object(collection, name, data, parent=None):
+    """A new object in the collection."""
+    thing = bpy.data.objects.new(name, data)
+    collection.objects.link(thing)
+    thing.parent = parent
+    return thing

@@ -1,0 +1,25 @@
+"""Follow Path: objects on curves by arc length, with ease, banking, trains and meeting pins."""
+
+from ..core.system import System
+from . import bezier, edit_views, lists, members, operators, overlay, panel, presets, properties, solve, train
+
+SYSTEM = System(
+    name="path",
+    label="Follow Path",
+    settings=properties.MOTUS_PG_path,
+    classes=(
+        # Groups before the group that holds them.
+        properties.MOTUS_PG_path_pin, properties.MOTUS_PG_path_wagon, properties.MOTUS_PG_path,
+        *operators.classes, *lists.classes, *train.classes, *bezier.classes, *edit_views.classes,
+        *presets.classes, *panel.classes,
+    ),
+    inputs=solve.INPUTS,
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    outputs=solve.OUTPUTS,
+    channels=members.channels,
+    members=members.members,
+    overlay=overlay.overlay,
+    add_menu=("motus.path_new_bezier",),
+    object_menu=("motus.path_follow_add", "motus.path_train_add", "motus.path_follow_remove", "motus.path_edit_views"),
+)

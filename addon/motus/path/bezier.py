@@ -1,0 +1,86 @@
+"""New Bézier curves of any degree: the points of a poly spline, or placed objects, are the control points."""
+
+import bpy
+from mathutils import Vector
+
+from ..core.curves import CONTROL_POLYGON_KEY, MAX_DEGREE
+from ..core.translations import tr
+from . import targets
+from .operators import in_object_mode
+
+HIGHEST_OFFERED = 32
+LENGTH = 4.0  # m, of a new curve along X
+BULGE = 1.0  # m, to either side in turn
+
+
+class MOTUS_OT_path_new_bezier(bpy.types.Operator):
+    bl_idname = "motus.path_new_bezier"
+    bl_label = "Bézier of Any Degree"
+    bl_description = "Add a curve whose points, or placed objects, are the control points of one Bézier curve"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    degree: bpy.props.IntProperty(
+        name="Degree", description="One less than the number of control points", default=3, min=1, max=HIGHEST_OFFERED)
+    objects: bpy.props.StringProperty(
+        name="Objects", description="Names with commas between, or a collection's name: their places are the control "
+        "points, and moving one moves the curve", options={'SKIP_SAVE'})
+    name: bpy.props.StringProperty(name="Name", description="Name of the new curve", default="Bezier")
+
+    poll = classmethod(in_object_mode)
+
+    def execute(self, context):
+        try:
+            hooks = targets.named_list(self.objects)
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        if hooks and not 2 <= len(hooks) <= MAX_DEGREE + 1:
+            self.report({'ERROR'}, tr("A Bézier curve needs 2 to {most} control points, not {count}").format(
+                most=MAX_DEGREE + 1, count=len(hooks)))
+            return {'CANCELLED'}
+        context.view_layer.update()
+        if hooks:
+            curve = new_curve(self.name, [hook.matrix_world.translation for hook in hooks])
+            _hook(curve, hooks)
+        else:
+            curve = new_curve(self.name, default_points(self.degree))
+            curve.location = context.scene.cursor.location
+        context.collection.objects.link(curve)
+        for selected in context.selected_objects:
+            selected.select_set(False)
+        context.view_layer.objects.active = curve
+        curve.select_set(True)
+        self.report({'INFO'}, tr("{curve} has degree {degree}").format(
+            curve=curve.name, degree=len(curve.data.splines[0].points) - 1))
+        return {'FINISHED'}
+
+
+def default_points(degree):
+    """Control points spread along X, in turn to the left and to the right."""
+    middle = range(1, degree)
+    points = [Vector((LENGTH * i / degree - 0.5 * LENGTH, BULGE * (-1.0) ** i, 0.0)) for i in middle]
+    return [Vector((-0.5 * LENGTH, 0.0, 0.0)), *points, Vector((0.5 * LENGTH, 0.0, 0.0))]
+
+
+def new_curve(name, points):
+    """A curve object, not linked yet, whose poly spline is the control polygon of one Bézier curve."""
+    data = bpy.data.curves.new(name, 'CURVE')
+    data.dimensions = '3D'
+    data[CONTROL_POLYGON_KEY] = True
+    spline = data.splines.new('POLY')
+    spline.points.add(len(points) - 1)
+    for point, position in zip(spline.points, points):
+        point.co = (*position, 1.0)
+    return bpy.data.objects.new(name, data)
+
+
+def _hook(curve, hooks):
+    """Tie each point to an object; the curve object stands at the world's origin."""
+    for index, hook in enumerate(hooks):
+        modifier = curve.modifiers.new(hook.name, 'HOOK')
+        modifier.object = hook
+        modifier.vertex_indices_set([index])
+        modifier.matrix_inverse = hook.matrix_world.inverted_safe()
+
+
+classes = (MOTUS_OT_path_new_bezier,)

@@ -1,0 +1,161 @@
+"""Operators of the lists in the panel: pins and wagons."""
+
+import bpy
+
+from ..core import wiring
+from ..core.translations import tr
+from . import setup, targets
+from .operators import follower_of
+
+DEFAULT_GAP = 2.0  # m
+
+
+class MOTUS_OT_path_pin_add(bpy.types.Operator):
+    bl_idname = "motus.path_pin_add"
+    bl_label = "Add Pin"
+    bl_description = "Be at a place of the path at a frame; without one, here and now"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the object; empty takes the active one", options={'SKIP_SAVE'})
+    frame: bpy.props.FloatProperty(name="Frame", description="When to be there", options={'SKIP_SAVE'})
+    fraction: bpy.props.FloatProperty(
+        name="Fraction", description="Fraction of the path's length", options={'SKIP_SAVE'})
+    distance: bpy.props.FloatProperty(
+        name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options={'SKIP_SAVE'})
+
+    def execute(self, context):
+        obj = follower_of(self, context)
+        if obj is None:
+            return {'CANCELLED'}
+        settings = obj.motus.path
+        for name, present in _here_and_now(context, obj).items():
+            if not self.properties.is_property_set(name):
+                setattr(self, name, present)
+        pin = settings.pins.add()
+        pin.frame, pin.fraction, pin.distance = self.frame, self.fraction, self.distance
+        settings.active_pin = len(settings.pins) - 1
+        settings.timing = 'PINS'
+        wiring.touch(setup.system(), obj)
+        return {'FINISHED'}
+
+
+class MOTUS_OT_path_pin_remove(bpy.types.Operator):
+    bl_idname = "motus.path_pin_remove"
+    bl_label = "Remove Pin"
+    bl_description = "Remove a pin of the path"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the object; empty takes the active one", options={'SKIP_SAVE'})
+    index: bpy.props.IntProperty(
+        name="Index", description="Which pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+
+    def execute(self, context):
+        obj = follower_of(self, context)
+        if obj is None:
+            return {'CANCELLED'}
+        settings = obj.motus.path
+        index = settings.active_pin if self.index < 0 else self.index
+        if index >= len(settings.pins):
+            self.report({'ERROR'}, tr("There is no such pin"))
+            return {'CANCELLED'}
+        settings.pins.remove(index)
+        settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
+        wiring.touch(setup.system(), obj)
+        return {'FINISHED'}
+
+
+class MOTUS_OT_path_wagon_add(bpy.types.Operator):
+    bl_idname = "motus.path_wagon_add"
+    bl_label = "Add Wagons"
+    bl_description = "Couple the other selected objects to the end of the train"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the leader; empty takes the active one", options={'SKIP_SAVE'})
+    wagon: bpy.props.StringProperty(
+        name="Wagon", description="Name of the wagon; empty takes the other selected objects", options={'SKIP_SAVE'})
+    gap: bpy.props.FloatProperty(
+        name="Gap", description="Distance along the path to the one in front", default=DEFAULT_GAP, min=0.0,
+        subtype='DISTANCE')
+
+    def execute(self, context):
+        obj = follower_of(self, context)
+        if obj is None:
+            return {'CANCELLED'}
+        settings = obj.motus.path
+        try:
+            wagons = [targets.named(self.wagon)] if self.wagon else [
+                found for found in targets.selected_followers(context) if found != obj]
+            for wagon in wagons:
+                targets.check_wagon(wagon, settings.curve)
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        if not wagons:
+            self.report({'ERROR'}, tr("Select the objects to couple, and the leader last"))
+            return {'CANCELLED'}
+        train = [(entry.object, entry.gap) for entry in settings.wagons if entry.object]
+        setup.attach(obj, settings.curve, {}, train + [(wagon, self.gap) for wagon in wagons])
+        settings.active_wagon = len(settings.wagons) - 1
+        return {'FINISHED'}
+
+
+class MOTUS_OT_path_wagon_remove(bpy.types.Operator):
+    bl_idname = "motus.path_wagon_remove"
+    bl_label = "Remove Wagon"
+    bl_description = "Take a wagon out of the train; those behind keep their places"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the leader; empty takes the active one", options={'SKIP_SAVE'})
+    index: bpy.props.IntProperty(
+        name="Index", description="Which wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+
+    def execute(self, context):
+        obj = follower_of(self, context)
+        if obj is None:
+            return {'CANCELLED'}
+        settings = obj.motus.path
+        index = settings.active_wagon if self.index < 0 else self.index
+        if index >= len(settings.wagons):
+            self.report({'ERROR'}, tr("There is no such wagon"))
+            return {'CANCELLED'}
+        setup.uncouple(obj, index)
+        settings.active_wagon = max(0, min(settings.active_wagon, len(settings.wagons) - 1))
+        return {'FINISHED'}
+
+
+class MOTUS_OT_path_select_leader(bpy.types.Operator):
+    bl_idname = "motus.path_select_leader"
+    bl_label = "Select Leader"
+    bl_description = "Select the object whose settings drive this one"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    @classmethod
+    def poll(cls, context):
+        return context.object is not None and context.object.motus.path.leader is not None
+
+    def execute(self, context):
+        leader = context.object.motus.path.leader
+        if leader.name not in context.view_layer.objects:
+            self.report({'ERROR'}, tr("{object} is not in this view layer").format(object=leader.name))
+            return {'CANCELLED'}
+        for selected in context.selected_objects:
+            selected.select_set(False)
+        leader.select_set(True)
+        context.view_layer.objects.active = leader
+        return {'FINISHED'}
+
+
+def _here_and_now(context, obj):
+    depsgraph = context.view_layer.depsgraph
+    values = {name: wiring.output(setup.system(), obj, name, depsgraph) or 0.0 for name in ("fraction", "distance")}
+    return values | {"frame": context.scene.frame_current_final}
+
+
+classes = (
+    MOTUS_OT_path_pin_add, MOTUS_OT_path_pin_remove, MOTUS_OT_path_wagon_add, MOTUS_OT_path_wagon_remove,
+    MOTUS_OT_path_select_leader,
+)

@@ -1,0 +1,131 @@
+"""Operators that add and remove followers."""
+
+import bpy
+
+from ..core import wiring
+from ..core.translations import tr
+from . import members, setup, targets
+from .properties import KEYWORDS, FollowKeywords
+
+
+def given_keywords(operator):
+    """The settings that the caller gave, by name."""
+    return {name: getattr(operator, name) for name in KEYWORDS if operator.properties.is_property_set(name)}
+
+
+def follower_of(operator, context):
+    """The follower that the operator's `object` names, or the active one; None, reported, where it follows nothing."""
+    obj = bpy.data.objects.get(operator.object) if operator.object else context.object
+    if obj is None or not obj.motus.path.is_active:
+        operator.report({'ERROR'}, tr("Nothing here follows a path"))
+        return None
+    return obj
+
+
+def in_object_mode(cls, context):
+    """poll: Blender refuses changes of constraints and selection in the other modes."""
+    if context.mode == 'OBJECT':
+        return True
+    cls.poll_message_set(tr("Go to Object Mode first"))
+    return False
+
+
+class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
+    bl_idname = "motus.path_follow_add"
+    bl_label = "Follow Path"
+    bl_description = "Let the selected objects follow a curve"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the object; empty takes the selected ones", options={'SKIP_SAVE'})
+    curve: bpy.props.StringProperty(
+        name="Curve", description="Name of the curve object; empty takes the selected one", options={'SKIP_SAVE'})
+
+    poll = classmethod(in_object_mode)
+
+    def execute(self, context):
+        try:
+            names = self._add(context)
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        if setup.ease_is_limited(given_keywords(self)):
+            self.report({'WARNING'}, tr("Ease in and ease out together are limited to 1"))
+        elif len(names) == 1:
+            self.report({'INFO'}, tr("{object} follows {curve}").format(object=names[0], curve=self.curve))
+        else:
+            self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(names), curve=self.curve))
+        return {'FINISHED'}
+
+    def _add(self, context):
+        owners = [targets.named(self.object)] if self.object else targets.selected_followers(context)
+        if not owners:
+            raise targets.Refused(tr("Select the object that shall follow"))
+        curve = targets.curve_for(context, self.curve, *owners)
+        for owner in owners:
+            targets.check_free(owner, curve)
+        keywords = given_keywords(self)
+        for owner in owners:
+            setup.attach(owner, curve, keywords)
+        self.curve = curve.name
+        return [owner.name for owner in owners]
+
+
+class MOTUS_OT_path_follow_remove(bpy.types.Operator):
+    bl_idname = "motus.path_follow_remove"
+    bl_label = "Remove Follow Path"
+    bl_description = "Let the objects stand at their own transforms again"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the object; empty takes the selected ones", options={'SKIP_SAVE'})
+
+    poll = classmethod(in_object_mode)
+
+    def execute(self, context):
+        try:
+            objects = [targets.named(self.object)] if self.object else targets.selected_followers(context)
+            removed = [obj.name for obj in objects if _remove(obj)]
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        if not removed:
+            self.report({'ERROR'}, tr("Nothing here follows a path"))
+            return {'CANCELLED'}
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(removed)))
+        return {'FINISHED'}
+
+
+class MOTUS_OT_path_refresh(bpy.types.Operator):
+    bl_idname = "motus.path_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the object again, after its curve was given other data"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the object; empty takes the active one", options={'SKIP_SAVE'})
+
+    poll = classmethod(in_object_mode)
+
+    def execute(self, context):
+        obj = follower_of(self, context)
+        if obj is None:
+            return {'CANCELLED'}
+        wiring.refresh(setup.system(), obj)
+        return {'FINISHED'}
+
+
+def _remove(obj):
+    """Remove the follower or take the wagon out of its train; False where it is neither."""
+    settings = obj.motus.path
+    if not settings.leader and not settings.is_active:
+        return False
+    targets.check_editable(obj)
+    if settings.leader:
+        setup.uncouple(settings.leader, members.index_of(settings.leader, obj))
+    else:
+        setup.clear(obj)
+    return True
+
+
+classes = (MOTUS_OT_path_follow_add, MOTUS_OT_path_follow_remove, MOTUS_OT_path_refresh)

@@ -1,0 +1,140 @@
+"""What the viewport shows of a path: the true curve coloured by speed, control polygon, tangents and frames."""
+
+import numpy as np
+
+from ..core import curves, native
+from ..core.overlay import Batch
+from ..core.system import Context, Problem
+from . import motion, solve
+
+STEPS_PER_SEGMENT = 48
+LARGEST_STEPS = 4096
+WHISKERS = 24
+WHISKER_SHARE = 0.025  # of the path's length
+SPEED_SAMPLES = 400
+
+SLOW, MIDDLE, FAST = (0.15, 0.55, 0.95), (0.98, 0.80, 0.25), (0.95, 0.25, 0.30)
+CURVE_COLOR = (0.98, 0.80, 0.25, 0.9)
+POLYGON_COLOR = (0.75, 0.75, 0.80, 0.45)
+POINT_COLOR = (0.95, 0.95, 1.0, 0.9)
+TANGENT_COLOR = (0.95, 0.85, 0.60, 0.9)
+UP_COLOR = (0.30, 0.55, 1.0, 0.9)
+RIGHT_COLOR = (0.95, 0.30, 0.35, 0.9)
+
+
+def overlay(context, owner):
+    """Batches for a follower, a wagon or a Motus Bézier curve; none for other objects."""
+    depsgraph = context.evaluated_depsgraph_get()
+    leader = owner.motus.path.leader or owner
+    if leader.motus.path.is_active and leader.motus.path.curve:
+        return _of_follower(context.scene, leader.evaluated_get(depsgraph), depsgraph)
+    if owner.type == 'CURVE' and curves.CONTROL_POLYGON_KEY in owner.data:
+        return _of_curve(context.scene.motus, owner.evaluated_get(depsgraph), depsgraph)
+    return []
+
+
+def _of_curve(shown, curve_object, depsgraph):
+    try:
+        path = curves.read_evaluated(curve_object, depsgraph, curves.ALL_SPLINES)
+    except curves.Unreadable:
+        return []
+    return _curve_batches(shown, path.curve, None)
+
+
+def _of_follower(scene, owner, depsgraph):
+    settings = owner.motus.path
+    try:
+        path = curves.read_evaluated(settings.curve.evaluated_get(depsgraph), depsgraph, settings.spline)
+    except curves.Unreadable:
+        return []
+    if path.curve.length() == 0.0:
+        return []
+    speeds = _speed_profile(scene, owner, depsgraph, path.curve)
+    found = _curve_batches(scene.motus, path.curve, speeds if scene.motus.show_speed else None)
+    distances = np.linspace(0.0, path.curve.length(), WHISKERS + 1)
+    size = WHISKER_SHARE * path.curve.length()
+    if scene.motus.show_tangents:
+        tangents = path.curve.tangent(path.curve.t_at_length(distances))
+        found.append(_whiskers(path.curve, distances, tangents, size, TANGENT_COLOR))
+    if scene.motus.show_frames and settings.orientation != 'NONE':
+        found += _frames(path, settings, distances, speeds, size)
+    return found
+
+
+def _curve_batches(shown, curve, speeds):
+    found = []
+    points = curve.control_points.reshape(-1, curve.degree + 1, 3)
+    if shown.show_control_points and curve.degree > 1:
+        found.append(Batch('LINES', _pairs(points), POLYGON_COLOR))
+        found.append(Batch('POINTS', points.reshape(-1, 3).astype(np.float32), POINT_COLOR, 6.0))
+    if shown.show_curve:
+        parameters = _parameters(curve)
+        lines = _pairs(curve.position(parameters.ravel()).reshape(*parameters.shape, 3))
+        if speeds is None:
+            found.append(Batch('LINES', lines, CURVE_COLOR, 2.5))
+        else:
+            speed = np.interp(curve.length_at(parameters.ravel()), *speeds).reshape(parameters.shape)
+            colors = _speed_colors(speed, max(abs(speeds[1]).max(), 1e-9))
+            found.append(Batch('LINES', lines, _pairs(colors), 2.5))
+    return found
+
+
+def _parameters(curve):
+    """(segments, steps) parameters; a segment's last one stays on it where the next begins elsewhere."""
+    count = curve.segment_count
+    steps = max(2, min(STEPS_PER_SEGMENT, LARGEST_STEPS // count))
+    if curve.degree == 1:
+        steps = 2
+    inside = np.linspace(0.0, 1.0 - 1e-9, steps)
+    return np.add.outer(np.arange(count), inside)
+
+
+def _pairs(strips):
+    """Line pairs of strips (k, m, d)."""
+    pairs = np.stack((strips[:, :-1], strips[:, 1:]), axis=2)
+    return np.ascontiguousarray(pairs.reshape(-1, strips.shape[-1]), dtype=np.float32)
+
+
+def _speed_colors(speed, highest):
+    stops = np.array([SLOW, MIDDLE, FAST])
+    share = np.abs(speed) / highest
+    colors = np.ones((*share.shape, 4))
+    for channel in range(3):
+        colors[..., channel] = np.interp(share, (0.0, 0.5, 1.0), stops[:, channel])
+    return colors
+
+
+def _speed_profile(scene, owner, depsgraph, curve):
+    """(distances, speeds) along the path over the scene's frames, distances rising."""
+    settings = owner.motus.path
+    numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
+    last = Context(settings, owner, float(scene.frame_end), depsgraph, None, None)
+    moving = motion.motion(last, numbers, curve.length())
+    if isinstance(moving, Problem):
+        return np.array([0.0, curve.length()]), np.zeros(2)
+    times = np.linspace(min(0.0, moving.time), moving.time, SPEED_SAMPLES)
+    if settings.timing == 'DURATION':
+        times = np.linspace(0.0, settings.duration, SPEED_SAMPLES)
+    distances = np.array([moving.timing.distance(time) for time in times])
+    speeds = np.array([moving.timing.speed(time) for time in times])
+    order = np.argsort(distances, kind='stable')
+    return distances[order], speeds[order]
+
+
+def _frames(path, settings, distances, speeds, size):
+    numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
+    options = solve.mode_options(settings, numbers, path.tilt)
+    if settings.orientation == 'BANKING':
+        options["speed"] = np.interp(distances, *speeds)
+    quaternions = native.module.frames(path.curve, distances, settings.orientation.lower(), **options)
+    w, x, y, z = quaternions.T
+    right = np.column_stack((1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)))
+    up = np.column_stack((2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))
+    return [_whiskers(path.curve, distances, up, size, UP_COLOR),
+            _whiskers(path.curve, distances, right, 0.6 * size, RIGHT_COLOR)]
+
+
+def _whiskers(curve, distances, directions, size, color):
+    start = curve.position_at_length(distances)
+    strips = np.stack((start, start + size * directions), axis=1)
+    return Batch('LINES', _pairs(strips), color, 1.5)

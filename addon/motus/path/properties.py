@@ -1,0 +1,175 @@
+"""Settings of Follow Path: Object.motus.path."""
+
+import bpy
+
+from ..core import system
+from ..core.system import SystemSettings
+
+ANIMATED = {'ANIMATABLE'}
+OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
+EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+EASE_TOLERANCE = 1e-6  # single precision: 0.7 + 0.3 is already above 1
+
+TIMINGS = (
+    ('DURATION', "Duration", "The whole path takes a given time"),
+    ('SPEED', "Speed", "Metres per second, which may be keyed"),
+    ('PINS', "Pins", "Be at given places at given frames"),
+    ('MANUAL', "Manual", "The distance is keyed or driven as a fraction of the path"),
+)
+EXTENDS = (
+    ('CLAMP', "Stop", "Stay at the end of the path"),
+    ('EXTRAPOLATE', "Go On", "Go on along the tangent of the path's end"),
+    ('LOOP', "Loop", "Begin again at the start"),
+    ('PING_PONG', "Ping-Pong", "Go back and forth"),
+)
+ORIENTATIONS = (
+    ('NONE', "None", "Keep the object's own rotation"),
+    ('WORLD_UP', "World Up", "Up is as near to the world's Z axis as the path allows"),
+    ('MINIMAL', "Minimal Twist", "Never turn about the direction of travel"),
+    ('BANKING', "Banking", "Lean into the bends like an aircraft, by speed and curvature"),
+    ('CURVATURE', "Curvature", "Up points to the centre of the bend, as in a loop"),
+    ('TILT', "Curve Tilt", "Up is turned by the tilt of the curve's points"),
+)
+AXES = (
+    ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
+    ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
+)
+LAGS = (
+    ('ACCELERATION', "Second Derivative", "The rate follows the length of the curve's second derivative"),
+    ('CURVATURE', "Curvature", "The rate follows the curvature, which does not depend on how the curve is made"),
+)
+PIN_UNITS = (
+    ('FRACTION', "Fraction", "Pins give a fraction of the path's length"),
+    ('DISTANCE', "Distance", "Pins give a distance from the start of the path"),
+)
+
+
+def _touch(settings, context):
+    # Operators have the same properties, and nothing to evaluate.
+    if isinstance(settings, SystemSettings):
+        system.touch(settings, context)
+
+
+def _rewire(settings, context):
+    if isinstance(settings, SystemSettings):
+        system.rewire(settings, context)
+
+
+def _push_ease_out(settings, context):
+    if settings.ease_in + settings.ease_out > 1.0 + EASE_TOLERANCE:
+        settings.ease_out = 1.0 - settings.ease_in
+    _touch(settings, context)
+
+
+def _push_ease_in(settings, context):
+    if settings.ease_in + settings.ease_out > 1.0 + EASE_TOLERANCE:
+        settings.ease_in = 1.0 - settings.ease_out
+    _touch(settings, context)
+
+
+def _number(name, description, default, **options):
+    options.setdefault("update", _touch)
+    return bpy.props.FloatProperty(
+        name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
+
+
+def _choice(name, description, items, default, update=_touch):
+    return bpy.props.EnumProperty(
+        name=name, description=description, items=items, default=default, update=update,
+        options=set(), override=OVERRIDABLE)
+
+
+class FollowKeywords:
+    """What both the settings and the operators have: the names are the keywords of scripts."""
+
+    spline: bpy.props.IntProperty(
+        name="Spline", description="Index of the curve's spline; -1 follows all of them, one after another",
+        default=0, min=-1, update=_touch, options=ANIMATED, override=OVERRIDABLE)
+    timing: _choice("Timing", "What sets the position at a time", TIMINGS, 'DURATION')
+    duration: _number(
+        "Duration", "Time for the whole path", 5.0, min=1e-4, soft_min=0.1, soft_max=60.0, subtype='TIME_ABSOLUTE')
+    speed: _number(
+        "Speed", "Distance per second; negative goes backwards", 5.0, soft_min=0.0, soft_max=100.0, unit='VELOCITY')
+    start_frame: _number("Start", "Frame at which the motion starts", 1.0, step=100)
+    offset: _number("Offset", "Distance ahead along the path", 0.0, subtype='DISTANCE')
+    distance_factor: _number(
+        "Fraction", "Fraction of the path's length at which the object is", 0.0, soft_min=0.0, soft_max=1.0,
+        subtype='FACTOR')
+    ease_in: _number(
+        "Ease In", "Fraction of the time that is used to gain speed", 0.0, min=0.0, max=1.0, subtype='FACTOR',
+        update=_push_ease_out)
+    ease_out: _number(
+        "Ease Out", "Fraction of the time that is used to lose speed", 0.0, min=0.0, max=1.0, subtype='FACTOR',
+        update=_push_ease_in)
+    extend: _choice("At the Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
+    pins_by: _choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
+
+    orientation: _choice("Orientation", "Which way the object's up axis points", ORIENTATIONS, 'WORLD_UP', _rewire)
+    curvature_outward: bpy.props.BoolProperty(
+        name="Outward", description="Up points away from the centre of the bend", default=False, update=_touch,
+        options=ANIMATED, override=OVERRIDABLE)
+    forward_axis: _choice("Forward", "Axis of the object that points along the path", AXES, 'POS_Y')
+    up_axis: _choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
+    lag_rate: _number(
+        "Lag", "Rate, per second and unit of bend, at which the orientation trails behind; 0 is exact", 0.0,
+        min=0.0, soft_max=10.0)
+    lag_by: _choice("Lag By", "What the rate of the lag is proportional to", LAGS, 'ACCELERATION')
+
+    bank_strength: _number(
+        "Strength", "1 is the turn that an aircraft would fly; negative leans outward", 1.0, soft_min=0.0, soft_max=3.0)
+    bank_limit: _number(
+        "Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
+    bank_smoothing: _number(
+        "Smoothing", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
+    gravity: _number(
+        "Gravity", "Acceleration that the bank is measured against", 9.81, min=1e-3, soft_max=30.0,
+        unit='ACCELERATION')
+    influence: _number(
+        "Influence", "How much the path moves the object; 0 leaves it at its own transform", 1.0, min=0.0, max=1.0,
+        subtype='FACTOR')
+
+
+KEYWORDS = tuple(FollowKeywords.__annotations__)
+
+
+def _is_curve(_settings, candidate):
+    return candidate.type == 'CURVE'
+
+
+def _touch_owner(item, context):
+    system.touch(item.id_data.motus.path, context)
+
+
+def _rewire_owner(item, context):
+    system.rewire(item.id_data.motus.path, context)
+
+
+class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
+    frame: bpy.props.FloatProperty(
+        name="Frame", description="When to be there", default=1.0, step=100, options=set(), update=_touch_owner,
+        override=OVERRIDABLE)
+    fraction: bpy.props.FloatProperty(
+        name="Fraction", description="Fraction of the path's length", subtype='FACTOR', soft_min=0.0, soft_max=1.0,
+        options=set(), update=_touch_owner, override=OVERRIDABLE)
+    distance: bpy.props.FloatProperty(
+        name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options=set(),
+        update=_touch_owner, override=OVERRIDABLE)
+
+
+class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
+    object: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Object", description="Object that follows behind", update=_rewire_owner,
+        override=OVERRIDABLE)
+    gap: bpy.props.FloatProperty(
+        name="Gap", description="Distance along the path to the one in front", default=2.0, subtype='DISTANCE',
+        options=set(), update=_touch_owner, override=OVERRIDABLE)
+
+
+class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
+    curve: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Curve", description="Curve to follow", poll=_is_curve, update=_rewire,
+        override=OVERRIDABLE)
+    pins: bpy.props.CollectionProperty(type=MOTUS_PG_path_pin, name="Pins", override=EXTENDABLE)
+    active_pin: bpy.props.IntProperty(name="Active Pin", options=set())
+    wagons: bpy.props.CollectionProperty(type=MOTUS_PG_path_wagon, name="Wagons", override=EXTENDABLE)
+    active_wagon: bpy.props.IntProperty(name="Active Wagon", options=set())

@@ -1,0 +1,88 @@
+"""Setting followers up and taking them back: plain functions behind the operators."""
+
+from ..core import actions, wiring
+from ..core.system import registered
+from . import members
+from .properties import EASE_TOLERANCE
+
+PREFIX = "motus.path."
+
+
+def system():
+    """The registered System: the package's __init__ imports this module, not the other way round."""
+    return registered["path"]
+
+
+def attach(owner, curve, keywords, wagons=None):
+    """Let `owner` follow `curve`; wagons: list of (object, gap), None keeps those it has."""
+    settings = owner.motus.path
+    if settings.is_active:
+        # Once at the end, instead of at every change of a setting.
+        wiring.detach(system(), owner)
+    settings.curve = curve
+    for name, value in keywords.items():
+        setattr(settings, name, value)
+    if wagons is not None:
+        _replace_wagons(owner, wagons)
+    wiring.attach(system(), owner)
+
+
+def clear(owner):
+    """Take the follower back: wiring, keys and drivers of its settings, and the settings themselves."""
+    driven = members.members(owner)
+    wiring.detach(system(), owner)
+    _remove_animation(owner)
+    for member in driven:
+        reset(member)
+
+
+def reset(obj):
+    """Forget the settings, so that the file holds nothing of them."""
+    obj.motus.property_unset("path")
+    if not any(obj.motus.is_property_set(name) for name in obj.motus.bl_rna.properties.keys() if name != "rna_type"):
+        obj.property_unset("motus")
+
+
+def uncouple(leader, index):
+    """Take a wagon out of the train; those behind keep their places."""
+    wagon = leader.motus.path.wagons[index].object
+    members.take_out(leader, index)
+    wiring.refresh(system(), leader)
+    if wagon:
+        reset(wagon)
+
+
+def ease_is_limited(keywords):
+    """Whether the given ease fractions had to be limited to a sum of 1."""
+    return keywords.get("ease_in", 0.0) + keywords.get("ease_out", 0.0) > 1.0 + EASE_TOLERANCE
+
+
+def _replace_wagons(owner, wagons):
+    entries = owner.motus.path.wagons
+    kept = {wagon for wagon, _ in wagons}
+    for entry in entries:
+        if entry.object and entry.object not in kept:
+            reset(entry.object)
+    entries.clear()
+    for wagon, gap in wagons:
+        entry = entries.add()
+        entry.name = wagon.name
+        entry.object = wagon
+        entry.gap = gap
+
+
+def _remove_animation(owner):
+    animation = owner.animation_data
+    if animation is None:
+        return
+    for curve in [curve for curve in animation.drivers if curve.data_path.startswith(PREFIX)]:
+        animation.drivers.remove(curve)
+    curves = actions.fcurves(owner)
+    ours = [curve for curve in curves if curve.data_path.startswith(PREFIX)]
+    if ours and animation.action.users == 1:
+        for curve in ours:
+            curves.remove(curve)
+        if not curves:
+            animation.action = None
+    if not animation.action and not animation.drivers and not animation.nla_tracks:
+        owner.animation_data_clear()

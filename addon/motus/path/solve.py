@@ -1,0 +1,112 @@
+"""Follow Path: what its solver reads, and the one call of the native module."""
+
+import numpy as np
+
+from ..core import curves, native
+from ..core.system import Deformed, Matrix, Problem, Setting, Splines
+from . import motion
+
+NO_CURVE = Problem("Choose a curve to follow")
+CURVE_DELETED = Problem("The curve is in no collection any more: choose another one")
+AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be across each other")
+PROBLEMS = (NO_CURVE, CURVE_DELETED, AXES_NOT_ACROSS) + curves.PROBLEMS + motion.PROBLEMS
+
+NUMBERS = (
+    "spline", "duration", "speed", "start_frame", "offset", "distance_factor", "ease_in", "ease_out",
+    "bank_strength", "bank_limit", "bank_smoothing", "gravity", "lag_rate", "curvature_outward",
+)
+INPUTS = (Matrix("matrix", of="curve"), Splines("splines", of="curve"), Deformed("deformed", of="curve"),
+          *(Setting(name) for name in NUMBERS))
+
+OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
+
+
+def solve(context, matrix, splines, deformed, **numbers):
+    """Pose of the owner and its wagons at the context's frame, in world space. Never raises for a user's error."""
+    settings = context.settings
+    if matrix is None or splines is None or settings.curve is None:
+        return NO_CURVE
+    if curves.is_deleted(settings.curve):
+        return CURVE_DELETED
+    if settings.forward_axis[-1] == settings.up_axis[-1]:
+        return AXES_NOT_ACROSS
+    try:
+        path = curves.read(settings.curve, splines, context.depsgraph, int(numbers["spline"]), matrix)
+    except curves.Unreadable as error:
+        return error.problem
+    moving = motion.motion(context, numbers, path.curve.length())
+    if isinstance(moving, Problem):
+        return moving
+    offsets = member_offsets(settings, len(context.locations)) + (numbers["offset"] + moving.offset)
+    native.module.follow(
+        path.curve, moving.timing, moving.time, offsets, locations=context.locations, rotations=context.rotations,
+        **follow_options(settings, numbers, path.tilt))
+    _write_outputs(context.outputs, path.curve, moving, numbers["offset"], settings.extend)
+    return moving.problem
+
+
+def follow_options(settings, numbers, tilt):
+    """Keywords of native follow() for the settings."""
+    mode = settings.orientation
+    options = {
+        "mode": 'minimal' if mode == 'NONE' else mode.lower(),
+        "rotate": mode != 'NONE',
+        "extend": settings.extend.lower(),
+        "forward": axis_name(settings.forward_axis),
+        "up": axis_name(settings.up_axis),
+        "lag_rate": max(numbers["lag_rate"], 0.0),
+        "lag_by": settings.lag_by.lower(),
+    }
+    return options | mode_options(settings, numbers, tilt)
+
+
+def mode_options(settings, numbers, tilt):
+    """What the orientation mode needs beyond the curve, for native frames() and follow()."""
+    mode = settings.orientation
+    if mode == 'TILT':
+        return {"tilt": tilt}
+    if mode not in {'BANKING', 'CURVATURE'}:
+        return {}
+    smoothing = {"smoothing": max(numbers["bank_smoothing"], 0.0)}
+    if mode == 'CURVATURE':
+        return smoothing | {"outward": bool(numbers["curvature_outward"])}
+    return smoothing | {
+        "strength": numbers["bank_strength"], "limit": max(numbers["bank_limit"], 0.0),
+        "gravity": max(numbers["gravity"], 1e-3)}
+
+
+def axis_name(identifier):
+    """'NEG_Y' as the native module writes it: '-Y'."""
+    return identifier.replace("POS_", "").replace("NEG_", "-")
+
+
+def member_offsets(settings, count):
+    """Distance along the path of `count` members (the owner, then its wagons) from the owner's."""
+    offsets = np.zeros(count)
+    wagons = settings.wagons
+    if count > 1:
+        gaps = np.empty(len(wagons), np.float32)
+        wagons.foreach_get("gap", gaps)
+        if len(gaps) != count - 1:
+            # An object was deleted since: its entry is left, and the wiring has passed it over.
+            gaps = gaps[[wagon.object is not None for wagon in wagons]]
+        offsets[1:] = -np.cumsum(gaps, dtype=float)
+    return offsets
+
+
+def _write_outputs(outputs, curve, moving, offset, extend):
+    length = curve.length()
+    within = _within(moving.distance + offset, length, extend)
+    on_curve = min(max(within, 0.0), length)
+    outputs[:] = (curve.t_at_length(on_curve), within / length if length else 0.0, within, moving.speed, length)
+
+
+def _within(distance, length, extend):
+    """The distance as seen on the path: stopped, wrapped or beyond its ends."""
+    if 0.0 <= distance <= length or extend == 'EXTRAPOLATE' or length == 0.0:
+        return distance
+    if extend == 'CLAMP':
+        return min(max(distance, 0.0), length)
+    if extend == 'LOOP':
+        return distance % length
+    return length - abs(distance % (2.0 * length) - length)

@@ -1,0 +1,90 @@
+"""Which objects an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+
+import bpy
+
+from ..core.translations import tr
+
+
+class Refused(Exception):
+    """What was asked cannot be done; the sentence says why."""
+
+
+def named(name):
+    """The object of this name."""
+    found = bpy.data.objects.get(name)
+    if found is None:
+        raise Refused(tr("There is no object {object}").format(object=name))
+    return found
+
+
+def named_list(names):
+    """Objects by names with commas between, or those of the collection of this name."""
+    collection = bpy.data.collections.get(names)
+    if collection and names not in bpy.data.objects:
+        return sorted(collection.objects, key=lambda found: found.name)
+    return [named(name.strip()) for name in names.split(",") if name.strip()]
+
+
+def curve_for(context, name, *owners):
+    """The curve by name; else the active or a selected one; else what the first owner is set to."""
+    if name:
+        found = named(name)
+        if found.type != 'CURVE':
+            raise Refused(tr("{object} is not a curve").format(object=name))
+        return found
+    selected = [found for found in [context.object, *context.selected_objects] if found and found.type == 'CURVE']
+    if selected:
+        return selected[0]
+    if owners and owners[0].motus.path.curve:
+        return owners[0].motus.path.curve
+    raise Refused(tr("Choose a curve to follow"))
+
+
+def selected_followers(context):
+    """The selected objects but for curves, the active one first; else the active object."""
+    objects = sorted(context.selected_objects, key=lambda found: (found != context.object, found.name))
+    return [found for found in objects if found.type != 'CURVE'] or [
+        found for found in [context.object] if found and found.type != 'CURVE']
+
+
+def check_free(obj, curve, leader=None):
+    """Refuse an object that cannot follow the curve. `leader`: whose wagon it may be already."""
+    check_editable(obj)
+    if obj == curve:
+        raise Refused(tr("{object} cannot follow itself").format(object=obj.name))
+    if curve_depends_on(curve, obj):
+        raise Refused(tr("{curve} is moved by {object}, so {object} cannot follow it").format(
+            curve=curve.name, object=obj.name))
+    other = obj.motus.path.leader
+    if other and other != leader:
+        raise Refused(tr("{object} is a wagon of {leader}: remove it from the train first").format(
+            object=obj.name, leader=other.name))
+
+
+def check_editable(obj):
+    """Refuse an object whose set-up must not be changed."""
+    if obj.library:
+        raise Refused(
+            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
+    if obj.motus.path.is_baked or obj.motus.bake.is_baked:
+        raise Refused(tr("{object} is baked: unbake it first").format(object=obj.name))
+
+
+def check_wagon(obj, curve, leader=None):
+    """Refuse an object that cannot be coupled to a train."""
+    check_free(obj, curve, leader)
+    if obj.motus.path.is_active:
+        raise Refused(tr("{object} follows a path of its own: remove that first").format(object=obj.name))
+
+
+def curve_depends_on(curve, obj):
+    """Whether the curve is parented or hooked to the object."""
+    movers = [modifier.object for modifier in curve.modifiers if modifier.type == 'HOOK']
+    seen = set()
+    for mover in [curve.parent, *movers]:
+        while mover and mover not in seen:
+            if mover == obj:
+                return True
+            seen.add(mover)
+            mover = mover.parent
+    return False

@@ -1,0 +1,78 @@
+"""The operator that couples several objects: exact gaps along the arc."""
+
+import bpy
+from mathutils import Vector
+
+from ..core.translations import tr
+from . import setup, targets
+from .operators import given_keywords, in_object_mode
+from .properties import FollowKeywords
+
+DIRECTIONS = {
+    identifier: sign * Vector((axis == 'X', axis == 'Y', axis == 'Z'))
+    for axis in "XYZ" for identifier, sign in ((f"POS_{axis}", 1.0), (f"NEG_{axis}", -1.0))}
+
+
+class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
+    bl_idname = "motus.path_train_add"
+    bl_label = "Follow Path as a Train"
+    bl_description = "Let the selected objects follow a curve one behind the other, the active one first"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    objects: bpy.props.StringProperty(
+        name="Objects", description="Names with commas between, or a collection's name; empty takes the selected ones",
+        options={'SKIP_SAVE'})
+    curve: bpy.props.StringProperty(
+        name="Curve", description="Name of the curve object; empty takes the selected one", options={'SKIP_SAVE'})
+    gap: bpy.props.FloatProperty(
+        name="Gap", description="Distance along the path from one to the next; 0 takes the lengths of the objects",
+        default=2.0, min=0.0, subtype='DISTANCE')
+
+    poll = classmethod(in_object_mode)
+
+    def execute(self, context):
+        try:
+            train = self._add(context)
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        if setup.ease_is_limited(given_keywords(self)):
+            self.report({'WARNING'}, tr("Ease in and ease out together are limited to 1"))
+        else:
+            self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(train), curve=self.curve))
+        return {'FINISHED'}
+
+    def _add(self, context):
+        train = targets.named_list(self.objects) if self.objects else targets.selected_followers(context)
+        if len(train) < 2:
+            raise targets.Refused(tr("A train needs two objects at least"))
+        if len(set(train)) < len(train):
+            raise targets.Refused(tr("An object can be in the train only once"))
+        leader, *wagons = train
+        curve = targets.curve_for(context, self.curve, leader)
+        targets.check_free(leader, curve)
+        for wagon in wagons:
+            targets.check_wagon(wagon, curve, leader)
+        if self.gap:
+            gaps = [self.gap] * len(wagons)
+        else:
+            gaps = touching_gaps(train, self.forward_axis)
+        setup.attach(leader, curve, given_keywords(self), list(zip(wagons, gaps)))
+        self.curve = curve.name
+        return train
+
+
+def touching_gaps(train, forward_axis):
+    """Distances of the objects' origins from one to the next where each touches the one in front."""
+    extents = [_extent(obj, DIRECTIONS[forward_axis]) for obj in train]
+    return [front - rear for (rear, _), (_, front) in zip(extents, extents[1:])]
+
+
+def _extent(obj, direction):
+    """Rear and front end of the object along its own axis, from its origin, m."""
+    scale = abs(obj.matrix_world.to_scale().dot(direction))
+    along = [Vector(corner).dot(direction) * scale for corner in obj.bound_box]
+    return min(along), max(along)
+
+
+classes = (MOTUS_OT_path_train_add,)

@@ -1,0 +1,1 @@
+"""One module a language; core/translations.py collects them."""

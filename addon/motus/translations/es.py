@@ -1,0 +1,323 @@
+"""Spanish."""
+
+_INTERFACE = {
+    # Machinery
+    "Active": "Activo",
+    "This system drives the object": "Este sistema mueve el objeto",
+    "Baked": "Horneado",
+    "The motion stands in keyframes and the live set-up is switched off":
+        "El movimiento está en fotogramas clave y el montaje en vivo está desactivado",
+    "Hub": "Núcleo",
+    "Hidden object that computes for all members": "Objeto oculto que calcula para todos los miembros",
+    "Order Proxy": "Testigo de orden",
+    "Hidden object that lets the curve's deformation be evaluated first":
+        "Objeto oculto que hace evaluar antes la deformación de la curva",
+    "Leader": "Guía",
+    "Object whose settings drive this one": "Objeto cuyos ajustes mueven este",
+    "Direct Drivers": "Controladores directos",
+    "Compute in every driver by itself instead of once: slower, but without an outbox":
+        "Calcular en cada controlador por separado en vez de una sola vez: más lento, pero sin buzón de salida",
+    "Copy the message to the clipboard": "Copiar el mensaje al portapapeles",
+    "Select an object": "Selecciona un objeto",
+    "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
+    "Not evaluated: the add-on's driver functions are not available in this file yet":
+        "Sin evaluar: las funciones de los controladores del complemento aún no están disponibles en este archivo",
+    "The native module is missing from this copy of Motus: remove the add-on and install it from a release zip":
+        "A esta copia de Motus le falta el módulo nativo: quita el complemento e instálalo desde un zip publicado",
+    "{object} is linked from another file: make a library override of it first":
+        "{object} está vinculado desde otro archivo: crea antes una redefinición de biblioteca",
+
+    # Viewport
+    "Overlay": "Superposición",
+    "Show": "Mostrar",
+    "Show what the systems compute in the viewport": "Mostrar en la vista lo que calculan los sistemas",
+    "Curve": "Curva",
+    "Draw the curve that is really followed": "Dibujar la curva que se sigue de verdad",
+    "Control Points": "Puntos de control",
+    "Draw the control polygon": "Dibujar el polígono de control",
+    "Tangents": "Tangentes",
+    "Draw the tangent at equal distances": "Dibujar la tangente a distancias iguales",
+    "Frames": "Orientaciones",
+    "Draw the orientation at equal distances": "Dibujar la orientación a distancias iguales",
+    "Speed": "Velocidad",
+    "Colour the curve by the follower's speed": "Colorear la curva según la velocidad de quien la sigue",
+
+    # Baking
+    "Turn what Motus computes into keyframes, in an action of their own":
+        "Convertir lo que calcula Motus en fotogramas clave, en una acción propia",
+    "Take the baked keyframes away, put the object's own action back and switch the systems on again":
+        "Quitar los fotogramas clave horneados, devolver al objeto su propia acción y reactivar los sistemas",
+    "Object": "Objeto",
+    "Object that is driven or drives others; empty means the active one":
+        "Objeto movido, o que mueve a otros; vacío significa el activo",
+    "Object that was baked; empty means the active one": "Objeto que se horneó; vacío significa el activo",
+    "System": "Sistema",
+    "Name of the system to bake; empty means all of the object's":
+        "Nombre del sistema que se hornea; vacío significa todos los del objeto",
+    "Name of a system that was baked; empty means any": "Nombre de un sistema que se horneó; vacío significa cualquiera",
+    "Start": "Inicio",
+    "First frame; the scene's where it is not given": "Primer fotograma; el de la escena si no se indica",
+    "End": "Fin",
+    "Last frame; the scene's where it is not given": "Último fotograma; el de la escena si no se indica",
+    "Step": "Paso",
+    "Frames from one keyframe to the next, less than one for sub-frames":
+        "Fotogramas de una clave a la siguiente; menos de uno para subfotogramas",
+    "Owner": "Dueño",
+    "The object moves by baked keyframes": "El objeto se mueve por fotogramas clave horneados",
+    "Object whose system was baked; empty where it is this one": "Objeto cuyo sistema se horneó; vacío si es este mismo",
+    "Baked Action": "Acción horneada",
+    "Action that holds the baked keyframes": "Acción que contiene los fotogramas clave horneados",
+    "Previous Action": "Acción anterior",
+    "The object's own action, which unbaking puts back": "La acción propia del objeto, que vuelve al deshacer el horneado",
+    "Previous Slot": "Ranura anterior",
+    "The object's slot in its own action": "La ranura del objeto en su propia acción",
+    "Kept": "Conservado",
+    "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de hornear",
+    "Baked {frames} frames of {objects} objects": "Horneados {frames} fotogramas de {objects} objetos",
+    "Unbaked {objects} objects": "Deshecho el horneado de {objects} objetos",
+    "Baking frame {done} of {all} (Esc cancels)": "Horneando el fotograma {done} de {all} (Esc cancela)",
+    "Baking was cancelled: nothing has changed": "Se canceló el horneado: nada ha cambiado",
+    "Select an object, or name one": "Selecciona un objeto o indica su nombre",
+    "There is no object {object} in the scene": "No hay ningún objeto {object} en la escena",
+    "The range is empty: the end frame comes before the start frame":
+        "El intervalo está vacío: el último fotograma va antes que el primero",
+    "The system drives nothing that could be baked": "El sistema no mueve nada que se pueda hornear",
+    "{object} is baked already: unbake it first": "{object} ya está horneado: deshaz antes su horneado",
+    "{object} is in the tweak mode of the NLA editor: leave it first":
+        "{object} está en el modo de ajuste del editor de ANL: sal antes de él",
+    "{object} is not baked": "{object} no está horneado",
+    "{object} is not driven by Motus: add a system to it first": "Motus no mueve {object}: añádele antes un sistema",
+    "{object} is not evaluated: show it in the viewport first": "{object} no se evalúa: muéstralo antes en la vista",
+
+    # Follow Path: settings
+    "Follow Path": "Seguir trayectoria",
+    "Influence": "Influencia",
+    "How much the path moves the object; 0 leaves it at its own transform":
+        "Cuánto mueve la trayectoria al objeto; 0 lo deja en su propia transformación",
+    "Curve to follow": "Curva que se sigue",
+    "Spline": "Spline",
+    "Index of the curve's spline; -1 follows all of them, one after another":
+        "Índice del spline de la curva; -1 los sigue todos, uno tras otro",
+    "Timing": "Tiempo",
+    "What sets the position at a time": "Qué determina la posición en cada momento",
+    "Duration": "Duración",
+    "The whole path takes a given time": "La trayectoria entera dura un tiempo dado",
+    "Time for the whole path": "Tiempo para la trayectoria entera",
+    "Distance per second; negative goes backwards": "Distancia por segundo; negativa va hacia atrás",
+    "Metres per second, which may be keyed": "Metros por segundo, que admiten fotogramas clave",
+    "Pins": "Citas",
+    "Be at given places at given frames": "Estar en lugares dados en fotogramas dados",
+    "Manual": "Manual",
+    "The distance is keyed or driven as a fraction of the path":
+        "La distancia se anima o se controla como fracción de la trayectoria",
+    "Fraction": "Fracción",
+    "Fraction of the path's length": "Fracción de la longitud de la trayectoria",
+    "Fraction of the path's length at which the object is":
+        "Fracción de la longitud de la trayectoria en la que está el objeto",
+    "Frame at which the motion starts": "Fotograma en el que empieza el movimiento",
+    "Offset": "Desfase",
+    "Distance ahead along the path": "Distancia de adelanto a lo largo de la trayectoria",
+    "Ease In": "Entrada suave",
+    "Fraction of the time that is used to gain speed": "Fracción del tiempo que se emplea en ganar velocidad",
+    "Ease Out": "Salida suave",
+    "Fraction of the time that is used to lose speed": "Fracción del tiempo que se emplea en perder velocidad",
+    "At the Ends": "En los extremos",
+    "What happens beyond the ends of the path": "Qué ocurre más allá de los extremos de la trayectoria",
+    "Stop": "Parar",
+    "Stay at the end of the path": "Quedarse en el extremo de la trayectoria",
+    "Go On": "Seguir recto",
+    "Go on along the tangent of the path's end": "Continuar por la tangente del extremo de la trayectoria",
+    "Loop": "Bucle",
+    "Begin again at the start": "Volver a empezar desde el principio",
+    "Ping-Pong": "Ida y vuelta",
+    "Go back and forth": "Ir y volver",
+
+    # Follow Path: orientation
+    "Orientation": "Orientación",
+    "Which way the object's up axis points": "Hacia dónde apunta el eje vertical del objeto",
+    "None": "Ninguna",
+    "Keep the object's own rotation": "Conservar la rotación propia del objeto",
+    "World Up": "Vertical del mundo",
+    "Up is as near to the world's Z axis as the path allows":
+        "Arriba queda tan cerca del eje Z del mundo como permite la trayectoria",
+    "Minimal Twist": "Giro mínimo",
+    "Never turn about the direction of travel": "No girar nunca en torno a la dirección de avance",
+    "Banking": "Peralte",
+    "Lean into the bends like an aircraft, by speed and curvature":
+        "Inclinarse en las curvas como un avión, según la velocidad y la curvatura",
+    "Curvature": "Curvatura",
+    "Up points to the centre of the bend, as in a loop": "Arriba apunta al centro de la curva, como en un rizo",
+    "Curve Tilt": "Inclinación de la curva",
+    "Up is turned by the tilt of the curve's points": "Arriba gira con la inclinación de los puntos de la curva",
+    "Forward": "Adelante",
+    "Axis of the object that points along the path": "Eje del objeto que apunta a lo largo de la trayectoria",
+    "Up": "Arriba",
+    "Axis of the object that points up": "Eje del objeto que apunta hacia arriba",
+    "Strength": "Intensidad",
+    "1 is the turn that an aircraft would fly; negative leans outward":
+        "1 es el viraje que haría un avión; negativa inclina hacia fuera",
+    "Limit": "Límite",
+    "Largest roll; 180 degrees is no limit": "Alabeo máximo; 180 grados equivale a no limitar",
+    "Smoothing": "Suavizado",
+    "Length of path over which the bend is averaged": "Longitud de trayectoria sobre la que se promedia la curvatura",
+    "Gravity": "Gravedad",
+    "Acceleration that the bank is measured against": "Aceleración con la que se mide el peralte",
+    "Outward": "Hacia fuera",
+    "Up points away from the centre of the bend": "Arriba apunta en dirección contraria al centro de la curva",
+    "Lag": "Retraso",
+    "Rate, per second and unit of bend, at which the orientation trails behind; 0 is exact":
+        "Ritmo, por segundo y unidad de curvatura, con el que la orientación va detrás; 0 es exacto",
+    "Lag By": "Retraso según",
+    "What the rate of the lag is proportional to": "A qué es proporcional el ritmo del retraso",
+    "The rate follows the curvature, which does not depend on how the curve is made":
+        "El ritmo sigue la curvatura, que no depende de cómo está hecha la curva",
+    "Second Derivative": "Segunda derivada",
+    "The rate follows the length of the curve's second derivative":
+        "El ritmo sigue la magnitud de la segunda derivada de la curva",
+
+    # Follow Path: pins and trains
+    "Pins By": "Citas por",
+    "What the pins give": "Qué indican las citas",
+    "Distance": "Distancia",
+    "Distance from the start of the path": "Distancia desde el inicio de la trayectoria",
+    "Pins give a distance from the start of the path": "Las citas indican una distancia desde el inicio de la trayectoria",
+    "Pins give a fraction of the path's length": "Las citas indican una fracción de la longitud de la trayectoria",
+    "Frame": "Fotograma",
+    "When to be there": "Cuándo estar allí",
+    "Active Pin": "Cita activa",
+    "Add a pin: a frame and the place to be at": "Añadir una cita: un fotograma y el lugar donde estar",
+    "Be at a place of the path at a frame; without one, here and now":
+        "Estar en un lugar de la trayectoria en un fotograma; sin indicarlos, aquí y ahora",
+    "Remove a pin of the path": "Quitar una cita de la trayectoria",
+    "Which pin; -1 is the active one": "Qué cita; -1 es la activa",
+    "There is no such pin": "No existe esa cita",
+    "Two pins are on the same frame": "Hay dos citas en el mismo fotograma",
+    "Train": "Tren",
+    "Wagon": "Vagón",
+    "Wagons": "Vagones",
+    "Active Wagon": "Vagón activo",
+    "Object that follows behind": "Objeto que sigue detrás",
+    "Gap": "Separación",
+    "Distance along the path to the one in front": "Distancia a lo largo de la trayectoria hasta el de delante",
+    "Distance along the path from one to the next; 0 takes the lengths of the objects":
+        "Distancia a lo largo de la trayectoria de uno al siguiente; 0 toma la longitud de los objetos",
+    "Couple the other selected objects to the end of the train":
+        "Enganchar los demás objetos seleccionados al final del tren",
+    "Take a wagon out of the train; those behind keep their places":
+        "Sacar un vagón del tren; los de detrás conservan su lugar",
+    "Select the object whose settings drive this one": "Seleccionar el objeto cuyos ajustes mueven este",
+    "Name of the leader; empty takes the active one": "Nombre del guía; vacío toma el activo",
+    "Name of the wagon; empty takes the other selected objects":
+        "Nombre del vagón; vacío toma los demás objetos seleccionados",
+    "Which wagon; -1 is the active one": "Qué vagón; -1 es el activo",
+    "There is no such wagon": "No existe ese vagón",
+    "Select the objects to couple, and the leader last": "Selecciona los objetos que se enganchan y, al final, el guía",
+    "A train needs two objects at least": "Un tren necesita al menos dos objetos",
+    "An object can be in the train only once": "Un objeto solo puede estar una vez en el tren",
+    "Driven by": "Movido por",
+
+    # Follow Path: operators
+    "Let the selected objects follow a curve": "Hacer que los objetos seleccionados sigan una curva",
+    "Let the selected objects follow a curve one behind the other, the active one first":
+        "Hacer que los objetos seleccionados sigan una curva uno tras otro, el activo primero",
+    "Let the objects stand at their own transforms again": "Devolver los objetos a sus propias transformaciones",
+    "Wire the object again, after its curve was given other data":
+        "Volver a conectar el objeto después de dar otros datos a su curva",
+    "Add a curve whose points, or placed objects, are the control points of one Bézier curve":
+        "Añadir una curva cuyos puntos, u objetos colocados, son los puntos de control de una sola curva Bézier",
+    "Degree": "Grado",
+    "One less than the number of control points": "Uno menos que el número de puntos de control",
+    "Name": "Nombre",
+    "Name of the new curve": "Nombre de la curva nueva",
+    "Name of the object; empty takes the active one": "Nombre del objeto; vacío toma el activo",
+    "Name of the object; empty takes the selected ones": "Nombre del objeto; vacío toma los seleccionados",
+    "Name of the curve object; empty takes the selected one": "Nombre del objeto curva; vacío toma el seleccionado",
+    "Name of the curve object; empty takes the selected one or what the active object follows":
+        "Nombre del objeto curva; vacío toma el seleccionado o la que sigue el objeto activo",
+    "Objects": "Objetos",
+    "Names with commas between, or a collection's name; empty takes the selected ones":
+        "Nombres separados por comas, o el nombre de una colección; vacío toma los seleccionados",
+    "Names with commas between, or a collection's name: their places are the control points, and moving one moves the curve":
+        "Nombres separados por comas, o el nombre de una colección: sus posiciones son los puntos de control, y mover uno "
+        "mueve la curva",
+    "Look at the path from the top or from the side through orthographic cameras; each call switches over":
+        "Ver la trayectoria desde arriba o de lado con cámaras ortográficas; cada llamada cambia de una a otra",
+    "View": "Vista",
+    "Which view to show": "Qué vista se muestra",
+    "The system to show": "El sistema que se muestra",
+    "Next": "Siguiente",
+    "The one of the two that is not shown": "La de las dos que no se muestra",
+    "Top": "Arriba",
+    "From above": "Desde arriba",
+    "Side": "Lado",
+    "From the side": "De lado",
+    "Leave": "Salir",
+    "Back to the viewport's own view": "Volver a la vista propia de la ventana",
+    "Index": "Índice",
+    "Follow Path Presets": "Preajustes de seguir trayectoria",
+    "Keep these settings as a preset, or remove it": "Guardar estos ajustes como preajuste, o quitarlo",
+    "Name of the preset, used to make the path name": "Nombre del preajuste, del que sale el nombre del archivo",
+
+    # Follow Path: what it reports
+    "{object} follows {curve}": "{object} sigue {curve}",
+    "{count} objects follow {curve}": "{count} objetos siguen {curve}",
+    "{curve} has degree {degree}": "{curve} tiene grado {degree}",
+    "{view} of {curve}": "{view} de {curve}",
+    "Removed from {objects}": "Quitado de {objects}",
+    "Ease in and ease out together are limited to 1": "La entrada y la salida suaves suman como mucho 1",
+    "Nothing here follows a path": "Aquí nada sigue una trayectoria",
+    "Go to Object Mode first": "Pasa antes al modo Objeto",
+    "Select the object that shall follow": "Selecciona el objeto que ha de seguir la curva",
+    "Choose a curve to follow": "Elige la curva que se sigue",
+    "There is no object {object}": "No hay ningún objeto {object}",
+    "{object} is not a curve": "{object} no es una curva",
+    "{object} is not in this view layer": "{object} no está en esta capa de visualización",
+    "{object} cannot follow itself": "{object} no puede seguirse a sí mismo",
+    "{curve} is moved by {object}, so {object} cannot follow it": "{object} mueve {curve}, así que {object} no puede seguirla",
+    "{object} is a wagon of {leader}: remove it from the train first":
+        "{object} es un vagón de {leader}: sácalo antes del tren",
+    "{object} is baked: unbake it first": "{object} está horneado: deshaz antes su horneado",
+    "{object} follows a path of its own: remove that first": "{object} sigue su propia trayectoria: quítasela antes",
+    "A Bézier curve needs 2 to {most} control points, not {count}":
+        "Una curva Bézier necesita de 2 a {most} puntos de control, no {count}",
+    "The curve is in no collection any more: choose another one": "La curva ya no está en ninguna colección: elige otra",
+    "The curve has no splines": "La curva no tiene splines",
+    "The curve has no spline of this index": "La curva no tiene ningún spline con este índice",
+    "A spline needs two points at least": "Un spline necesita al menos dos puntos",
+    "NURBS splines with different weights cannot be followed: make the weights equal":
+        "No se pueden seguir splines NURBS con pesos distintos: iguala los pesos",
+    "The forward axis and the up axis must be across each other":
+        "El eje de avance y el eje vertical han de ser perpendiculares",
+    "The speed is driven, so its past is not known: its present value counts for the whole way":
+        "La velocidad viene de un controlador, así que su pasado no se conoce: su valor actual cuenta para todo el recorrido",
+
+    # Demo scenes
+    "A window is needed to show the new scene": "Hace falta una ventana para mostrar la escena nueva",
+    "Banked Flight": "Vuelo peraltado",
+    "An aeroplane on a curved course over a lake, with a chasing camera":
+        "Un avión en un recorrido curvo sobre un lago, con una cámara que lo persigue",
+}
+
+_OPERATORS = {
+    "Add Follow Path Preset": "Añadir preajuste de seguir trayectoria",
+    "Add Pin": "Añadir cita",
+    "Add Wagons": "Añadir vagones",
+    "Bake": "Hornear",
+    "Bézier of Any Degree": "Bézier de cualquier grado",
+    "Copy": "Copiar",
+    "Demo Scene": "Escena de demostración",
+    "Edit Views": "Vistas de edición",
+    "Follow Path": "Seguir trayectoria",
+    "Follow Path as a Train": "Seguir trayectoria en tren",
+    "Path Edit Views": "Vistas de edición de la trayectoria",
+    "Refresh": "Actualizar",
+    "Remove": "Quitar",
+    "Remove Follow Path": "Quitar seguir trayectoria",
+    "Remove Pin": "Quitar cita",
+    "Remove Wagon": "Quitar vagón",
+    "Select Leader": "Seleccionar guía",
+    "Take Out": "Sacar",
+    "Unbake": "Deshacer horneado",
+}
+
+CONTEXTS = {"*": _INTERFACE, "Operator": _OPERATORS}

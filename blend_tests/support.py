@@ -1,0 +1,89 @@
+"""What the tests inside Blender share: the installed add-on, empty scenes, and fresh Blender processes."""
+
+import importlib
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import addon_utils
+import bpy
+
+
+def module_name():
+    """Name of the add-on's package: an extension's lies below its repository (4.2 on), a legacy add-on's is its own."""
+    names = {module.__name__ for module in addon_utils.modules(refresh=False)}
+    return next(name for name in ("bl_ext.user_default.motus", "motus") if name in names)
+
+
+def addon(path=""):
+    """The installed package, or of it the module at `path`, such as "core.native"."""
+    return importlib.import_module(f"{module_name()}.{path}" if path else module_name())
+
+
+def is_enabled():
+    return addon_utils.check(module_name())[1]
+
+
+def enable():
+    """Enables the add-on; raises what its register() raised."""
+    if not is_enabled():
+        addon_utils.enable(module_name(), default_set=True, persistent=True, handle_error=_raise)
+
+
+def disable():
+    addon_utils.disable(module_name(), default_set=True, handle_error=_raise)
+
+
+def _raise(error):
+    raise error
+
+
+def empty_scene():
+    """A new file without objects; the add-on stays enabled."""
+    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
+
+
+class SceneTestCase(unittest.TestCase):
+    """Each test starts in an empty scene, and has a temporary folder `self.folder`."""
+
+    def setUp(self):
+        empty_scene()
+        self._temporary = tempfile.TemporaryDirectory(prefix="motus-test-")
+        self.addCleanup(self._temporary.cleanup)
+        self.folder = Path(self._temporary.name)
+
+
+def addon_folder(profile):
+    """Where the add-on lies in a profile (a BLENDER_USER_RESOURCES folder)."""
+    places = ("extensions/user_default/motus", "scripts/addons/motus")
+    return next(Path(profile, place) for place in places if Path(profile, place).is_dir())
+
+
+def copy_profile(folder):
+    """Copies this Blender's profile to `folder`/profile, for a test that spoils the installed add-on."""
+    source = Path(os.environ["BLENDER_USER_RESOURCES"])
+    return Path(shutil.copytree(source, Path(folder, "profile"), ignore=shutil.ignore_patterns("__pycache__")))
+
+
+def run_blender(code, profile=None, arguments=("--factory-startup",), enabled=True):
+    """Runs Python `code` in a fresh Blender without a window; returns (exit status, its output).
+
+    `profile`: another profile than this process's. `enabled`: with the add-on switched on before the code runs.
+    """
+    environment = dict(os.environ)
+    if profile is not None:
+        for variable in [name for name in environment if name.startswith("BLENDER_USER_")]:
+            del environment[variable]
+        environment["BLENDER_USER_RESOURCES"] = str(profile)
+    switch = ("--addons", module_name()) if enabled else ()
+    with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
+        script = Path(folder, "script.py")
+        script.write_text(f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\n{code}", encoding="utf-8")
+        command = [bpy.app.binary_path, "--background", *arguments, "--python-exit-code", "1", *switch,
+                   "--python", str(script)]
+        done = subprocess.run(command, env=environment, text=True, timeout=300, check=False,
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    return done.returncode, done.stdout

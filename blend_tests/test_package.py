@@ -1,0 +1,41 @@
+"""What is installed is whole, and of one version."""
+
+import ast
+import importlib.machinery
+import unittest
+from pathlib import Path
+
+import addon_utils
+import support
+
+
+class Package(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(support.addon().__file__).parent
+
+    def test_native_module_is_this_pythons_own(self):
+        native = support.addon("core.native")
+        self.assertEqual(native.status.code, native.OK, native.status.sentence)
+        self.assertTrue(native.module.__file__.endswith(importlib.machinery.EXTENSION_SUFFIXES[0]))
+
+    def test_one_version(self):
+        native = support.addon("core.native")
+        version = native.addon_version()
+        self.assertEqual(native.module.__version__, version)
+        module = next(module for module in addon_utils.modules(refresh=False) if module.__name__ == support.module_name())
+        self.assertEqual(".".join(map(str, addon_utils.module_bl_info(module)["version"])), version)
+
+    def test_licence_and_manifest_are_included(self):
+        for name in ("LICENSE", "blender_manifest.toml"):
+            self.assertTrue((self.folder / name).is_file(), name)
+
+    def test_nothing_is_included_that_does_not_belong(self):
+        suffixes = {path.suffix for path in self.folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts}
+        self.assertLessEqual(suffixes, {".py", ".pyi", ".so", ".toml", "", ".svg", ".blend", ".json", ".png"})
+
+    def test_bl_info_only_where_blender_reads_it(self):
+        source = (self.folder / "__init__.py").read_text(encoding="utf-8")
+        names = [target.id for statement in ast.parse(source).body if isinstance(statement, ast.Assign)
+                 for target in statement.targets if isinstance(target, ast.Name)]
+        is_extension = support.module_name().startswith("bl_ext.")
+        self.assertEqual("bl_info" in names, not is_extension)

@@ -1,0 +1,117 @@
+"""Every English text of the interface has a Spanish one, and nothing else has."""
+
+import ast
+import string
+import unittest
+from pathlib import Path
+
+import bpy
+import support
+
+IDENTIFIERS = {"text", "heading", "title"}
+"""Keyword arguments of layout functions that Blender translates."""
+SENTENCES = {"tr", "Problem", "Status", "poll_message_set", "pgettext_iface", "pgettext_tip"}
+"""Functions whose first string is shown to the user."""
+UNTRANSLATED = {"", "Motus", "X", "Y", "Z", "-X", "-Y", "-Z"}
+"""Names and letters, the same in every language."""
+
+
+def package():
+    return support.addon().__name__
+
+
+def registered_classes():
+    """All classes the add-on has registered."""
+    kinds = (bpy.types.Operator, bpy.types.Panel, bpy.types.Menu, bpy.types.PropertyGroup, bpy.types.UIList)
+    return [cls for kind in kinds for cls in kind.__subclasses__()
+            if cls.__module__.startswith(f"{package()}.") and getattr(cls, "is_registered", False)]
+
+
+def class_texts(cls):
+    """(context, text) of a class and its properties."""
+    is_operator = issubclass(cls, bpy.types.Operator)
+    if not issubclass(cls, bpy.types.PropertyGroup):
+        yield ("Operator" if is_operator else "*"), getattr(cls, "bl_label", "")
+        yield "*", getattr(cls, "bl_description", "") or ""
+    rna = getattr(bpy.ops.motus, cls.bl_idname.partition(".")[2]).get_rna_type() if is_operator else cls.bl_rna
+    for one in rna.properties:
+        if not one.is_runtime:
+            continue
+        if one.name == one.identifier:  # not named, so never shown
+            continue
+        yield "*", one.name
+        yield "*", one.description
+        for item in one.enum_items if one.type == 'ENUM' else ():
+            yield "*", item.name
+            yield "*", item.description
+
+
+def source_texts(source):
+    """(context, text) of the strings in Python code that the user reads."""
+    for node in ast.walk(ast.parse(source)):
+        if not isinstance(node, ast.Call):
+            continue
+        name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+        untranslated = any(word.arg == "translate" for word in node.keywords)
+        if name in SENTENCES and node.args:
+            yield from _constants("*", node.args[:2] if name == "Status" else node.args[:1])
+        if not untranslated:
+            values = [word.value for word in node.keywords if word.arg in IDENTIFIERS]
+            yield from _constants("Operator" if name == "operator" else "*", values)
+
+
+def _constants(context, nodes):
+    for node in nodes:
+        choices = (node.body, node.orelse) if isinstance(node, ast.IfExp) else (node,)
+        for choice in choices:
+            if isinstance(choice, ast.Constant) and isinstance(choice.value, str):
+                yield context, choice.value
+
+
+def english_texts():
+    """Every (context, text) of the add-on that Blender or tr() translates."""
+    texts = {text for cls in registered_classes() for text in class_texts(cls)}
+    folder = Path(support.addon().__file__).parent
+    for path in folder.rglob("*.py"):
+        texts.update(source_texts(path.read_text(encoding="utf-8")))
+    return {(context, text) for context, text in texts if text not in UNTRANSLATED}
+
+
+class SpanishTest(unittest.TestCase):
+    def setUp(self):
+        self.contexts = support.addon("translations.es").CONTEXTS
+        self.known = {(context, english) for context, messages in self.contexts.items() for english in messages}
+
+    def test_complete(self):
+        self.assertEqual(sorted(english_texts() - self.known), [])
+
+    def test_nothing_stale(self):
+        self.assertEqual(sorted(self.known - english_texts()), [])
+
+    def test_placeholders_are_kept(self):
+        for messages in self.contexts.values():
+            for english, spanish in messages.items():
+                self.assertEqual(sorted(_placeholders(spanish)), sorted(_placeholders(english)), english)
+
+    def test_tooltips_have_no_full_stop(self):
+        for messages in self.contexts.values():
+            for english, spanish in messages.items():
+                self.assertFalse(english.endswith(".") or spanish.endswith("."), english)
+                self.assertTrue(spanish.strip(), english)
+
+    def test_blender_shows_it(self):
+        view = bpy.context.preferences.view
+        before = view.language
+        self.addCleanup(setattr, view, "language", before)
+        view.language = "es"
+        view.use_translate_interface = view.use_translate_tooltips = True
+        translate = bpy.app.translations.pgettext
+        self.assertEqual(translate("Bake", "Operator"), self.contexts["Operator"]["Bake"])
+        sentence = "{object} is not baked"
+        self.assertEqual(support.addon("core.translations").tr(sentence), self.contexts["*"][sentence])
+        view.language = "en_US"
+        self.assertEqual(translate("Unbake", "Operator"), "Unbake")
+
+
+def _placeholders(text):
+    return [name for _, name, _, _ in string.Formatter().parse(text) if name is not None]

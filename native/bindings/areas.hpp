@@ -1,0 +1,13 @@
+// One function a file of bindings.
+#pragma once
+#include <pybind11/pybind11.h>
+
+namespace motus::bindings {
+
+void bind_curve(pybind11::module_& m);
+void bind_timing(pybind11::module_& m);
+void bind_frames(pybind11::module_& m);
+void bind_follow(pybind11::module_& m);
+void bind_pose(pybind11::module_& m);
+
+}  // namespace motus::bindings

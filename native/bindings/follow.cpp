@@ -1,0 +1,87 @@
+// Followers on curves.
+#include "motus/follow.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+
+#include "areas.hpp"
+#include "arrays.hpp"
+#include "curve.hpp"
+#include "path_options.hpp"
+#include "rotations.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+
+constexpr double follower_cost = 300.0;  // ns, rough
+
+[[nodiscard]] glm::dvec3 axis_option(const std::string& axis, const char* name) {
+    return choice<glm::dvec3>(axis, name,
+                              {{"X", {1, 0, 0}},
+                               {"Y", {0, 1, 0}},
+                               {"Z", {0, 0, 1}},
+                               {"-X", {-1, 0, 0}},
+                               {"-Y", {0, -1, 0}},
+                               {"-Z", {0, 0, -1}}});
+}
+
+[[nodiscard]] LagBy lag_option(const std::string& name) {
+    return choice<LagBy>(name, "lag_by",
+                         {{"acceleration", LagBy::acceleration}, {"curvature", LagBy::curvature}});
+}
+
+py::tuple follow_curve(const BoundCurve& curve, const Timing& timing, const py::object& time,
+                       const py::object& offsets, const std::string& mode, const std::string& extend,
+                       const std::string& forward, const std::string& up, bool rotate,
+                       const py::object& lag_rate, const std::string& lag_by, const py::object& locations,
+                       const py::object& rotations, const py::kwargs& options) {
+    const Numbers along(offsets, "offsets");
+    const double at = number(time, "time");
+    FollowSettings settings;
+    settings.extend = extend_option(extend);
+    settings.axes = follower_axes(axis_option(forward, "forward"), axis_option(up, "up"));
+    settings.rotate = rotate;
+    settings.lag_rate = number(lag_rate, "lag_rate");
+    settings.lag_by = lag_option(lag_by);
+    FrameSettings frame = frame_settings(mode, options, false);
+    if (!rotate) frame = FrameSettings{};  // its tables are the cheapest, and not looked at
+
+    const std::size_t count = along.values().size();
+    const auto rows = static_cast<py::ssize_t>(count);
+    auto location_rows = output<double>(locations, "locations", {rows, 3});
+    auto rotation_rows = output<double>(rotations, "rotations", {rows, 4});
+    const std::span<glm::dvec3> location_out = points_of(location_rows);
+    const std::span<glm::dquat> rotation_out = quaternions_in(rotation_rows.mutable_data(), count);
+    const Frames frames = shared_frames(curve.path(), frame);
+    {
+        const ReleaseGil released(count, settings.lag_rate > 0.0 ? 1e3 * follower_cost : follower_cost);
+        follow(frames, timing, at, along.values(), settings, location_out, rotation_out);
+        rows_from_quaternions(rotation_out);
+    }
+    return py::make_tuple(location_rows, rotation_rows);
+}
+
+}  // namespace
+
+void bind_follow(py::module_& m) {
+    m.def("follow", &follow_curve, "curve"_a, "timing"_a, "time"_a, "offsets"_a, "mode"_a,
+          "extend"_a = "clamp", "forward"_a = "Y", "up"_a = "Z", "rotate"_a = true, "lag_rate"_a = 0.0,
+          "lag_by"_a = "acceleration", "locations"_a = py::none(), "rotations"_a = py::none(), R"(
+Poses of followers on a curve at one time. A function of its arguments alone: times may come in any order.
+
+timing: a Timing.  time: s.  offsets: a number or (n,), how far each follower is ahead (+) or behind (-) along the curve.
+mode and its options: as in frames(), but for speed, which is the timing's.
+extend: what lies beyond the ends: 'clamp'; 'extrapolate' straight on along the tangent with the end's frame; 'loop';
+'ping_pong'.  forward, up: the follower's own axes that go along the curve and up: 'X', '-X', 'Y', '-Y', 'Z', '-Z', across
+each other.  rotate: False leaves every rotation the identity.
+lag_rate: > 0 lets the orientation trail its target at lag_rate times the bend of the curve per second, from time 0 on
+and with 120 s of memory.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
+locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into; new ones where None.
+Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.
+Raises ValueError or TypeError that names the argument.)");
+}
+
+}  // namespace motus::bindings

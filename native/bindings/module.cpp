@@ -1,0 +1,18 @@
+// motus_native: the table of contents.
+#include <pybind11/pybind11.h>
+
+#include "areas.hpp"
+
+PYBIND11_MODULE(motus_native, m) {
+    m.doc() =
+        "Native core of Motus. Arrays are NumPy float64; metres, radians and seconds; quaternions w, x, y, "
+        "z.";
+    m.attr("__version__") = MOTUS_VERSION;
+
+    using namespace motus::bindings;
+    bind_curve(m);
+    bind_timing(m);
+    bind_frames(m);
+    bind_follow(m);
+    bind_pose(m);
+}

@@ -1,0 +1,24 @@
+// Names and options that frames() and follow() have in common.
+#pragma once
+#include <string>
+
+#include "arrays.hpp"
+#include "motus/extend.hpp"
+#include "motus/frames.hpp"
+
+namespace motus::bindings {
+
+[[nodiscard]] inline Extend extend_option(const std::string& name) {
+    return choice<Extend>(name, "extend",
+                          {{"clamp", Extend::clamp},
+                           {"extrapolate", Extend::extrapolate},
+                           {"loop", Extend::loop},
+                           {"ping_pong", Extend::ping_pong}});
+}
+
+/// Settings of a mode by its name and its options; TypeError for an option that the mode does not read.
+/// `speed` is left to the caller where `reads_speed`.
+[[nodiscard]] FrameSettings frame_settings(const std::string& mode, const py::kwargs& options,
+                                           bool reads_speed);
+
+}  // namespace motus::bindings

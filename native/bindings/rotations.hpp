@@ -1,0 +1,75 @@
+// Rows of quaternions w, x, y, z, and arrays to write into.
+#pragma once
+#include <glm/gtc/quaternion.hpp>
+#include <vector>
+
+#include "arrays.hpp"
+
+namespace motus::bindings {
+
+static_assert(sizeof(glm::dquat) == 4 * sizeof(double), "rows of w, x, y, z are written in place");
+
+/// An array of T to be filled: the one given, of which nothing may need converting, or where there is none a
+/// new one of that shape. ValueError for another shape, TypeError for another type, layout or a read-only
+/// array.
+template <class T>
+[[nodiscard]] py::array_t<T, py::array::c_style> output(const py::object& given, std::string_view name,
+                                                        const std::vector<py::ssize_t>& shape) {
+    using Array = py::array_t<T, py::array::c_style>;
+    if (given.is_none()) return Array(shape);
+    if (!py::isinstance<Array>(given))
+        type_error(
+            name, std::string("must be a C-contiguous array of ") + (sizeof(T) == 8 ? "float64" : "float32"));
+    Array array = py::reinterpret_borrow<Array>(given);
+    if (!array.writeable()) type_error(name, "must be writeable");
+    if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim())) {
+        std::string wanted;
+        for (const py::ssize_t size : shape) wanted += (wanted.empty() ? "" : ", ") + std::to_string(size);
+        value_error(name, "must have the shape (" + wanted + "), not " + shape_of(array));
+    }
+    return array;
+}
+
+/// The memory of (m, 4) doubles as quaternions of GLM's own layout, until rows_from_quaternions() puts it in
+/// order.
+[[nodiscard]] inline std::span<glm::dquat> quaternions_in(double* rows, std::size_t count) {
+    return {reinterpret_cast<glm::dquat*>(rows), count};
+}
+
+/// Rewrites quaternions as rows of w, x, y, z in the same memory.
+inline void rows_from_quaternions(std::span<glm::dquat> quaternions) {
+    double* row = reinterpret_cast<double*>(quaternions.data());
+    for (const glm::dquat q : quaternions) {
+        *row++ = q.w;
+        *row++ = q.x;
+        *row++ = q.y;
+        *row++ = q.z;
+    }
+}
+
+/// (m, 4) or (4,) read as unit quaternions; ValueError for another shape or a row of zeros.
+class Rotations {
+  public:
+    Rotations(py::handle object, std::string_view name) {
+        const DoubleArray array = doubles(object, name);
+        single_ = array.ndim() == 1;
+        if (array.ndim() < 1 || array.ndim() > 2 || array.shape(array.ndim() - 1) != 4)
+            value_error(name, "must have the shape (m, 4) or (4,), not " + shape_of(array));
+        const double* row = array.data();
+        for (py::ssize_t i = 0; i < array.size(); i += 4) {
+            const glm::dquat q(row[i], row[i + 1], row[i + 2], row[i + 3]);
+            const double size = glm::length(q);
+            if (!(size > 0.0)) value_error(name, "a quaternion must not be zero");
+            values_.push_back(q / size);
+        }
+    }
+
+    [[nodiscard]] bool is_single() const noexcept { return single_; }
+    [[nodiscard]] std::span<const glm::dquat> values() const noexcept { return values_; }
+
+  private:
+    std::vector<glm::dquat> values_;
+    bool single_ = false;
+};
+
+}  // namespace motus::bindings

@@ -1,0 +1,120 @@
+// Bounded, thread-safe store for tables that are dear to build.
+#pragma once
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <iterator>
+#include <list>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <unordered_map>
+#include <utility>
+
+namespace motus {
+
+/// Hash of a key's numbers, for a Cache. Equal bits give equal hashes.
+class ContentHash {
+  public:
+    void add(std::uint64_t value) noexcept {
+        state_ = (state_ ^ value) * 0x9e3779b97f4a7c15ULL;
+        state_ ^= state_ >> 32;
+    }
+    void add(double value) noexcept { add(std::bit_cast<std::uint64_t>(value)); }
+    void add(std::span<const double> values) noexcept {
+        for (const double value : values) add(value);
+    }
+    void add(std::span<const glm::dvec3> values) noexcept {
+        for (const glm::dvec3& v : values) {
+            add(v.x);
+            add(v.y);
+            add(v.z);
+        }
+    }
+    [[nodiscard]] std::size_t value() const noexcept { return static_cast<std::size_t>(state_); }
+
+  private:
+    std::uint64_t state_ = 0x243f6a8885a308d3ULL;
+};
+
+/// Keeps the `capacity` values used last, each found by the whole content of its key (Key needs ==; the hash
+/// only narrows the search). What it answers never depends on what it holds: a value is a function of its
+/// key.
+template <class Key, class Value, class Hash>
+class Cache {
+  public:
+    using Pointer = std::shared_ptr<const Value>;
+
+    explicit Cache(std::size_t capacity) : capacity_(capacity) {}
+
+    /// The value of `key`; where it is not held, `make(key)` -> shared_ptr<const Value> builds it. Built
+    /// outside the lock, so that threads with different keys don't wait for each other; where two build the
+    /// same, the first stays.
+    template <class Make>
+    [[nodiscard]] Pointer get(const Key& key, Make&& make) {
+        const std::size_t hash = Hash{}(key);
+        {
+            const std::scoped_lock lock(mutex_);
+            if (Pointer held = find(hash, key)) return held;
+        }
+        Pointer made = std::forward<Make>(make)(key);
+        const std::scoped_lock lock(mutex_);
+        if (Pointer held = find(hash, key)) return held;
+        entries_.push_front({hash, key, made});
+        index_.emplace(hash, entries_.begin());
+        shrink();
+        return made;
+    }
+
+    /// 0 switches the cache off.
+    void set_capacity(std::size_t capacity) {
+        const std::scoped_lock lock(mutex_);
+        capacity_ = capacity;
+        shrink();
+    }
+    [[nodiscard]] std::size_t capacity() const {
+        const std::scoped_lock lock(mutex_);
+        return capacity_;
+    }
+    [[nodiscard]] std::size_t size() const {
+        const std::scoped_lock lock(mutex_);
+        return entries_.size();
+    }
+
+  private:
+    struct Entry {
+        std::size_t hash;
+        Key key;
+        Pointer value;
+    };
+    using Entries = std::list<Entry>;
+
+    /// The held value or null; what is found becomes the one used last.
+    [[nodiscard]] Pointer find(std::size_t hash, const Key& key) {
+        const auto [first, last] = index_.equal_range(hash);
+        for (auto it = first; it != last; ++it) {
+            if (!(it->second->key == key)) continue;
+            entries_.splice(entries_.begin(), entries_, it->second);
+            return it->second->value;
+        }
+        return nullptr;
+    }
+
+    void shrink() {
+        while (entries_.size() > capacity_) {
+            const auto oldest = std::prev(entries_.end());
+            auto it = index_.find(oldest->hash);
+            while (it->second != oldest) ++it;
+            index_.erase(it);
+            entries_.erase(oldest);
+        }
+    }
+
+    mutable std::mutex mutex_;
+    std::size_t capacity_;
+    Entries entries_;  ///< used last first
+    std::unordered_multimap<std::size_t, typename Entries::iterator> index_;
+};
+
+}  // namespace motus

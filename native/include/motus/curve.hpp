@@ -1,0 +1,102 @@
+// Piecewise Bézier curves of any degree.
+// Bernstein form and de Casteljau evaluation: Farin, "Curves and Surfaces for CAGD" (5th ed., 2002), ch. 4-5.
+#pragma once
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "motus/extend.hpp"
+
+namespace motus {
+
+/// Highest degree evaluated; above it the Bernstein form loses too many digits to keep the stated errors.
+inline constexpr int max_degree = 64;
+
+/// Largest size of a coordinate: with larger ones products of derivatives would overflow. Such curves are
+/// refused as those that are not finite.
+inline constexpr double coordinate_limit = 1e100;
+
+/// A chain of Bézier segments of one degree. Value type; any space, any unit of length.
+///
+/// The parameter t runs over [0, segment_count()]: segment i covers [i, i + 1]. Every segment owns its degree
+/// + 1 control points, so that neighbours may also be apart (several splines ridden as one path).
+class Curve {
+  public:
+    /// One Bézier segment of degree control_points.size() - 1 >= 1.
+    /// Throws std::invalid_argument where there are fewer than 2 or more than max_degree + 1 points, or one
+    /// is not finite.
+    [[nodiscard]] static Curve bezier(std::span<const glm::dvec3> control_points);
+
+    /// Cubic segments through `points` with Blender's two handles a point; `cyclic` adds the segment last ->
+    /// first. Throws std::invalid_argument where sizes differ, fewer than 2 points are given, or one is not
+    /// finite.
+    [[nodiscard]] static Curve spline(std::span<const glm::dvec3> points,
+                                      std::span<const glm::dvec3> handles_left,
+                                      std::span<const glm::dvec3> handles_right, bool cyclic);
+
+    /// Segments of one degree, control points segment by segment: size = segments * (degree + 1). `cyclic`
+    /// says that the last segment ends where the first begins; it adds nothing. Throws std::invalid_argument
+    /// as above.
+    [[nodiscard]] static Curve chain(int degree, std::span<const glm::dvec3> control_points, bool cyclic);
+
+    [[nodiscard]] int degree() const noexcept { return degree_; }
+    [[nodiscard]] std::size_t segment_count() const noexcept { return points_.size() / segment_size(); }
+    [[nodiscard]] bool cyclic() const noexcept { return cyclic_; }
+    /// All control points, segment by segment.
+    [[nodiscard]] std::span<const glm::dvec3> control_points() const noexcept { return points_; }
+    [[nodiscard]] std::span<const glm::dvec3> segment(std::size_t index) const noexcept {
+        return control_points().subspan(index * segment_size(), segment_size());
+    }
+
+    [[nodiscard]] friend bool operator==(const Curve&, const Curve&) = default;
+
+  private:
+    Curve(int degree, std::vector<glm::dvec3> points, bool cyclic);
+    [[nodiscard]] std::size_t segment_size() const noexcept { return static_cast<std::size_t>(degree_) + 1; }
+
+    int degree_ = 1;
+    bool cyclic_ = false;
+    std::vector<glm::dvec3> points_;
+};
+
+/// Segment and parameter in it (0 to 1) of a parameter of the curve (clamped).
+struct Location {
+    std::size_t segment = 0;
+    double t = 0.0;
+};
+[[nodiscard]] Location locate(const Curve& curve, double t) noexcept;
+
+/// Position at t (clamped to the curve's interval).
+[[nodiscard]] glm::dvec3 position(const Curve& curve, double t);
+
+/// Position at t; outside the curve's interval as `extend` says. Extrapolated, t goes on with the end's
+/// derivative.
+[[nodiscard]] glm::dvec3 position(const Curve& curve, double t, Extend extend);
+
+/// Derivative of the given order (1 to 3) with respect to t (clamped); at a joint the one of the segment that
+/// begins there. Throws std::invalid_argument for another order.
+[[nodiscard]] glm::dvec3 derivative(const Curve& curve, double t, int order = 1);
+
+/// Position and the first three derivatives in one pass.
+struct Jet {
+    glm::dvec3 position{0.0};
+    glm::dvec3 d1{0.0};
+    glm::dvec3 d2{0.0};
+    glm::dvec3 d3{0.0};
+};
+[[nodiscard]] Jet jet(const Curve& curve, double t);
+
+/// Unit tangent. Where the first derivative vanishes (cusp, handle on its point) the limit from the right, or
+/// at the end of the curve from the left; on a segment of zero length that of the next one that has a length,
+/// else of the one before; (0, 1, 0) on a curve of zero length.
+[[nodiscard]] glm::dvec3 tangent(const Curve& curve, double t);
+
+/// Curvature |C' x C''| / |C'|^3, 1 / length unit. Where C' vanishes, the limit: infinity at a cusp, 0 on a
+/// straight stretch and on a segment of zero length.
+[[nodiscard]] double curvature(const Curve& curve, double t);
+
+/// Torsion (C' x C'') . C''' / |C' x C''|^2, 1 / length unit; 0 where the curvature is 0 or infinite.
+[[nodiscard]] double torsion(const Curve& curve, double t);
+
+}  // namespace motus

@@ -1,0 +1,47 @@
+// Followers on a curve: positions and orientations of many objects at one time.
+#pragma once
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "motus/extend.hpp"
+#include "motus/frames.hpp"
+#include "motus/timing.hpp"
+
+namespace motus {
+
+/// What the rate of a lagging orientation grows with.
+enum class LagBy {
+    acceleration,  ///< |C''(t)|, the second derivative by the curve's parameter (the original's measure of
+                   ///< the bend)
+    curvature,     ///< 1 / length unit
+};
+
+/// How distances become poses.
+struct FollowSettings {
+    Extend extend = Extend::clamp;        ///< extrapolate keeps the end's frame
+    glm::dquat axes{1.0, 0.0, 0.0, 0.0};  ///< turns the follower's own forward and up axes to +Y and +Z
+    bool rotate = true;                   ///< off: all rotations are the identity
+    double lag_rate = 0.0;  ///< > 0: orientation trails the target at lag_rate * bend per second
+    LagBy lag_by = LagBy::acceleration;
+};
+
+/// How far back a lagging orientation remembers, s.
+inline constexpr double lag_memory = 120.0;
+
+/// Poses at `time` seconds of followers that are `offsets` ahead (+) or behind (-) along the arc.
+/// Writes offsets.size() locations and rotations, allocates nothing (lag apart). A function of its arguments
+/// alone.
+///
+/// With lag the orientation starts on its target at time 0, or lag_memory seconds ago where that is later,
+/// and moves towards it along the shortest arc at the rate stated, in steps of 1/120 s; before time 0 it is
+/// on its target. It is continuous in time. Throws std::invalid_argument where a span's size differs, time or
+/// an offset is not finite, or lag_rate is not >= 0.
+void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
+            const FollowSettings& settings, std::span<glm::dvec3> locations, std::span<glm::dquat> rotations);
+
+/// The rotation that takes a follower's `forward` axis to +Y and its `up` axis to +Z (both one of +-X, +-Y,
+/// +-Z, and across each other, else std::invalid_argument).
+[[nodiscard]] glm::dquat follower_axes(const glm::dvec3& forward, const glm::dvec3& up);
+
+}  // namespace motus

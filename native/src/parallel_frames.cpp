@@ -1,0 +1,207 @@
+#include "parallel_frames.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <utility>
+
+namespace motus {
+namespace {
+
+constexpr double radians(double degrees) {
+    return degrees * 3.14159265358979323846 / 180.0;
+}
+
+constexpr double cell_turning = radians(2.0);     // a smooth cell turns by no more
+constexpr double corner_turning = radians(20.0);  // a cell that still does is a cusp
+constexpr double joint_turning = 1e-4;  // tangents at a joint that differ by less are meant to be the same
+constexpr double reversal = 1e-3;       // and from opposite, the tangent turns back on itself
+constexpr double vertical = 1e-6;       // nearer to the vertical than this, the tangent has no upright side
+constexpr int fewest_halvings = 4;      // of a segment: 16 cells, so that no inflexion hides in one
+constexpr int most_halvings = 40;
+
+/// Angle between unit vectors, accurate near 0 and pi.
+double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return 2.0 * std::atan2(glm::length(a - b), glm::length(a + b));
+}
+
+/// `v` made a unit vector across the unit vector `tangent`.
+glm::dvec3 made_across(const glm::dvec3& v, const glm::dvec3& tangent) {
+    return glm::normalize(v - glm::dot(v, tangent) * tangent);
+}
+
+/// Up after the least rotation that takes one tangent to the other. Where they are opposite there is no such
+/// one: up stays, and the tangent turns about it.
+glm::dvec3 carried_round_corner(const Place& from, const glm::dvec3& tangent) {
+    const glm::dvec3 sum = from.tangent + tangent;
+    if (glm::length(sum) < reversal) return made_across(from.up, tangent);
+    // Rodrigues' formula for the rotation in the plane of both, on a vector across the first.
+    const double factor = 2.0 * glm::dot(from.up, sum) / glm::dot(sum, sum);
+    return made_across(from.up - factor * sum, tangent);
+}
+
+/// Up after the two reflections that take one place's position and tangent to another's.
+glm::dvec3 double_reflected(const Place& from, const Place& to) {
+    const glm::dvec3 v1 = to.position - from.position;
+    const double c1 = glm::dot(v1, v1);
+    const glm::dvec3 up = from.up - 2.0 / c1 * glm::dot(v1, from.up) * v1;
+    const glm::dvec3 tangent = from.tangent - 2.0 / c1 * glm::dot(v1, from.tangent) * v1;
+    const glm::dvec3 v2 = to.tangent - tangent;
+    return made_across(up - 2.0 / glm::dot(v2, v2) * glm::dot(v2, up) * v2, to.tangent);
+}
+
+/// Gives `to` the frame that `from` becomes across a cell of the given kind. Steps shorter than `grain` have
+/// no chord to reflect in; there both ways agree.
+void carry(const Place& from, Cell cell, double grain, Place& to) {
+    const bool chord = cell == Cell::smooth && glm::length(to.position - from.position) > grain;
+    to.up = chord ? double_reflected(from, to) : carried_round_corner(from, to.tangent);
+    to.side = glm::cross(to.tangent, to.up);
+}
+
+/// Position, tangent and bend of a curve at t; the frame is left as it is.
+Place place_at(const Curve& curve, double s, double t, double grain) {
+    const Jet all = jet(curve, t);
+    const double speed = glm::length(all.d1);
+    Place place;
+    place.s = s;
+    place.t = t;
+    place.position = all.position;
+    if (speed > grain) {
+        place.tangent = all.d1 / speed;
+        place.bend = (all.d2 - glm::dot(all.d2, place.tangent) * place.tangent) / speed / speed;
+    } else {
+        place.tangent = tangent(curve, t);
+        place.bend = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    }
+    return place;
+}
+
+double largest_coordinate(const Curve& curve) {
+    double largest = 0.0;
+    for (const glm::dvec3& p : curve.control_points()) {
+        largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    }
+    return largest;
+}
+
+/// The stations of one segment: halved until a cell turns by no more than cell_turning.
+class SegmentStations {
+  public:
+    SegmentStations(const ArcLength& path, std::size_t index, double grain, std::vector<Place>& out)
+        : path_(path),
+          index_(index),
+          curve_(Curve::bezier(path.curve().segment(index))),
+          grain_(grain),
+          out_(out) {}
+
+    void append() {
+        const Place first = at(0.0);
+        const Place last = at(1.0);
+        out_.push_back(first);
+        halve(0.0, first, 1.0, last, 0);
+        out_.back().t =
+            std::nextafter(out_.back().t, 0.0);  // still this segment's, for those who ask the whole curve
+    }
+
+  private:
+    [[nodiscard]] Place at(double local) const {
+        const double t = static_cast<double>(index_) + local;
+        const double s = local >= 1.0 ? path_.segment_start(index_ + 1) : path_.length_at(t);
+        Place place = place_at(curve_, s, local, grain_);
+        place.t = t;
+        return place;
+    }
+
+    void halve(double t0, const Place& from, double t1, const Place& to, int depth) {
+        const double t = 0.5 * (t0 + t1);
+        const Place middle = at(t);
+        const double turning =
+            angle_between(from.tangent, middle.tangent) + angle_between(middle.tangent, to.tangent);
+        const bool worth_it = depth < most_halvings && to.s - from.s > 2.0 * grain_;
+        if (worth_it && (depth < fewest_halvings || turning > cell_turning)) {
+            halve(t0, from, t, middle, depth + 1);
+            halve(t, middle, t1, to, depth + 1);
+        } else {
+            out_.push_back(to);
+        }
+    }
+
+    const ArcLength& path_;
+    std::size_t index_;
+    Curve curve_;  // the segment alone, whose tangent at its end is not the next segment's
+    double grain_;
+    std::vector<Place>& out_;
+};
+
+}  // namespace
+
+Across Place::across(const glm::dvec3& v) const {
+    return {glm::dot(v, up), glm::dot(v, side)};
+}
+
+glm::dvec3 upright(const glm::dvec3& tangent) {
+    const glm::dvec3 z{0.0, 0.0, 1.0};
+    if (std::hypot(tangent.x, tangent.y) > vertical) return made_across(z, tangent);
+    return made_across({0.0, tangent.z > 0.0 ? -1.0 : 1.0, 0.0}, tangent);
+}
+
+ParallelFrames::ParallelFrames(std::shared_ptr<const ArcLength> path) : path_(std::move(path)) {
+    const Curve& curve = path_->curve();
+    grain_ = std::max(1e-9 * length(), 1e-12 * largest_coordinate(curve));
+    for (std::size_t i = 0; i < curve.segment_count(); ++i) {
+        if (path_->segment_start(i + 1) > path_->segment_start(i)) add_segment(i);
+    }
+    if (stations_.empty()) {
+        stations_.push_back(Place{});
+        stations_.front().position = motus::position(curve, 0.0);
+    }
+    carry_frames();
+    if (curve.cyclic() && length() > 0.0) close();
+    for (const Place& station : stations_) distances_.push_back(station.s);
+}
+
+void ParallelFrames::add_segment(std::size_t index) {
+    if (!stations_.empty()) cells_.push_back(Cell::joint);
+    SegmentStations(*path_, index, grain_, stations_).append();
+    cells_.resize(stations_.size() - 1, Cell::smooth);
+}
+
+void ParallelFrames::carry_frames() {
+    Place& first = stations_.front();
+    first.up = upright(first.tangent);
+    first.side = glm::cross(first.tangent, first.up);
+    for (std::size_t i = 0; i + 1 < stations_.size(); ++i) {
+        const Place& from = stations_[i];
+        Place& to = stations_[i + 1];
+        to.cell = i + 1;
+        const double most = cells_[i] == Cell::joint ? joint_turning : corner_turning;
+        if (angle_between(from.tangent, to.tangent) > most) cells_[i] = Cell::corner;
+        carry(from, cells_[i], grain_, to);
+    }
+}
+
+void ParallelFrames::close() {
+    cyclic_ = true;
+    const Place& last = stations_.back();
+    Place again = stations_.front();
+    seam_ = angle_between(last.tangent, again.tangent) > joint_turning ? Cell::corner : Cell::joint;
+    carry(last, seam_, grain_, again);
+    const Across closing = stations_.front().across(again.up);
+    closing_ = closing / std::abs(closing);
+}
+
+Place ParallelFrames::at(double s) const {
+    const auto after = std::upper_bound(distances_.begin(), distances_.end(), s);
+    const std::size_t cell =
+        after == distances_.begin() ? 0 : static_cast<std::size_t>(after - distances_.begin()) - 1;
+    const Place& from = stations_[cell];
+    if (cell + 1 == stations_.size() || s <= from.s) return from;
+    const double t = std::clamp(path_->t_at_length(s), from.t, stations_[cell + 1].t);
+    Place place = place_at(path_->curve(), s, t, grain_);
+    place.cell = cell;
+    carry(from, cells_[cell], grain_, place);
+    return place;
+}
+
+}  // namespace motus

@@ -1,0 +1,196 @@
+#include "motus/follow.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "sample_curves.hpp"
+
+using namespace motus;
+
+namespace {
+
+Pose follow_one(const Frames& frames, const Timing& timing, double time, double offset,
+                const FollowSettings& settings) {
+    Pose pose;
+    follow(frames, timing, time, {&offset, 1}, settings, {&pose.location, 1}, {&pose.rotation, 1});
+    return pose;
+}
+
+double angle_between(const glm::dquat& a, const glm::dquat& b) {
+    const glm::dquat d = glm::conjugate(a) * b;
+    return 2.0 * std::atan2(glm::length(glm::dvec3(d.x, d.y, d.z)), std::abs(d.w));
+}
+
+FrameSettings mode(FrameMode which) {
+    FrameSettings settings;
+    settings.mode = which;
+    return settings;
+}
+
+}  // namespace
+
+TEST_CASE("followers keep their gaps along the arc", "[follow]") {
+    const samples::Path path = samples::s_curve();
+    const Frames frames(path, mode(FrameMode::world_up));
+    const Timing timing = Timing::constant(2.0);
+    const std::vector<double> offsets{0.0, -0.5, -1.0, 3.0};
+    std::vector<glm::dvec3> locations(offsets.size());
+    std::vector<glm::dquat> rotations(offsets.size());
+    follow(frames, timing, 1.5, offsets, {}, locations, rotations);
+    for (std::size_t i = 0; i < offsets.size(); ++i) {
+        const double s = 3.0 + offsets[i];
+        CHECK(glm::length(locations[i] - position_at_length(*path, s)) < 1e-12);
+        CHECK(angle_between(rotations[i], frames.at(s, 2.0)) < 1e-12);
+    }
+}
+
+TEST_CASE("beyond the ends", "[follow]") {
+    const samples::Path path = samples::s_curve();
+    const double length = path->length();
+    const Frames frames(path, mode(FrameMode::minimal));
+    const Timing still = Timing::constant(0.0);
+    FollowSettings settings;
+
+    CHECK(follow_one(frames, still, 0.0, length + 2.0, settings).location == position(path->curve(), 1.0));
+
+    settings.extend = Extend::extrapolate;
+    const Pose ahead = follow_one(frames, still, 0.0, length + 2.0, settings);
+    CHECK(glm::length(ahead.location - position(path->curve(), 1.0) - 2.0 * tangent(path->curve(), 1.0)) <
+          1e-12);
+    CHECK(angle_between(ahead.rotation, frames.at(length, 0.0)) < 1e-12);
+    const Pose behind = follow_one(frames, still, 0.0, -2.0, settings);
+    CHECK(glm::length(behind.location - position(path->curve(), 0.0) + 2.0 * tangent(path->curve(), 0.0)) <
+          1e-12);
+
+    settings.extend = Extend::loop;
+    CHECK(glm::length(follow_one(frames, still, 0.0, length + 2.0, settings).location -
+                      position_at_length(*path, 2.0)) < 1e-9);
+    settings.extend = Extend::ping_pong;
+    CHECK(glm::length(follow_one(frames, still, 0.0, length + 2.0, settings).location -
+                      position_at_length(*path, length - 2.0)) < 1e-9);
+}
+
+TEST_CASE("the bank follows the speed of the timing", "[follow]") {
+    const samples::Path path = samples::level_circle(20.0);
+    const Frames frames(path, mode(FrameMode::banking));
+    const Timing timing = Timing::eased(10.0, path->length(), 0.3, 0.3);
+    for (double time = 0.0; time <= 10.0; time += 0.5) {
+        const glm::dquat q = follow_one(frames, timing, time, 0.0, {}).rotation;
+        const double v = timing.speed(time);
+        CHECK(std::acos(std::min(1.0, (q * glm::dvec3(0, 0, 1)).z)) ==
+              Approx(std::atan(v * v / (20.0 * 9.81))).margin(1e-5));
+    }
+}
+
+TEST_CASE("a follower's own axes are laid on the frame", "[follow]") {
+    const std::vector<glm::dvec3> axes{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
+    for (const glm::dvec3& forward : axes) {
+        for (const glm::dvec3& up : axes) {
+            if (glm::dot(forward, up) != 0.0) {
+                CHECK_THROWS_AS(follower_axes(forward, up), std::invalid_argument);
+                continue;
+            }
+            const glm::dquat q = follower_axes(forward, up);
+            CHECK(glm::length(q * forward - glm::dvec3(0, 1, 0)) < 1e-12);
+            CHECK(glm::length(q * up - glm::dvec3(0, 0, 1)) < 1e-12);
+        }
+    }
+    CHECK_THROWS_AS(follower_axes({0, 0.6, 0.4}, {1, 0, 0}), std::invalid_argument);
+
+    // A camera looks along its -Z, with +Y up.
+    const samples::Path path = samples::s_curve();
+    FollowSettings settings;
+    settings.axes = follower_axes({0, 0, -1}, {0, 1, 0});
+    const Frames frames(path, mode(FrameMode::world_up));
+    const glm::dquat q = follow_one(frames, Timing::constant(1.0), 2.0, 0.0, settings).rotation;
+    CHECK(glm::length(q * glm::dvec3(0, 0, -1) - tangent(path->curve(), path->t_at_length(2.0))) < 1e-9);
+    CHECK((q * glm::dvec3(0, 1, 0)).z == Approx(1.0));
+}
+
+TEST_CASE("an orientation that lags on a circle trails it by rate and speed", "[follow]") {
+    // Target turning at w, followed at the rate r: a steady angle a with r sin-like pull; for the shortest
+    // arc a = w / r.
+    const double radius = 5.0;
+    const samples::Path path = samples::level_circle(radius);
+    const Frames frames(path, mode(FrameMode::world_up));
+    const Timing timing = Timing::constant(2.0);
+    FollowSettings settings;
+    settings.extend = Extend::loop;
+    settings.lag_by = LagBy::curvature;
+    settings.lag_rate = 20.0;  // 4 per second at curvature 1/5
+    const double w = 2.0 / radius;
+    for (const double time : {5.0, 9.37, 40.0}) {
+        const glm::dquat lagging = follow_one(frames, timing, time, 0.0, settings).rotation;
+        FollowSettings rigid = settings;
+        rigid.lag_rate = 0.0;
+        const glm::dquat target = follow_one(frames, timing, time, 0.0, rigid).rotation;
+        CHECK(angle_between(lagging, target) == Approx(w / 4.0).epsilon(1e-3));
+    }
+}
+
+TEST_CASE("a lagging orientation is continuous in time and starts on its target", "[follow]") {
+    const samples::Path path = samples::s_curve();
+    const Frames frames(path, mode(FrameMode::banking));
+    const Timing timing = Timing::eased(200.0, path->length(), 0.2, 0.2);
+    FollowSettings settings;
+    settings.lag_rate = 0.002;
+    for (const LagBy by : {LagBy::acceleration, LagBy::curvature}) {
+        settings.lag_by = by;
+        CHECK(angle_between(follow_one(frames, timing, 0.0, 1.0, settings).rotation, frames.at(1.0, 0.0)) <
+              1e-12);
+        CHECK(angle_between(follow_one(frames, timing, -3.0, 1.0, settings).rotation, frames.at(1.0, 0.0)) <
+              1e-12);
+        // Across grid points, and where the memory begins to move.
+        for (const double time :
+             {1e-9, 1.0 / 120.0, 2.5, 17.0 / 120.0, lag_memory, lag_memory + 0.5, 180.0}) {
+            CAPTURE(time);
+            const glm::dquat a = follow_one(frames, timing, time - 1e-7, 1.0, settings).rotation;
+            const glm::dquat b = follow_one(frames, timing, time + 1e-7, 1.0, settings).rotation;
+            CHECK(angle_between(a, b) < 1e-6);
+        }
+    }
+}
+
+TEST_CASE("a quick lag is no lag", "[follow]") {
+    const samples::Path path = samples::level_circle(5.0);
+    const Frames frames(path, mode(FrameMode::world_up));
+    const Timing timing = Timing::constant(1.0);
+    FollowSettings settings;
+    settings.lag_rate = 1e9;
+    const glm::dquat q = follow_one(frames, timing, 3.0, 0.0, settings).rotation;
+    CHECK(angle_between(q, frames.at(3.0, 1.0)) < 2.0 / 120.0 / 5.0);
+}
+
+TEST_CASE("a curve of zero length gives its point", "[follow]") {
+    const glm::dvec3 point(1, 2, 3);
+    const Frames frames(samples::straight(point, point), {});
+    for (const Extend extend : {Extend::clamp, Extend::extrapolate, Extend::loop, Extend::ping_pong}) {
+        FollowSettings settings;
+        settings.extend = extend;
+        settings.lag_rate = 1.0;
+        const Pose pose = follow_one(frames, Timing::constant(1.0), 4.0, 1.0, settings);
+        CHECK(pose.location == point);
+        CHECK(angle_between(pose.rotation, glm::dquat(1, 0, 0, 0)) == 0.0);
+    }
+}
+
+TEST_CASE("follow refuses what has no meaning", "[follow]") {
+    const Frames frames(samples::s_curve(), {});
+    const Timing timing = Timing::constant(1.0);
+    const std::vector<double> offsets{0.0, 1.0};
+    std::vector<glm::dvec3> locations(2);
+    std::vector<glm::dquat> rotations(2);
+    CHECK_THROWS_AS(follow(frames, timing, 0.0, offsets, {}, {locations.data(), 1}, rotations),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(follow(frames, timing, std::nan(""), offsets, {}, locations, rotations),
+                    std::invalid_argument);
+    FollowSettings settings;
+    settings.lag_rate = -1.0;
+    CHECK_THROWS_AS(follow(frames, timing, 0.0, offsets, settings, locations, rotations),
+                    std::invalid_argument);
+}

@@ -1,0 +1,73 @@
+#include "motus/nearest.hpp"
+
+#include <catch2/catch.hpp>
+#include <glm/geometric.hpp>
+
+#include "curve_checks.hpp"
+
+using namespace motus;
+using namespace motus::checks;
+
+TEST_CASE("no sample of the curve is nearer than the nearest point", "[nearest]") {
+    Random random(11);
+    for (const Named& sample : sample_curves()) {
+        INFO(sample.name);
+        const double size = size_of(sample.curve);
+        for (int trial = 0; trial < 12; ++trial) {
+            const glm::dvec3 point = sample.curve.control_points()[0] + random.point(1.5 * size);
+            const Nearest found = nearest(sample.curve, point);
+            CHECK(found.distance == Approx(glm::distance(found.position, point)).epsilon(1e-15));
+            CHECK(glm::distance(found.position, position(sample.curve, found.t)) <= 1e-14 * size);
+            double nearest_sample = glm::distance(position(sample.curve, 0.0), point);
+            for (const double t : parameters(sample.curve, 1001))
+                nearest_sample = std::min(nearest_sample, glm::distance(position(sample.curve, t), point));
+            CHECK(found.distance <= nearest_sample * (1.0 + 1e-12) + 1e-13 * size);
+        }
+    }
+}
+
+TEST_CASE("away from the ends the way to the nearest point is across the curve", "[nearest]") {
+    Random random(12);
+    int inside = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const Curve curve = random.bezier(3 + trial % 5);
+        const glm::dvec3 point = random.point(2.0);
+        const Nearest found = nearest(curve, point);
+        if (found.t <= 0.0 || found.t >= 1.0) continue;
+        ++inside;
+        CHECK(std::abs(glm::dot(found.position - point, tangent(curve, found.t))) <= 1e-12);
+    }
+    CHECK(inside > 50);
+}
+
+TEST_CASE("a point of the curve is its own nearest point", "[nearest]") {
+    for (const Named& sample : sample_curves()) {
+        INFO(sample.name);
+        for (const double t : parameters(sample.curve, 23)) {
+            const glm::dvec3 point = position(sample.curve, t);
+            CHECK(nearest(sample.curve, point).distance <= 1e-13 * size_of(sample.curve));
+        }
+    }
+}
+
+TEST_CASE("a far bend is not hidden by a near one", "[nearest]") {
+    // A W whose middle looks the best to a local search from the middle.
+    const Curve curve =
+        Curve::bezier(std::vector<glm::dvec3>{{0, 0, 0}, {1, -8, 0}, {2, 12, 0}, {3, -8, 0}, {4, 0, 0}});
+    const Nearest left = nearest(curve, {0.8, -3.0, 0.0});
+    const Nearest right = nearest(curve, {3.2, -3.0, 0.0});
+    CHECK(left.t < 0.5);
+    CHECK(right.t > 0.5);
+    CHECK(left.distance == Approx(right.distance).epsilon(1e-12));
+}
+
+TEST_CASE("nearest point of a segment and of a curve without length", "[nearest]") {
+    const Curve line = Curve::bezier(std::vector<glm::dvec3>{{0, 0, 0}, {4, 0, 0}});
+    const Nearest found = nearest(line, {1.0, 2.0, 0.0});
+    CHECK(found.t == Approx(0.25));
+    CHECK(found.distance == Approx(2.0));
+    CHECK(nearest(line, {-3.0, 4.0, 0.0}).distance == Approx(5.0));
+    CHECK(nearest(line, {-3.0, 4.0, 0.0}).t == 0.0);
+    const Curve dot = Curve::bezier(std::vector<glm::dvec3>(4, {1, 1, 1}));
+    CHECK(nearest(dot, {1, 1, 3}).distance == 2.0);
+}

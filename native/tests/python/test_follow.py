@@ -1,0 +1,105 @@
+"""follow() through the binding."""
+
+import unittest
+
+import motus_native as native
+import numpy as np
+
+
+class FollowTest(unittest.TestCase):
+    def setUp(self):
+        rng = np.random.default_rng(6)
+        points = np.cumsum(rng.normal(size=(5, 3)) * 3.0, axis=0)
+        handles = rng.normal(size=(5, 3))
+        self.curve = native.Spline(points, points - handles, points + handles)
+        self.timing = native.Timing.eased(5.0, self.curve.length(), 0.2, 0.2)
+        self.offsets = np.linspace(0.0, -3.0, 20)
+
+    def test_places_and_frames(self):
+        locations, rotations = native.follow(self.curve, self.timing, 3.0, self.offsets, "banking", strength=0.5)
+        s = self.timing.distance(3.0) + self.offsets
+        np.testing.assert_allclose(locations, self.curve.position_at_length(s), atol=1e-12)
+        expected = native.frames(self.curve, s, "banking", strength=0.5, speed=self.timing.speed(3.0))
+        np.testing.assert_allclose(rotations, expected, atol=1e-12)
+
+    def test_one_offset(self):
+        locations, rotations = native.follow(self.curve, self.timing, 3.0, 0.0, "minimal")
+        self.assertEqual((locations.shape, rotations.shape), ((1, 3), (1, 4)))
+
+    def test_writes_into_given_arrays(self):
+        locations, rotations = np.empty((20, 3)), np.empty((20, 4))
+        result = native.follow(
+            self.curve, self.timing, 3.0, self.offsets, "world_up", locations=locations, rotations=rotations
+        )
+        self.assertIs(result[0], locations)
+        self.assertIs(result[1], rotations)
+        fresh = native.follow(self.curve, self.timing, 3.0, self.offsets, "world_up")
+        np.testing.assert_array_equal(locations, fresh[0])
+        np.testing.assert_array_equal(rotations, fresh[1])
+
+    def test_buffers_of_other_owners(self):
+        memory = bytearray(8 * 60)
+        view = np.frombuffer(memory, np.float64).reshape(20, 3)
+        native.follow(self.curve, self.timing, 3.0, self.offsets, "world_up", locations=view)
+        self.assertTrue(np.frombuffer(memory, np.float64).any())
+
+    def test_extrapolate(self):
+        locations, _ = native.follow(
+            self.curve, native.Timing.constant(0.0), 0.0, -2.0, "minimal", extend="extrapolate"
+        )
+        expected = self.curve.position(0.0) - 2.0 * self.curve.tangent(0.0)
+        np.testing.assert_allclose(locations[0], expected, atol=1e-12)
+
+    def test_axes(self):
+        camera = native.follow(self.curve, self.timing, 3.0, 0.0, "world_up", forward="-Z", up="Y")[1][0]
+        w, x, y, z = camera
+        minus_z = -np.array([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)])
+        t = self.curve.t_at_length(self.timing.distance(3.0))
+        np.testing.assert_allclose(minus_z, self.curve.tangent(t), atol=1e-9)
+
+    def test_rotation_switched_off(self):
+        locations, rotations = native.follow(self.curve, self.timing, 3.0, self.offsets, "banking", rotate=False)
+        np.testing.assert_array_equal(rotations, np.tile([1.0, 0.0, 0.0, 0.0], (20, 1)))
+        np.testing.assert_allclose(
+            locations, self.curve.position_at_length(self.timing.distance(3.0) + self.offsets), atol=1e-12
+        )
+
+    def test_lag_is_a_function_of_time(self):
+        def at(time):
+            return native.follow(self.curve, self.timing, time, 0.0, "world_up", lag_rate=0.05)[1][0]
+
+        times = np.linspace(0.0, 6.0, 25)
+        forward = [at(t) for t in times]
+        backward = [at(t) for t in times[::-1]][::-1]
+        np.testing.assert_array_equal(forward, backward)
+        rigid = native.follow(self.curve, self.timing, 3.0, 0.0, "world_up")[1][0]
+        self.assertLess(abs(np.dot(rigid, at(3.0))), 1.0 - 1e-6)
+
+    def test_errors_name_the_argument(self):
+        def call(time=1.0, offsets=0.0, mode="minimal", **options):
+            return lambda: native.follow(self.curve, self.timing, time, offsets, mode, **options)
+
+        cases = (
+            (ValueError, "time", call(time=float("nan"))),
+            (ValueError, "offsets", call(offsets=[float("inf")])),
+            (ValueError, "mode", call(mode="best")),
+            (ValueError, "forward", call(forward="W")),
+            (ValueError, "forward and up", call(forward="Y", up="-Y")),
+            (ValueError, "lag_rate", call(lag_rate=-1.0)),
+            (ValueError, "lag_by", call(lag_by="mood")),
+            (TypeError, "speed", call(mode="banking", speed=1.0)),
+            (ValueError, "locations", call(offsets=[0.0, 1.0], locations=np.empty((1, 3)))),
+            (TypeError, "locations", call(locations=np.empty((1, 3), np.float32))),
+            (TypeError, "rotations", call(rotations=np.empty((4, 1)).T[:, ::-1])),
+        )
+        for error, name, failing in cases:
+            with self.assertRaisesRegex(error, name):
+                failing()
+        read_only = np.empty((1, 3))
+        read_only.flags.writeable = False
+        with self.assertRaisesRegex(TypeError, "locations"):
+            call(locations=read_only)()
+
+
+if __name__ == "__main__":
+    unittest.main()
