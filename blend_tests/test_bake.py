@@ -30,7 +30,7 @@ def snapshot(objects):
         "drivers": [(curve.data_path, curve.array_index, curve.mute)
                     for curve in (one.animation_data.drivers if one.animation_data else ())],
         "constraints": [(constraint.name, constraint.mute) for constraint in one.constraints],
-        "properties": sorted(one.keys()),
+        "properties": sorted(key for key in one.keys() if key != "motus"),
         "is_baked": (one.motus.orbit.is_baked, one.motus.bake.is_baked),
     } for one in objects]
 
@@ -177,6 +177,21 @@ class BakeTest(BakeTestCase):
         self.unbake(owner)
         self.assertNotIn(name, bpy.data.actions)
 
+    def test_shared_action(self):
+        owner, things = build_object(toy_system.new_target())
+        other = toy_system.new_object("Other")
+        for one, value in ((owner, 2.0), (other, 5.0)):
+            if one is other:
+                other.animation_data_create().action = owner.animation_data.action
+            one.scale.x = value
+            one.keyframe_insert("scale", frame=1)
+        wanted = snapshot([other])
+        self.assert_bakes(owner, things)
+        self.bake(owner)
+        self.assertEqual(snapshot([other]), wanted)
+        self.assertEqual(len(bpy.data.actions), 2)
+        self.assertEqual({curve.data_path for curve in actions.fcurves(owner)}, {"location", "rotation_euler", "scale"})
+
     def test_users_constraints_and_drivers(self):
         other = toy_system.new_object("Other")
         other.rotation_euler = (0.4, 0.0, 1.0)
@@ -264,6 +279,15 @@ class RefusalTest(BakeTestCase):
         owner, _ = build_object(toy_system.new_target())
         self.bake(owner)
         self.assert_refused("baked already", object=owner.name)
+
+    def test_connected_bone(self):
+        owner, _ = build_bone(toy_system.new_target())
+        bpy.ops.object.mode_set(mode='EDIT')
+        owner.data.edit_bones["Bone.1"].use_connect = True
+        bpy.ops.object.mode_set(mode='OBJECT')
+        self.assert_refused("Bone.1 is connected", object=owner.name)
+        owner.motus.orbit.use_location = False
+        self.assert_bakes(owner, [owner.pose.bones["Bone.1"]])
 
     def test_not_evaluated(self):
         owner, _ = build_object(toy_system.new_target())

@@ -5,7 +5,7 @@ import math
 import bpy
 import numpy as np
 from mathutils import Euler
-from path_cases import CLIMB, PathTestCase, axis, circle_knots
+from path_cases import PathTestCase, axis, circle_knots
 
 UP = np.array((0.0, 0.0, 1.0))
 

@@ -1,5 +1,8 @@
 """Follow Path's operators: adding, trains, removing without a trace, and what is refused."""
 
+import os
+from pathlib import Path
+
 import bpy
 import numpy as np
 from path_cases import CLIMB, PathTestCase, circle_knots, dense, positions_at
@@ -100,7 +103,34 @@ class Add(PathTestCase):
         self.assertRefused("linked", bpy.ops.motus.path_follow_add, object="Car", curve="Course")
 
 
+class Presets(PathTestCase):
+    def test_kept_and_taken_up_again(self):
+        self.line(10.0)
+        car = self.follow(timing='SPEED', speed=9.0, orientation='BANKING', start_frame=33.0)
+        bpy.context.view_layer.objects.active = car
+        name = f"test{os.getpid()}"
+        self.assertEqual(bpy.ops.motus.path_preset_add(name=name), {'FINISHED'})
+        kept, = [path for folder in bpy.utils.preset_paths("motus/path") for path in Path(folder).glob(f"{name}.py")]
+        self.addCleanup(kept.unlink)
+        self.follow(timing='DURATION', speed=1.0, orientation='NONE', start_frame=2.0)
+        bpy.ops.script.execute_preset(filepath=str(kept), menu_idname="MOTUS_PT_path_presets")
+        settings = car.motus.path
+        self.assertEqual((settings.timing, settings.speed, settings.orientation), ('SPEED', 9.0, 'BANKING'))
+        self.assertEqual(settings.start_frame, 2.0, "belongs to the shot, not to the preset")
+        self.assertEqual(len(car.constraints), 2)
+
+
 class Remove(PathTestCase):
+    def test_baked_is_refused(self):
+        self.line(10.0)
+        car = self.follow(duration=4.0)
+        bpy.ops.motus.bake(object="Car", frame_start=1, frame_end=10)
+        self.assertRefused("baked", bpy.ops.motus.path_follow_remove, object="Car")
+        self.assertRefused("baked", bpy.ops.motus.path_follow_add, object="Car", curve="Course", duration=2.0)
+        bpy.ops.motus.unbake(object="Car")
+        bpy.ops.motus.path_follow_remove(object="Car")
+        self.assertFalse(car.motus.path.is_active)
+
     def test_nothing_is_left(self):
         self.cubic()
         car = self.link("Car")

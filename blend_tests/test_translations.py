@@ -106,7 +106,7 @@ class SpanishTest(unittest.TestCase):
         view.language = "es"
         view.use_translate_interface = view.use_translate_tooltips = True
         translate = bpy.app.translations.pgettext
-        self.assertEqual(translate("Bake", "Operator"), self.contexts["Operator"]["Bake"])
+        self.assertEqual(translate("Unbake", "Operator"), self.contexts["Operator"]["Unbake"])
         sentence = "{object} is not baked"
         self.assertEqual(support.addon("core.translations").tr(sentence), self.contexts["*"][sentence])
         view.language = "en_US"

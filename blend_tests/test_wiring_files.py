@@ -123,6 +123,8 @@ class FileTest(WiringTestCase):
                     self.assertIsNotNone(one.library)
                     bpy.context.scene.collection.objects.link(one)
                 self.assert_same(matrices(addresses), live)
+                bpy.data.libraries[0].reload()
+                self.assert_same(matrices(addresses), live)
 
     def test_linked_original_stays_untouched(self):
         build_followers(toy_system.new_target())

@@ -15,6 +15,9 @@ curves = support.addon("core.curves")
 TILT = Euler((0.3, -0.2, 0.1)).to_quaternion()
 STEP = 0.25
 
+solve_calls = 0
+"""How often solve() was called."""
+
 NO_TARGET = core.Problem("The orbit needs a target")
 NO_RADIUS = core.Problem("The orbit has no radius", blocking=False)
 
@@ -43,6 +46,8 @@ def pose(target, radius, speed, seconds, index=0):
 
 
 def solve(context, target, radius, speed):
+    global solve_calls
+    solve_calls += 1
     if target is None or curves.is_deleted(context.settings.target):
         return NO_TARGET
     for index in range(len(context.locations)):

@@ -14,10 +14,13 @@ LANES = (
 )
 # A course over the lane's own axis: a bend to either side, then a hump. Metres; x, y, z.
 COURSE = ((0, 0, 0), (0, 12, 0), (7, 24, 0), (-7, 40, 1), (0, 54, 7), (0, 66, 2), (0, 78, 2))
-LANE_WIDTH = 22.0
+LANE_WIDTH = 24.0
 PLANES = 11
+GAP = 8.2
 SPEED = 13.0
+TILT_STEP = math.radians(25.0)
 INK = (0.012, 0.016, 0.028, 1.0)
+CHALK = (1.0, 1.0, 1.0, 1.0)
 ACCENTS = ((0.90, 0.30, 0.12, 1.0), (0.10, 0.42, 0.72, 1.0), (0.28, 0.55, 0.20, 1.0))
 
 
@@ -28,22 +31,22 @@ def render_all(folder):
 
 
 def _render_modes(file):
-    scene = _new_scene((0.66, 0.76, 0.88))
+    scene = _new_scene((0.42, 0.50, 0.60))
     body = _build_aeroplane(scene)
+    # All copies first: a follower's copy would be a follower.
+    fleet = [body] + [_duplicate(body) for _ in range(PLANES * len(LANES) - 1)]
     for index, (label, mode) in enumerate(LANES):
         x = (index - (len(LANES) - 1) / 2) * LANE_WIDTH
         course = _add_curve(f"Course {label}", COURSE, x, tilt=(mode == 'TILT'))
-        planes = [body] if index == 0 else []
-        planes += [_duplicate(body) for _ in range(PLANES - len(planes))]
+        planes = fleet[index * PLANES:(index + 1) * PLANES]
         bpy.ops.motus.path_train_add(
-            objects=",".join(plane.name for plane in planes), curve=course.name, gap=8.2, timing='MANUAL',
-            orientation=mode, forward_axis='POS_Y', up_axis='POS_Z', speed=SPEED, bank_strength=1.6)
-        planes[0].motus.path.distance_factor = 1.0
-        _add_label(label, (x, -5.0, 0.05), 2.6)
-    _add_floor((0.78, 0.84, 0.88, 1.0))
-    _add_sun((math.radians(48), 0, math.radians(35)), 3.6)
-    _add_camera(scene, (0.0, -58.0, 62.0), (0.0, 33.0, 0.0), lens=36)
-    return _render(scene, file, (1280, 720))
+            objects=",".join(plane.name for plane in planes), curve=course.name, gap=GAP, timing='SPEED', speed=SPEED,
+            offset=GAP * (PLANES - 0.5), orientation=mode, forward_axis='POS_Y', up_axis='POS_Z')
+        _add_label(label, (x, -6.0, 1.0), 2.5, CHALK, tilt=math.radians(42))
+    _add_floor((0.20, 0.34, 0.36, 1.0))
+    _add_sun((math.radians(48), 0, math.radians(35)), 2.6)
+    _add_camera(scene, (0.0, -66.0, 66.0), (0.0, 30.0, 0.0), lens=30)
+    return _render(scene, file, (1280, 640))
 
 
 def _render_ease(file):
@@ -96,13 +99,13 @@ def _duplicate(body):
 def _add_curve(name, points, x, tilt):
     data = bpy.data.curves.new(name, 'CURVE')
     data.dimensions = '3D'
-    data.bevel_depth = 0.06
+    data.bevel_depth = 0.1
     spline = data.splines.new('BEZIER')
     spline.bezier_points.add(len(points) - 1)
     for index, (point, place) in enumerate(zip(spline.bezier_points, points)):
         point.co = Vector(place) + Vector((x, 0.0, 4.0))
         point.handle_left_type = point.handle_right_type = 'AUTO'
-        point.tilt = math.radians(60.0) * index if tilt else 0.0
+        point.tilt = TILT_STEP * index if tilt else 0.0
     data.materials.append(_flat_material(name, (0.9, 0.28, 0.1, 1.0)))
     obj = bpy.data.objects.new(name, data)
     bpy.context.scene.collection.objects.link(obj)
@@ -120,14 +123,15 @@ def _add_line(points, radius, color):
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("Line", data))
 
 
-def _add_label(text, place, size):
+def _add_label(text, place, size, color=INK, tilt=0.0):
     data = bpy.data.curves.new(text, 'FONT')
     data.body = text
     data.size = size
     data.align_x = 'CENTER'
-    data.materials.append(_flat_material("Ink", INK))
+    data.materials.append(_flat_material("Label", color))
     obj = bpy.data.objects.new(text, data)
     obj.location = place
+    obj.rotation_euler.x = tilt
     bpy.context.scene.collection.objects.link(obj)
 
 

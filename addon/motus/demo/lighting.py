@@ -23,7 +23,7 @@ GLOW_COLOR = (1.0, 0.62, 0.28, 1.0)
 CLOUD_COLOR = (1.0, 0.86, 0.74, 1.0)
 # View transform, look, exposure: the first that Blender has.
 VIEWS = (
-    ("AgX", "AgX - Punchy", 0.75),
+    ("AgX", "AgX - Punchy", 0.65),
     ("Filmic", "High Contrast", 0.05),
     ("Filmic", "Filmic - High Contrast", 0.05),
 )

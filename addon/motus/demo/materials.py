@@ -7,8 +7,6 @@ _PRINCIPLED_NAMES = {
     "specular": ("Specular IOR Level", "Specular"),
     "coat": ("Coat Weight", "Clearcoat"),
     "coat_roughness": ("Coat Roughness", "Clearcoat Roughness"),
-    "emission": ("Emission Color", "Emission"),
-    "emission_strength": ("Emission Strength",),
     "color": ("Base Color",),
     "metallic": ("Metallic",),
     "roughness": ("Roughness",),
@@ -111,7 +109,7 @@ def set_principled(shader, node, **settings):
     """Set or link inputs of a Principled BSDF by the names of `_PRINCIPLED_NAMES`."""
     for setting, value in settings.items():
         socket = next(node.inputs[name] for name in _PRINCIPLED_NAMES[setting] if name in node.inputs)
-        if setting in ("color", "emission") and not isinstance(value, bpy.types.NodeSocket):
+        if setting == "color" and not isinstance(value, bpy.types.NodeSocket):
             value = (*value, 1.0)
         shader.feed(socket, value)
 
@@ -142,16 +140,6 @@ def finish(material, shader, output, surface, haze=None):
         surface = shader.group(haze, {"Surface": surface}).outputs[0]
         _keep_out_of_light_sampling(material)
     shader.feed(output.inputs["Surface"], surface)
-
-
-def emission(name, color, strength, haze=None):
-    """A material that glows without lighting its surroundings."""
-    material, shader, output = new_material(name)
-    glow = shader.add("ShaderNodeEmission", {"Color": (*color, 1.0), "Strength": strength})
-    finish(material, shader, output, glow.outputs[0], haze)
-    _keep_out_of_light_sampling(material)
-    material.diffuse_color = (*color, 1.0)
-    return material
 
 
 def make_transparent(material):

@@ -36,7 +36,7 @@ class Quality:
     seconds: float  # for everything: the film gets what the stills leave
 
 
-FULL = Quality(1280, 8, 40, 60.0, 640, 4, 96, 470.0)
+FULL = Quality(1280, 8, 40, 60.0, 640, 4, 96, 400.0)
 QUICK = Quality(640, 4, 8, 15.0, 320, 2, 24, 90.0)
 
 
@@ -93,7 +93,7 @@ def _set_size(scene, width):
 def render_stills(scene, folder, quality, progress):
     """flight_01.png and so on, one for each camera."""
     if not _use_cycles(scene, quality):
-        _use_eevee(scene, quality.still_samples)
+        _use_eevee(scene, quality.still_samples, reflections=True)
     _set_size(scene, quality.still_width)
     _set_format(scene, "PNG")
     cuts = _suspend_cuts(scene)
@@ -144,7 +144,7 @@ def _use_cycles(scene, quality):
 
 def render_film(scene, folder, quality, progress):
     """flight.mp4, or numbered pictures where this Blender cannot write films."""
-    _use_eevee(scene, quality.film_samples)
+    _use_eevee(scene, quality.film_samples, reflections=False)
     _set_size(scene, quality.film_width)
     last = _frame_at(scene, FILM_END)
     frames = min(last - _frame_at(scene, FILM_START), quality.film_frames)
@@ -177,12 +177,12 @@ def _affordable_frames(scene, folder, last, quality, progress):
     return max(scene.render.fps, int((quality.seconds - progress.seconds()) / cost))
 
 
-def _use_eevee(scene, samples):
+def _use_eevee(scene, samples, reflections):
     engines = scene.render.bl_rna.properties["engine"].enum_items
     scene.render.engine = next(item.identifier for item in engines if "EEVEE" in item.identifier)
     wanted = {
         "taa_render_samples": samples,
-        "use_ssr": True,  # the mountains in the lake
+        "use_ssr": reflections,  # the mountains in the lake
         "use_gtao": True,
         "gtao_distance": 3.0,
         "use_soft_shadows": True,

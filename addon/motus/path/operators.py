@@ -49,9 +49,7 @@ class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
         except targets.Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
-        if setup.ease_is_limited(given_keywords(self)):
-            self.report({'WARNING'}, tr("Ease in and ease out together are limited to 1"))
-        elif len(names) == 1:
+        if len(names) == 1:
             self.report({'INFO'}, tr("{object} follows {curve}").format(object=names[0], curve=self.curve))
         else:
             self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(names), curve=self.curve))

@@ -12,6 +12,7 @@ LARGEST_STEPS = 4096
 WHISKERS = 24
 WHISKER_SHARE = 0.025  # of the path's length
 SPEED_SAMPLES = 400
+CURVE_WIDTH = 3.0  # pixels
 
 SLOW, MIDDLE, FAST = (0.15, 0.55, 0.95), (0.98, 0.80, 0.25), (0.95, 0.25, 0.30)
 CURVE_COLOR = (0.98, 0.80, 0.25, 0.9)
@@ -71,11 +72,11 @@ def _curve_batches(shown, curve, speeds):
         parameters = _parameters(curve)
         lines = _pairs(curve.position(parameters.ravel()).reshape(*parameters.shape, 3))
         if speeds is None:
-            found.append(Batch('LINES', lines, CURVE_COLOR, 2.5))
+            found.append(Batch('LINES', lines, CURVE_COLOR, CURVE_WIDTH))
         else:
             speed = np.interp(curve.length_at(parameters.ravel()), *speeds).reshape(parameters.shape)
             colors = _speed_colors(speed, max(abs(speeds[1]).max(), 1e-9))
-            found.append(Batch('LINES', lines, _pairs(colors), 2.5))
+            found.append(Batch('LINES', lines, _pairs(colors), CURVE_WIDTH))
     return found
 
 

@@ -61,18 +61,24 @@ def _draw_wagon(layout, wagon, leader):
 
 def _draw_readouts(layout, context, owner):
     depsgraph = context.view_layer.depsgraph
-    values = {name: wiring.output(system(), owner, name, depsgraph) for name in ("length", "distance", "speed", "fraction")}
+    values = {name: wiring.output(system(), owner, name, depsgraph)
+              for name in ("length", "distance", "speed", "fraction")}
     if None in values.values():
         return
-    units = context.scene.unit_settings
-    def length(value):
-        return bpy.utils.units.to_string(units.system if units.system != 'NONE' else 'METRIC', 'LENGTH', value, precision=4)
     grid = layout.box().grid_flow(columns=2, row_major=True, align=True)
     for label, text in (
-            ("Length", length(values["length"])), ("Distance", length(values["distance"])),
-            ("Speed", length(values["speed"]) + "/s"), ("Fraction", f"{values['fraction']:.4f}")):
+            ("Length", _length_text(context, values["length"])),
+            ("Distance", _length_text(context, values["distance"])),
+            ("Speed", _length_text(context, values["speed"]) + "/s"),
+            ("Fraction", f"{values['fraction']:.4f}")):
         grid.label(text=label)
         grid.label(text=text, translate=False)
+
+
+def _length_text(context, value):
+    units = context.scene.unit_settings
+    system_name = 'METRIC' if units.system == 'NONE' else units.system
+    return bpy.utils.units.to_string(system_name, 'LENGTH', value * units.scale_length, precision=4)
 
 
 def draw_timing(layout, context):

@@ -17,8 +17,7 @@ class MOTUS_OT_path_preset_add(AddPresetBase, bpy.types.Operator):
     bl_description = "Keep these settings as a preset, or remove it"
     preset_menu = "MOTUS_PT_path_presets"
     preset_subdir = FOLDER
-    preset_defines = ["settings = bpy.context.object.motus.path"]
-    preset_values = [f"settings.{name}" for name in KEYWORDS if name not in OF_THE_SHOT]
+    preset_values = [f"bpy.context.object.motus.path.{name}" for name in KEYWORDS if name not in OF_THE_SHOT]
 
 
 class MOTUS_PT_path_presets(PresetPanel, bpy.types.Panel):

@@ -35,7 +35,7 @@ AXES = (
     ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
 )
 LAGS = (
-    ('ACCELERATION', "Second Derivative", "The rate follows the length of the curve's second derivative"),
+    ('ACCELERATION', "Acceleration", "The rate follows the length of the curve's second derivative by its parameter"),
     ('CURVATURE', "Curvature", "The rate follows the curvature, which does not depend on how the curve is made"),
 )
 PIN_UNITS = (

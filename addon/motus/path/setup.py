@@ -3,7 +3,6 @@
 from ..core import actions, wiring
 from ..core.system import registered
 from . import members
-from .properties import EASE_TOLERANCE
 
 PREFIX = "motus.path."
 
@@ -39,8 +38,12 @@ def clear(owner):
 def reset(obj):
     """Forget the settings, so that the file holds nothing of them."""
     obj.motus.property_unset("path")
-    if not any(obj.motus.is_property_set(name) for name in obj.motus.bl_rna.properties.keys() if name != "rna_type"):
+    if not any(_is_used(getattr(obj.motus, name)) for name in registered):
         obj.property_unset("motus")
+
+
+def _is_used(settings):
+    return settings.is_active or settings.leader is not None
 
 
 def uncouple(leader, index):
@@ -50,11 +53,6 @@ def uncouple(leader, index):
     wiring.refresh(system(), leader)
     if wagon:
         reset(wagon)
-
-
-def ease_is_limited(keywords):
-    """Whether the given ease fractions had to be limited to a sum of 1."""
-    return keywords.get("ease_in", 0.0) + keywords.get("ease_out", 0.0) > 1.0 + EASE_TOLERANCE
 
 
 def _replace_wagons(owner, wagons):

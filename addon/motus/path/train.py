@@ -36,10 +36,7 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
         except targets.Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
-        if setup.ease_is_limited(given_keywords(self)):
-            self.report({'WARNING'}, tr("Ease in and ease out together are limited to 1"))
-        else:
-            self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(train), curve=self.curve))
+        self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(train), curve=self.curve))
         return {'FINISHED'}
 
     def _add(self, context):

@@ -4,7 +4,7 @@ _INTERFACE = {
     # Machinery
     "Active": "Activo",
     "This system drives the object": "Este sistema mueve el objeto",
-    "Baked": "Horneado",
+    "Baked": "Capturado",
     "The motion stands in keyframes and the live set-up is switched off":
         "El movimiento está en fotogramas clave y el montaje en vivo está desactivado",
     "Hub": "Núcleo",
@@ -46,15 +46,15 @@ _INTERFACE = {
     "Turn what Motus computes into keyframes, in an action of their own":
         "Convertir lo que calcula Motus en fotogramas clave, en una acción propia",
     "Take the baked keyframes away, put the object's own action back and switch the systems on again":
-        "Quitar los fotogramas clave horneados, devolver al objeto su propia acción y reactivar los sistemas",
+        "Quitar los fotogramas clave capturados, devolver al objeto su propia acción y reactivar los sistemas",
     "Object": "Objeto",
     "Object that is driven or drives others; empty means the active one":
         "Objeto movido, o que mueve a otros; vacío significa el activo",
-    "Object that was baked; empty means the active one": "Objeto que se horneó; vacío significa el activo",
+    "Object that was baked; empty means the active one": "Objeto que se capturó; vacío significa el activo",
     "System": "Sistema",
     "Name of the system to bake; empty means all of the object's":
-        "Nombre del sistema que se hornea; vacío significa todos los del objeto",
-    "Name of a system that was baked; empty means any": "Nombre de un sistema que se horneó; vacío significa cualquiera",
+        "Nombre del sistema que se captura; vacío significa todos los del objeto",
+    "Name of a system that was baked; empty means any": "Nombre de un sistema que se capturó; vacío significa cualquiera",
     "Start": "Inicio",
     "First frame; the scene's where it is not given": "Primer fotograma; el de la escena si no se indica",
     "End": "Fin",
@@ -63,29 +63,31 @@ _INTERFACE = {
     "Frames from one keyframe to the next, less than one for sub-frames":
         "Fotogramas de una clave a la siguiente; menos de uno para subfotogramas",
     "Owner": "Dueño",
-    "The object moves by baked keyframes": "El objeto se mueve por fotogramas clave horneados",
-    "Object whose system was baked; empty where it is this one": "Objeto cuyo sistema se horneó; vacío si es este mismo",
-    "Baked Action": "Acción horneada",
-    "Action that holds the baked keyframes": "Acción que contiene los fotogramas clave horneados",
+    "The object moves by baked keyframes": "El objeto se mueve por fotogramas clave capturados",
+    "Object whose system was baked; empty where it is this one": "Objeto cuyo sistema se capturó; vacío si es este mismo",
+    "Baked Action": "Acción capturada",
+    "Action that holds the baked keyframes": "Acción que contiene los fotogramas clave capturados",
     "Previous Action": "Acción anterior",
-    "The object's own action, which unbaking puts back": "La acción propia del objeto, que vuelve al deshacer el horneado",
+    "The object's own action, which unbaking puts back": "La acción propia del objeto, que vuelve al deshacer la captura",
     "Previous Slot": "Ranura anterior",
     "The object's slot in its own action": "La ranura del objeto en su propia acción",
     "Kept": "Conservado",
-    "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de hornear",
-    "Baked {frames} frames of {objects} objects": "Horneados {frames} fotogramas de {objects} objetos",
-    "Unbaked {objects} objects": "Deshecho el horneado de {objects} objetos",
-    "Baking frame {done} of {all} (Esc cancels)": "Horneando el fotograma {done} de {all} (Esc cancela)",
-    "Baking was cancelled: nothing has changed": "Se canceló el horneado: nada ha cambiado",
+    "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de capturar",
+    "Baked {frames} frames of {objects} objects": "Capturados {frames} fotogramas de {objects} objetos",
+    "Unbaked {objects} objects": "Deshecha la captura de {objects} objetos",
+    "Baking frame {done} of {all} (Esc cancels)": "Capturando el fotograma {done} de {all} (Esc cancela)",
+    "Baking was cancelled: nothing has changed": "Se canceló la captura: nada ha cambiado",
     "Select an object, or name one": "Selecciona un objeto o indica su nombre",
     "There is no object {object} in the scene": "No hay ningún objeto {object} en la escena",
     "The range is empty: the end frame comes before the start frame":
         "El intervalo está vacío: el último fotograma va antes que el primero",
-    "The system drives nothing that could be baked": "El sistema no mueve nada que se pueda hornear",
-    "{object} is baked already: unbake it first": "{object} ya está horneado: deshaz antes su horneado",
+    "The system drives nothing that could be baked": "El sistema no mueve nada que se pueda capturar",
+    "{bone} is connected to its parent, so keyframes cannot move it: disconnect it first":
+        "{bone} está conectado a su superior, así que los fotogramas clave no pueden moverlo: desconéctalo antes",
+    "{object} is baked already: unbake it first": "{object} ya está capturado: deshaz antes su captura",
     "{object} is in the tweak mode of the NLA editor: leave it first":
         "{object} está en el modo de ajuste del editor de ANL: sal antes de él",
-    "{object} is not baked": "{object} no está horneado",
+    "{object} is not baked": "{object} no está capturado",
     "{object} is not driven by Motus: add a system to it first": "Motus no mueve {object}: añádele antes un sistema",
     "{object} is not evaluated: show it in the viewport first": "{object} no se evalúa: muéstralo antes en la vista",
 
@@ -171,9 +173,9 @@ _INTERFACE = {
     "What the rate of the lag is proportional to": "A qué es proporcional el ritmo del retraso",
     "The rate follows the curvature, which does not depend on how the curve is made":
         "El ritmo sigue la curvatura, que no depende de cómo está hecha la curva",
-    "Second Derivative": "Segunda derivada",
-    "The rate follows the length of the curve's second derivative":
-        "El ritmo sigue la magnitud de la segunda derivada de la curva",
+    "Acceleration": "Aceleración",
+    "The rate follows the length of the curve's second derivative by its parameter":
+        "El ritmo sigue la magnitud de la segunda derivada de la curva respecto a su parámetro",
 
     # Follow Path: pins and trains
     "Pins By": "Citas por",
@@ -264,7 +266,6 @@ _INTERFACE = {
     "{curve} has degree {degree}": "{curve} tiene grado {degree}",
     "{view} of {curve}": "{view} de {curve}",
     "Removed from {objects}": "Quitado de {objects}",
-    "Ease in and ease out together are limited to 1": "La entrada y la salida suaves suman como mucho 1",
     "Nothing here follows a path": "Aquí nada sigue una trayectoria",
     "Go to Object Mode first": "Pasa antes al modo Objeto",
     "Select the object that shall follow": "Selecciona el objeto que ha de seguir la curva",
@@ -276,7 +277,7 @@ _INTERFACE = {
     "{curve} is moved by {object}, so {object} cannot follow it": "{object} mueve {curve}, así que {object} no puede seguirla",
     "{object} is a wagon of {leader}: remove it from the train first":
         "{object} es un vagón de {leader}: sácalo antes del tren",
-    "{object} is baked: unbake it first": "{object} está horneado: deshaz antes su horneado",
+    "{object} is baked: unbake it first": "{object} está capturado: deshaz antes su captura",
     "{object} follows a path of its own: remove that first": "{object} sigue su propia trayectoria: quítasela antes",
     "A Bézier curve needs 2 to {most} control points, not {count}":
         "Una curva Bézier necesita de 2 a {most} puntos de control, no {count}",
@@ -302,7 +303,7 @@ _OPERATORS = {
     "Add Follow Path Preset": "Añadir preajuste de seguir trayectoria",
     "Add Pin": "Añadir cita",
     "Add Wagons": "Añadir vagones",
-    "Bake": "Hornear",
+    "Bake": "Capturar",
     "Bézier of Any Degree": "Bézier de cualquier grado",
     "Copy": "Copiar",
     "Demo Scene": "Escena de demostración",
@@ -317,7 +318,7 @@ _OPERATORS = {
     "Remove Wagon": "Quitar vagón",
     "Select Leader": "Seleccionar guía",
     "Take Out": "Sacar",
-    "Unbake": "Deshacer horneado",
+    "Unbake": "Deshacer captura",
 }
 
 CONTEXTS = {"*": _INTERFACE, "Operator": _OPERATORS}

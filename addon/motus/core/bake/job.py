@@ -97,6 +97,9 @@ def _tracks(owner, systems):
         for member in one.members(owner):
             channels.setdefault(member, set()).update(one.channels(system.of_owner(one, owner)))
     for member, names in channels.items():
+        if "location" in names and isinstance(member, bpy.types.PoseBone) and member.bone.use_connect:
+            raise BakeError(tr("{bone} is connected to its parent, so keyframes cannot move it: disconnect it first").format(
+                bone=member.name))
         # The user's constraints act on top of the result or below it: all of it is baked, and they are switched off.
         # A mirrored thing loses its negative scale in the sinks.
         if keys.others(member, sinks) or is_mirrored(member.scale):

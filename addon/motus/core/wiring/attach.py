@@ -34,7 +34,7 @@ def attach(system, owner):
         if uses_attribute:
             attribute_sink.add(system, member, settings.hub, source, index, channels)
         else:
-            limit_sink.add(system, member, carrier, source, index, channels, direct)
+            limit_sink.add(system, member, carrier, source, index, channels, direct, settings.hub)
         if member.id_data != owner:
             of_owner(system, member.id_data).leader = owner
     touch(system, owner)

@@ -35,7 +35,6 @@ def add(system, target, hub, settings_source, member, channels):
         "ok": Variable('MESH', hub.data, outbox.out_path(system, outbox.OK_SLOT)),
         "i": Variable('OBJECT', *settings_source),
     })
-    return [constraint]
 
 
 def write_transforms(mesh, locations, rotations):

@@ -1,4 +1,5 @@
-"""Sinks for every Blender: Limit Location and Limit Rotation with min = max, read from the outbox.
+"""Sinks for every Blender: constraints that read the outbox, Limit Location and Limit Rotation with min = max, or
+Transformation where there are many.
 
 Their drivers only copy slots of the outbox, which takes no Python.
 """
@@ -10,39 +11,58 @@ from ..system import Variable
 from . import drivers, outbox
 
 AXES = "xyz"
+LIMITS = ("min_{}", "max_{}")
 
 
-def add(system, target, carrier, settings_source, member, channels, direct=None):
+def add(system, target, carrier, settings_source, member, channels, direct=None, hub=None):
     """Drive `target` (Object or PoseBone) by slot block `member` of the carrier's outbox.
 
     settings_source: (object, data path of its influence). direct: (expression prefix, variables) drives the sinks
-    without the outbox (see motus_direct).
+    without the outbox (see motus_direct). hub: object of the carrier, where it is one for many members.
     """
     base = outbox.pose_base(system, member)
+    # Drivers are what many members cost, and Transformation needs half as many; but it loses a negative scale,
+    # which Limit Location alone keeps.
+    mapped = hub is not None and "rotation" in channels
     made = []
     if "location" in channels:
-        made.append((_location(target, system), base))
+        made.append((*(_mapped(target, system, hub, 'LOCATION') if mapped else _limit_location(target, system)), base))
     if "rotation" in channels:
-        made.append((_rotation(target, system), base + 3))
-    for constraint, first in made:
+        made.append((*(_mapped(target, system, hub, 'ROTATION') if mapped else _limit_rotation(target, system)), base + 3))
+    for constraint, paths, first in made:
         for axis, letter in enumerate(AXES):
-            for side in ("min_", "max_"):
-                _drive(constraint, side + letter, system, carrier, first + axis, direct)
+            for path in paths:
+                _drive(constraint, path.format(letter), system, carrier, first + axis, direct)
         _drive_influence(constraint, system, carrier, settings_source, direct)
-    return [constraint for constraint, _ in made]
 
 
-def _location(target, system):
+def _mapped(target, system, hub, channel):
+    """A Transformation constraint that maps an empty range of the hub's location, so that its least value counts."""
+    constraint = target.constraints.new('TRANSFORM')
+    constraint.name = f"Motus {system.label} {channel.title()}"
+    constraint.target = hub
+    constraint.owner_space = system.space
+    constraint.map_from = 'LOCATION'
+    constraint.map_to = channel
+    if channel == 'LOCATION':
+        constraint.mix_mode = 'REPLACE'
+        return constraint, ("to_min_{}",)
+    constraint.mix_mode_rot = 'REPLACE'
+    constraint.to_euler_order = 'XYZ'
+    return constraint, ("to_min_{}_rot",)
+
+
+def _limit_location(target, system):
     constraint = target.constraints.new('LIMIT_LOCATION')
     constraint.name = f"Motus {system.label} Location"
     constraint.owner_space = system.space
     for letter in AXES:
         setattr(constraint, "use_min_" + letter, True)
         setattr(constraint, "use_max_" + letter, True)
-    return constraint
+    return constraint, LIMITS
 
 
-def _rotation(target, system):
+def _limit_rotation(target, system):
     constraint = target.constraints.new('LIMIT_ROTATION')
     constraint.name = f"Motus {system.label} Rotation"
     constraint.owner_space = system.space
@@ -52,7 +72,7 @@ def _rotation(target, system):
         constraint.use_legacy_behavior = True
     for letter in AXES:
         setattr(constraint, "use_limit_" + letter, True)
-    return constraint
+    return constraint, LIMITS
 
 
 def _slot(system, carrier, index):

@@ -3,8 +3,9 @@
     [status, ok, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ...]
 
 The solver driver sits on the first slot, status: to Blender's dependency graph the array is one property, so whoever
-reads any slot of it waits for the solver. status is 0 or the index + 1 of the system's problem (INTERNAL for an error of our own); ok is 1 where the sinks may
-act. On the original it stays zero for ever: without the add-on, or before the first evaluation, nothing acts.
+reads any slot of it waits for the solver. status is 0 or the index + 1 of the system's problem (INTERNAL for an error of
+our own); ok is 1 where the sinks may act. On the original ok stays zero for ever: without the add-on, or before the first
+evaluation, nothing acts.
 """
 
 from ..system import Problem, of_owner
