@@ -135,10 +135,14 @@ class FileTest(WiringTestCase):
         for one in wanted.objects:
             bpy.context.scene.collection.objects.link(one)
         hub = wanted.objects[0].motus.orbit.hub
+        saved = self.attribute_values(hub)
         frame_set(20)
-        for attribute in hub.data.attributes:
-            if attribute.data_type == 'FLOAT4X4':
-                self.assertFalse(any(any(row) for item in attribute.data for row in item.value))
+        self.assertEqual(self.attribute_values(hub), saved)
+
+    @staticmethod
+    def attribute_values(hub):
+        return [[tuple(row) for row in item.value] for attribute in hub.data.attributes
+                if attribute.data_type == 'FLOAT4X4' for item in attribute.data]
 
     def test_overridden(self):
         for build in KINDS:

@@ -32,6 +32,11 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
     throw py::type_error(std::string(name) + ": " + std::string(problem));
 }
 
+/// Whether the elements lie where their type may: not so in a view of bytes.
+[[nodiscard]] inline bool is_aligned(const py::array& array) {
+    return (array.flags() & py::detail::npy_api::NPY_ARRAY_ALIGNED_) != 0;
+}
+
 [[nodiscard]] inline std::string shape_of(const py::array& array) {
     std::string text = "(";
     for (py::ssize_t axis = 0; axis < array.ndim(); ++axis)
@@ -48,6 +53,7 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
     if (kind != 'f' && kind != 'i' && kind != 'u') type_error(name, "must hold real numbers");
     DoubleArray result = DoubleArray::ensure(array);
     if (!result) type_error(name, "cannot be converted to float64");
+    if (!is_aligned(result)) result = DoubleArray(result.attr("copy")());
     const double* values = result.data();
     for (py::ssize_t i = 0; i < result.size(); ++i) {
         if (!std::isfinite(values[i])) value_error(name, "every value must be finite");

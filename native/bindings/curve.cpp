@@ -10,6 +10,7 @@
 #include "motus/bezier.hpp"
 #include "motus/bspline.hpp"
 #include "motus/nearest.hpp"
+#include "path_options.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -37,14 +38,6 @@ class PolyLine : public BoundCurve {
 [[nodiscard]] double evaluation_cost(const BoundCurve& self) {
     const double degree = self.curve().degree();
     return 10.0 + degree * degree;
-}
-
-[[nodiscard]] Extend extend_named(const std::string& name) {
-    return choice<Extend>(name, "extend",
-                          {{"clamp", Extend::clamp},
-                           {"extrapolate", Extend::extrapolate},
-                           {"loop", Extend::loop},
-                           {"ping_pong", Extend::ping_pong}});
 }
 
 /// A curve made from `source`: a Bezier of a Bezier, else a Chain.
@@ -107,7 +100,7 @@ void bind_evaluation(py::class_<BoundCurve>& curve) {
     curve.def(
         "position",
         [](const BoundCurve& self, const py::object& t, const std::string& extend) {
-            const Extend how = extend_named(extend);
+            const Extend how = extend_option(extend);
             return map_points(Numbers(t, "t"), evaluation_cost(self),
                               [&](double at) { return position(self.curve(), at, how); });
         },
@@ -185,9 +178,9 @@ Error <= 1e-12 of the length.  Raises as position().)");
     curve.def(
         "t_at_length",
         [](const BoundCurve& self, const py::object& s, const std::string& extend) {
-            const Extend how = extend_named(extend);
+            const Extend how = extend_option(extend);
             const Numbers at(s, "s");
-            const ArcLength& path = *self.path();
+            const ArcLength& path = self.path_by_length();
             return map_numbers(at, look_up_cost,
                                [&](double value) { return t_at_length(path, value, how).value; });
         },
@@ -201,9 +194,9 @@ rests (a segment of zero length), one of its parameters.  Raises as position().)
     curve.def(
         "position_at_length",
         [](const BoundCurve& self, const py::object& s, const std::string& extend) {
-            const Extend how = extend_named(extend);
+            const Extend how = extend_option(extend);
             const Numbers at(s, "s");
-            const ArcLength& path = *self.path();
+            const ArcLength& path = self.path_by_length();
             return map_points(at, look_up_cost + evaluation_cost(self),
                               [&](double value) { return position_at_length(path, value, how); });
         },
@@ -220,8 +213,8 @@ void bind_operations(py::class_<BoundCurve>& curve) {
 The nearest of all points of the curve.
 
 point: (3,) or (m, 3), in the curve's space.  Returns (t, position, distance): float, (3,), float, or (m,), (m, 3), (m,).
-Branch and bound, then Newton's method; the distance is right to 1e-12 of itself.  Raises ValueError for another shape
-or where a value is not finite.)");
+Branch and bound, then Newton's method; the distance is right to 1e-12 of itself.  Raises ValueError for another shape,
+where a value is not finite, or above 1e100.)");
     curve.def(
         "bounds",
         [](const BoundCurve& self) {
@@ -232,15 +225,14 @@ or where a value is not finite.)");
 Corners (min, max) of the smallest axis-aligned box that holds the curve, each (3,).)");
     curve.def(
         "split",
-        [](const py::object& self, double t) {
-            if (!std::isfinite(t)) value_error("t", "must be finite");
-            auto [before, after] = split(bound(self).curve(), t);
+        [](const py::object& self, const py::object& t) {
+            auto [before, after] = split(bound(self).curve(), number(t, "t"));
             return py::make_tuple(like(self, std::move(before)), like(self, std::move(after)));
         },
         "t"_a, R"(
 The parts (before, after) of the curve cut at t (a number, clamped): two Bezier of a Bezier, else two Chain.
 
-Cut at an end, one part has zero length.  Raises ValueError where t is not finite.)");
+Cut at an end, one part has zero length.  Raises ValueError where t is not finite, TypeError where it is no number.)");
     curve.def(
         "elevate",
         [](const py::object& self, int times) { return like(self, elevated(bound(self).curve(), times)); },

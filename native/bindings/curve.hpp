@@ -31,9 +31,21 @@ class BoundCurve {
         return path_;
     }
 
+    /// The same, ready for distances: their inverse is built once, too, without the interpreter's lock.
+    [[nodiscard]] const ArcLength& path_by_length() const {
+        const ArcLength& path = *this->path();
+        if (!has_inverse_) {
+            const pybind11::gil_scoped_release released;
+            (void)path.interval_count();
+        }
+        has_inverse_ = true;
+        return path;
+    }
+
   private:
     Curve curve_;
     mutable std::shared_ptr<const ArcLength> path_;
+    mutable bool has_inverse_ = false;
 };
 
 }  // namespace motus::bindings

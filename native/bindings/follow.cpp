@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <string>
+#include <utility>
 
 #include "areas.hpp"
 #include "arrays.hpp"
@@ -53,9 +54,12 @@ py::tuple follow_curve(const BoundCurve& curve, const Timing& timing, const py::
     const auto rows = static_cast<py::ssize_t>(count);
     auto location_rows = output<double>(locations, "locations", {rows, 3});
     auto rotation_rows = output<double>(rotations, "rotations", {rows, 4});
+    require_apart(along.values(), "offsets", values_of(location_rows), "locations");
+    require_apart(along.values(), "offsets", values_of(rotation_rows), "rotations");
+    require_apart(values_of(location_rows), "locations", values_of(rotation_rows), "rotations");
     const std::span<glm::dvec3> location_out = points_of(location_rows);
     const std::span<glm::dquat> rotation_out = quaternions_in(rotation_rows.mutable_data(), count);
-    const Frames frames = shared_frames(curve.path(), frame);
+    const Frames frames = frames_on(curve, std::move(frame));
     {
         const ReleaseGil released(count, settings.lag_rate > 0.0 ? 1e3 * follower_cost : follower_cost);
         follow(frames, timing, at, along.values(), settings, location_out, rotation_out);
@@ -79,7 +83,8 @@ extend: what lies beyond the ends: 'clamp'; 'extrapolate' straight on along the 
 each other.  rotate: False leaves every rotation the identity.
 lag_rate: > 0 lets the orientation trail its target at lag_rate times the bend of the curve per second, from time 0 on
 and with 120 s of memory.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
-locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into; new ones where None.
+locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into, which share no memory with each other
+or offsets; new ones where None.
 Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.
 Raises ValueError or TypeError that names the argument.)");
 }

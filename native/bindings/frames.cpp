@@ -3,9 +3,10 @@
 
 #include <pybind11/pybind11.h>
 
-#include <algorithm>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "areas.hpp"
 #include "arrays.hpp"
@@ -58,7 +59,7 @@ py::object frames_of(const BoundCurve& curve, const py::object& lengths, const s
     if (!speed.is_single() && v.size() != s.size())
         value_error("speed", "must be a number or have one value per length");
 
-    const Frames frames = shared_frames(curve.path(), settings);
+    const Frames frames = frames_on(curve, settings);
     py::array_t<double, py::array::c_style> rows({static_cast<py::ssize_t>(s.size()), py::ssize_t{4}});
     const std::span<glm::dquat> out = quaternions_in(rows.mutable_data(), s.size());
     {
@@ -91,6 +92,12 @@ FrameSettings frame_settings(const std::string& mode, const py::kwargs& options,
     if (settings.mode == FrameMode::tilt && !options.contains("tilt"))
         type_error("tilt", "must be given for the mode 'tilt'");
     return settings;
+}
+
+Frames frames_on(const BoundCurve& curve, FrameSettings settings) {
+    std::shared_ptr<const ArcLength> path = curve.path();
+    const py::gil_scoped_release released;
+    return shared_frames(std::move(path), std::move(settings));
 }
 
 void bind_frames(py::module_& m) {

@@ -1,8 +1,9 @@
-// Names and options that frames() and follow() have in common.
+// Names and options that several functions on paths have in common.
 #pragma once
 #include <string>
 
 #include "arrays.hpp"
+#include "curve.hpp"
 #include "motus/extend.hpp"
 #include "motus/frames.hpp"
 
@@ -20,5 +21,8 @@ namespace motus::bindings {
 /// `speed` is left to the caller where `reads_speed`.
 [[nodiscard]] FrameSettings frame_settings(const std::string& mode, const py::kwargs& options,
                                            bool reads_speed);
+
+/// Frames of a curve, from the cache or built, without the interpreter's lock meanwhile.
+[[nodiscard]] Frames frames_on(const BoundCurve& curve, FrameSettings settings);
 
 }  // namespace motus::bindings

@@ -37,6 +37,7 @@ py::object matrix_rows(const py::object& locations, const py::object& rotations,
         value_error("rotations", "must have as many rows as locations");
     auto matrices = output<float>(out, "out", {static_cast<py::ssize_t>(count), 16});
     const std::span<float> floats(matrices.mutable_data(), static_cast<std::size_t>(matrices.size()));
+    require_apart(points.values(), "locations", floats, "out");
     {
         const ReleaseGil released(count, matrix_cost);
         pack_matrices(points.values(), quaternions.values(), floats);
@@ -55,7 +56,8 @@ into.  Returns (m, 3) or (3,), rad.  Raises ValueError or TypeError that names t
     m.def("pack_matrices", &matrix_rows, "locations"_a, "rotations"_a, "out"_a = py::none(), R"(
 Locations and rotations as 4 x 4 matrices of scale 1, column by column, as Blender's FLOAT4X4 attributes take them.
 
-locations: (m, 3).  rotations: (m, 4), w, x, y, z.  out: a C-contiguous float32 array (m, 16) to write into.
+locations: (m, 3).  rotations: (m, 4), w, x, y, z.  out: a C-contiguous float32 array (m, 16) to write into, which shares
+no memory with locations.
 Returns (m, 16) float32.  Raises ValueError or TypeError that names the argument.)");
 }
 

@@ -1,6 +1,12 @@
 // Rows of quaternions w, x, y, z, and arrays to write into.
 #pragma once
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <glm/gtc/quaternion.hpp>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "arrays.hpp"
@@ -17,9 +23,9 @@ template <class T>
                                                         const std::vector<py::ssize_t>& shape) {
     using Array = py::array_t<T, py::array::c_style>;
     if (given.is_none()) return Array(shape);
-    if (!py::isinstance<Array>(given))
-        type_error(
-            name, std::string("must be a C-contiguous array of ") + (sizeof(T) == 8 ? "float64" : "float32"));
+    if (!py::isinstance<Array>(given) || !is_aligned(py::reinterpret_borrow<py::array>(given)))
+        type_error(name, std::string("must be an aligned, C-contiguous array of ") +
+                             (sizeof(T) == 8 ? "float64" : "float32"));
     Array array = py::reinterpret_borrow<Array>(given);
     if (!array.writeable()) type_error(name, "must be writeable");
     if (!std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim())) {
@@ -28,6 +34,18 @@ template <class T>
         value_error(name, "must have the shape (" + wanted + "), not " + shape_of(array));
     }
     return array;
+}
+
+/// ValueError where two arrays overlap in memory: one would be overwritten before it is read.
+template <class A, class B>
+void require_apart(std::span<A> a, std::string_view a_name, std::span<B> b, std::string_view b_name) {
+    const std::less<> before;  // a total order of all pointers
+    const void* const a_begin = a.data();
+    const void* const a_end = a.data() + a.size();
+    const void* const b_begin = b.data();
+    const void* const b_end = b.data() + b.size();
+    if (before(a_begin, b_end) && before(b_begin, a_end))
+        value_error(b_name, "must not share memory with " + std::string(a_name));
 }
 
 /// The memory of (m, 4) doubles as quaternions of GLM's own layout, until rows_from_quaternions() puts it in
@@ -56,11 +74,15 @@ class Rotations {
         if (array.ndim() < 1 || array.ndim() > 2 || array.shape(array.ndim() - 1) != 4)
             value_error(name, "must have the shape (m, 4) or (4,), not " + shape_of(array));
         const double* row = array.data();
+        values_.reserve(static_cast<std::size_t>(array.size()) / 4);
         for (py::ssize_t i = 0; i < array.size(); i += 4) {
-            const glm::dquat q(row[i], row[i + 1], row[i + 2], row[i + 3]);
-            const double size = glm::length(q);
-            if (!(size > 0.0)) value_error(name, "a quaternion must not be zero");
-            values_.push_back(q / size);
+            // By the largest part first: its square would over- or underflow where it is huge or tiny.
+            const double largest = std::max(
+                {std::abs(row[i]), std::abs(row[i + 1]), std::abs(row[i + 2]), std::abs(row[i + 3])});
+            if (largest == 0.0) value_error(name, "a quaternion must not be zero");
+            const glm::dquat q(row[i] / largest, row[i + 1] / largest, row[i + 2] / largest,
+                               row[i + 3] / largest);
+            values_.push_back(q / glm::length(q));
         }
     }
 

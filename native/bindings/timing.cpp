@@ -25,9 +25,10 @@ template <class Make>
 void bind_ease(py::module_& m) {
     m.def(
         "ease",
-        [](const py::object& u, double ease_in, double ease_out) {
-            return map_numbers(Numbers(u, "u"), timing_cost,
-                               [&](double at) { return ease(at, ease_in, ease_out); });
+        [](const py::object& u, const py::object& ease_in, const py::object& ease_out) {
+            const double in = number(ease_in, "ease_in");
+            const double out = number(ease_out, "ease_out");
+            return map_numbers(Numbers(u, "u"), timing_cost, [&](double at) { return ease(at, in, out); });
         },
         "u"_a, "ease_in"_a, "ease_out"_a, R"(
 Fraction of the way at the fraction u of the time: constant acceleration, constant speed, constant deceleration.
@@ -37,9 +38,11 @@ Returns a float or (m,); 0 at u = 0, 1 at u = 1, with a continuous derivative wh
 Raises ValueError where a value is not finite or outside its domain.)");
     m.def(
         "ease_derivative",
-        [](const py::object& u, double ease_in, double ease_out) {
+        [](const py::object& u, const py::object& ease_in, const py::object& ease_out) {
+            const double in = number(ease_in, "ease_in");
+            const double out = number(ease_out, "ease_out");
             return map_numbers(Numbers(u, "u"), timing_cost,
-                               [&](double at) { return ease_derivative(at, ease_in, ease_out); });
+                               [&](double at) { return ease_derivative(at, in, out); });
         },
         "u"_a, "ease_in"_a, "ease_out"_a, R"(
 Derivative of ease() with respect to u: a float or (m,); 0 outside [0, 1].  Arguments and errors as ease().)");
@@ -54,10 +57,18 @@ Distance as a function of time, for follow(): seconds, and the curve's unit of l
 
 Made by Timing.eased, .constant, .pins, .speeds or .speeds_by_distance, which raise ValueError where a value is not finite
 or outside its domain, TypeError where one is not a real number.)")
-        .def_static("eased", &Timing::eased, "duration"_a, "length"_a, "ease_in"_a = 0.0, "ease_out"_a = 0.0,
-                    R"(
+        .def_static(
+            "eased",
+            [](const py::object& duration, const py::object& length, const py::object& ease_in,
+               const py::object& ease_out) {
+                return Timing::eased(number(duration, "duration"), number(length, "length"),
+                                     number(ease_in, "ease_in"), number(ease_out, "ease_out"));
+            },
+            "duration"_a, "length"_a, "ease_in"_a = 0.0, "ease_out"_a = 0.0, R"(
 `length` in `duration` seconds (> 0) with ease() at both ends; at rest before 0 and after duration.)")
-        .def_static("constant", &Timing::constant, "speed"_a, R"(
+        .def_static(
+            "constant", [](const py::object& speed) { return Timing::constant(number(speed, "speed")); },
+            "speed"_a, R"(
 speed * time, for all times.)")
         .def_static(
             "pins",

@@ -14,7 +14,8 @@ namespace {
 constexpr double ramp_share =
     0.1;  // of a stretch: the ramp at each end that leads over a jump of the curvature
 constexpr double shortest_cell =
-    1e-6;  // of the length: what curves more tightly than the cells above it, is a cusp
+    1e-6;                       // of the length: what curves more tightly than the cells above it, is a cusp
+constexpr double widest = 1e9;  // of the length: any wider filter gives the mean, to its last digit but one
 constexpr double headroom = 2.0;  // of the curvature over the mean of the cell it lies in
 
 /// Angle by which the tangent turns from one place to the next, towards where, in the frame of the first.
@@ -123,12 +124,13 @@ BendField::Memory BendField::passed(const Memory& memory, std::size_t cell, doub
 BendField::Memory BendField::steady(const Memory& after_lap, Across lap_turn, double lap) const {
     const double x = lap / width_;
     const Across kept = lap_turn * std::exp(-x);
-    const Across plain = after_lap.plain * lap_turn / (1.0 - kept);
-    return {plain, (after_lap.ramped * lap_turn + x * plain * kept) / (1.0 - kept)};
+    const Across lost = (1.0 - lap_turn) - lap_turn * std::expm1(-x);  // 1 - kept, to its last digit
+    const Across plain = after_lap.plain * lap_turn / lost;
+    return {plain, (after_lap.ramped * lap_turn + x * plain * kept) / lost};
 }
 
 void BendField::filter(double smoothing) {
-    width_ = smoothing;
+    width_ = std::min(smoothing, widest * frames_->length());
     const auto stations = frames_->stations();
     const std::size_t last = stations.size() - 1;
     const auto run_forth = [&](Memory memory) {

@@ -104,7 +104,7 @@ void require_finite(std::span<const glm::dvec3> points, const char* name) {
             p = k;
             continue;
         }
-        const double across = glm::length(glm::cross(along, coefficient)) / glm::length(along);
+        const double across = glm::length(glm::cross(unit(along), coefficient));
         if (across <= threshold * binomial) continue;
         if (k == 2 * p) return 2.0 * across / glm::dot(along, along);
         return k < 2 * p ? std::numeric_limits<double>::infinity() : 0.0;

@@ -42,10 +42,12 @@ class Lag {
         // From the present back, as far as the steps do not yet make the rest forgotten.
         steps.clear();
         double begin = time;
-        double grid = std::ceil(time * lag_steps_per_second);
-        for (double total = 0.0; begin > oldest && total < forgotten;) {
+        const double grid = std::ceil(time * lag_steps_per_second);
+        double total = 0.0;
+        // Counted, since one less is the same number where the time is very large.
+        for (double count = 1.0; begin > oldest && total < forgotten; ++count) {
             const double end = begin;
-            begin = std::max(oldest, --grid / lag_steps_per_second);
+            begin = std::clamp((grid - count) / lag_steps_per_second, oldest, end);
             const double exponent = settings_.lag_rate * bend(0.5 * (begin + end)) * (end - begin);
             steps.push_back({0.5 * (begin + end), -std::expm1(-exponent)});
             total += exponent;
@@ -98,6 +100,9 @@ void follow(const Frames& frames, const Timing& timing, double time, std::span<c
     }
     const double distance = timing.distance(time);
     const double speed = timing.speed(time);
+    if (!std::isfinite(distance) || !std::isfinite(speed)) {
+        throw std::invalid_argument("time: the distance and the speed at it must be finite");
+    }
     std::vector<LagStep> steps;
     for (std::size_t i = 0; i < offsets.size(); ++i) {
         if (!settings.rotate) {

@@ -15,6 +15,7 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr double most = 1e30;  // of speed and of strength over gravity: up is across long before, squares fit
 constexpr double weightless = 0.1;  // of gravity: apparent gravity below it no longer shows a direction
 
 bool reads_smoothing(FrameMode mode) {
@@ -72,7 +73,9 @@ Across apparent_up(Across apparent, Across upright) {
 
 Across banked(const FrameTables& tables, const FrameSettings& settings, const Place& place, double speed) {
     const Across upright = tables.upright(place);
-    const Across pull = settings.strength * speed * speed / settings.gravity * tables.bend(place);
+    const double lean = std::clamp(settings.strength / settings.gravity, -most, most);
+    const double moving = std::min(std::abs(speed), most);
+    const Across pull = lean * moving * moving * tables.bend(place);
     const Across up = apparent_up(FrameTables::world_up(place) + pull, upright);
     if (settings.limit >= pi) return up;
     return upright * std::polar(1.0, limited(std::arg(up * std::conj(upright)), settings.limit));
@@ -83,7 +86,7 @@ double tilt_at(const std::vector<double>& tilt, const Curve& curve, double t) {
     const Location at = locate(curve, t);
     const double from = tilt[at.segment];
     const double to = tilt[(at.segment + 1) % tilt.size()];
-    return from + at.t * (to - from);
+    return std::lerp(from, to, at.t);
 }
 
 Across up_across(const FrameTables& tables, const FrameSettings& settings, const Place& place, double speed) {

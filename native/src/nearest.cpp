@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <span>
+#include <stdexcept>
 
 #include "bernstein.hpp"
 
@@ -13,11 +15,11 @@ namespace {
 // At this depth a part is as wide as the rounding of its parameter.
 constexpr int deepest = 50;
 
-/// Parameter, 0 to 1, of the point nearest to `point` on the straight line from a to b.
-[[nodiscard]] double foot(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& point) {
+/// Parameter, 0 to 1, of the point nearest to the origin on the straight line from a to b.
+[[nodiscard]] double foot(const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 chord = b - a;
     const double square = glm::dot(chord, chord);
-    return square > 0.0 ? std::clamp(glm::dot(point - a, chord) / square, 0.0, 1.0) : 0.0;
+    return square > 0.0 ? std::clamp(-glm::dot(a, chord) / square, 0.0, 1.0) : 0.0;
 }
 
 /// The curve's parameter at t in [0, 1] of a segment. The end of a segment that the next one does not begin
@@ -29,26 +31,40 @@ constexpr int deepest = 50;
     return gap ? std::nextafter(first + 1.0, first) : first + t;
 }
 
+/// A point of the curve.
+struct Candidate {
+    std::size_t segment = 0;
+    double t = 0.0;  ///< 0 to 1
+    double distance = std::numeric_limits<double>::infinity();
+};
+
+/// The control points of a segment counted from `point`: the distances then carry no rounding of coordinates
+/// far from the origin, behind which no part would be seen to be farther than another.
+[[nodiscard]] bernstein::Points seen_from(const glm::dvec3& point, bernstein::Segment segment) {
+    bernstein::Points points;
+    std::transform(segment.begin(), segment.end(), points.begin(),
+                   [&point](const glm::dvec3& p) { return p - point; });
+    return points;
+}
+
+/// Branch and bound over all segments, each seen from the point.
 class Search {
   public:
-    Search(const Curve& curve, const glm::dvec3& point) : curve_(curve), point_(point) {}
-
-    void visit(std::size_t index) {
-        const bernstein::Segment segment = curve_.segment(index);
-        tolerance_ = 1e-14 * bernstein::extent(segment);
+    void visit(std::size_t index, bernstein::Segment segment) {
         index_ = index;
+        segment_ = segment;
+        tolerance_ = 1e-14 * bernstein::extent(segment);
         try_at(0.0);
         try_at(1.0);
         descend(segment, 0.0, 1.0, deepest);
     }
 
-    [[nodiscard]] const Nearest& best() const noexcept { return best_; }
+    [[nodiscard]] const Candidate& best() const noexcept { return best_; }
 
   private:
     void try_at(double t) {
-        const glm::dvec3 position = bernstein::position(curve_.segment(index_), t);
-        const double distance = glm::distance(position, point_);
-        if (distance < best_.distance) best_ = {parameter(curve_, index_, t), position, distance};
+        const double distance = glm::length(bernstein::position(segment_, t));
+        if (distance < best_.distance) best_ = {index_, t, distance};
     }
 
     /// Looks through the part a to b, whose control points these are.
@@ -60,9 +76,8 @@ class Search {
             const glm::dvec3 on_chord = bernstein::mix(part.front(), part.back(), static_cast<double>(k) / n);
             deviation = std::max(deviation, glm::distance(part[k], on_chord));
         }
-        const double on_chord = foot(part.front(), part.back(), point_);
-        const double bound =
-            glm::distance(bernstein::mix(part.front(), part.back(), on_chord), point_) - deviation;
+        const double on_chord = foot(part.front(), part.back());
+        const double bound = glm::length(bernstein::mix(part.front(), part.back(), on_chord)) - deviation;
         if (bound >= best_.distance * (1.0 - 1e-12) - tolerance_) return;
         try_at(a + (b - a) * on_chord);
         if (depth == 0) return;
@@ -76,30 +91,26 @@ class Search {
         descend(right, middle, b, depth - 1);
     }
 
-    const Curve& curve_;
-    glm::dvec3 point_;
     std::size_t index_ = 0;
+    bernstein::Segment segment_;
     double tolerance_ = 0.0;
-    Nearest best_{0.0, glm::dvec3(0.0), std::numeric_limits<double>::infinity()};
+    Candidate best_;
 };
 
 /// The search ends where the distance has settled, which leaves half the digits of t: Newton's method on
-/// (C - point) . C' = 0 gives the others. A step that does not bring the curve nearer is not taken.
-[[nodiscard]] Nearest polished(const Curve& curve, const glm::dvec3& point, Nearest best) {
+/// C . C' = 0 gives the others. A step that does not bring the curve nearer is not taken.
+[[nodiscard]] Candidate polished(bernstein::Segment segment, Candidate best) {
     constexpr int most_steps = 4;
-    const Location at = locate(curve, best.t);
-    const auto first = static_cast<double>(at.segment);
     for (int step = 0; step < most_steps; ++step) {
-        const Jet here = bernstein::jet(curve.segment(at.segment), best.t - first);
-        const glm::dvec3 away = here.position - point;
-        const double slope = glm::dot(here.d1, here.d1) + glm::dot(away, here.d2);
+        const Jet here = bernstein::jet(segment, best.t);
+        const double slope = glm::dot(here.d1, here.d1) + glm::dot(here.position, here.d2);
         if (!(slope > 0.0)) break;
-        const double t = std::clamp(best.t - first - glm::dot(away, here.d1) / slope, 0.0, 1.0);
-        const glm::dvec3 position = bernstein::position(curve.segment(at.segment), t);
-        const double distance = glm::distance(position, point);
+        const double t = std::clamp(best.t - glm::dot(here.position, here.d1) / slope, 0.0, 1.0);
+        const double distance = glm::length(bernstein::position(segment, t));
         // One rounding more is let pass: t may still gain where the distance has no digits left to show it.
         if (distance > best.distance * (1.0 + 4.0 * std::numeric_limits<double>::epsilon())) break;
-        best = {parameter(curve, at.segment, t), position, distance};
+        best.t = t;
+        best.distance = distance;
     }
     return best;
 }
@@ -107,9 +118,19 @@ class Search {
 }  // namespace
 
 Nearest nearest(const Curve& curve, const glm::dvec3& point) {
-    Search search(curve, point);
-    for (std::size_t i = 0; i < curve.segment_count(); ++i) search.visit(i);
-    return polished(curve, point, search.best());
+    const auto fits = [](double value) { return std::abs(value) <= coordinate_limit; };  // false for NaN
+    if (!(fits(point.x) && fits(point.y) && fits(point.z)))
+        throw std::invalid_argument("point: every coordinate must be finite, and at most 1e100");
+    const std::size_t size = curve.segment(0).size();
+    Search search;
+    for (std::size_t i = 0; i < curve.segment_count(); ++i) {
+        const bernstein::Points segment = seen_from(point, curve.segment(i));
+        search.visit(i, {segment.data(), size});
+    }
+    const bernstein::Points segment = seen_from(point, curve.segment(search.best().segment));
+    const Candidate best = polished({segment.data(), size}, search.best());
+    const glm::dvec3 position = bernstein::position(curve.segment(best.segment), best.t);
+    return {parameter(curve, best.segment, best.t), position, glm::distance(position, point)};
 }
 
 }  // namespace motus

@@ -18,6 +18,7 @@ constexpr double corner_turning = radians(20.0);  // a cell that still does is a
 constexpr double joint_turning = 1e-4;  // tangents at a joint that differ by less are meant to be the same
 constexpr double reversal = 1e-3;       // and from opposite, the tangent turns back on itself
 constexpr double vertical = 1e-6;       // nearer to the vertical than this, the tangent has no upright side
+constexpr double least_grain = 1e-150;  // length unit: squares of shorter lengths underflow
 constexpr int fewest_halvings = 4;      // of a segment: 16 cells, so that no inflexion hides in one
 constexpr int most_halvings = 40;
 
@@ -148,7 +149,7 @@ glm::dvec3 upright(const glm::dvec3& tangent) {
 
 ParallelFrames::ParallelFrames(std::shared_ptr<const ArcLength> path) : path_(std::move(path)) {
     const Curve& curve = path_->curve();
-    grain_ = std::max(1e-9 * length(), 1e-12 * largest_coordinate(curve));
+    grain_ = std::max({1e-9 * length(), 1e-12 * largest_coordinate(curve), least_grain});
     for (std::size_t i = 0; i < curve.segment_count(); ++i) {
         if (path_->segment_start(i + 1) > path_->segment_start(i)) add_segment(i);
     }

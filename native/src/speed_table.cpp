@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <span>
 
 namespace motus {
@@ -12,6 +13,8 @@ namespace {
 // Sum of the last three coefficients, in the unit of length and as a fraction of the whole, at which a piece
 // is done. The integral of what was cut off is smaller by the square of the degree.
 constexpr double series_tolerance = 1e-13;
+// Speeds below this are lost in the square root of their square, in the unit of length.
+constexpr double lost_speed = 1e-161;
 // A kink of the speed (a cusp) is halved until the piece that holds it is this short, so that 20 levels do;
 // the limit only makes the end certain.
 constexpr int deepest = 60;
@@ -23,11 +26,18 @@ class Hodograph {
     explicit Hodograph(std::span<const glm::dvec3> segment) : degree_(segment.size() - 2) {
         const auto n = static_cast<double>(segment.size() - 1);
         double binomial = 1.0;
+        double largest = 0.0;
         for (std::size_t k = 0; k <= degree_; ++k) {
-            weighted_[k] = n * binomial * (segment[k + 1] - segment[k]);
+            const glm::dvec3 control = n * (segment[k + 1] - segment[k]);
+            largest = std::max({largest, std::abs(control.x), std::abs(control.y), std::abs(control.z)});
+            weighted_[k] = binomial * control;
             binomial *= static_cast<double>(degree_ - k) / static_cast<double>(k + 1);
         }
+        rounding_ = n * std::numeric_limits<double>::epsilon() * largest + lost_speed;
     }
+
+    /// Largest error of a speed: that of the control points' weighted mean.
+    [[nodiscard]] double rounding() const noexcept { return rounding_; }
 
     [[nodiscard]] double speed(double t) const {
         const double s = 1.0 - t;
@@ -45,6 +55,7 @@ class Hodograph {
 
   private:
     std::size_t degree_;
+    double rounding_ = 0.0;
     std::array<glm::dvec3, static_cast<std::size_t>(max_degree)> weighted_{};
 };
 
@@ -64,10 +75,12 @@ class Hodograph {
     return piece;
 }
 
-[[nodiscard]] bool resolved(const SpeedPiece& piece, double whole) {
+/// Whether the rest of the series is below the tolerance, or no more than `rounding` of the speed, which
+/// never fades out.
+[[nodiscard]] bool resolved(const SpeedPiece& piece, double whole, double rounding) {
     double tail = 0.0;
     for (std::size_t k = speed_degree - 2; k <= speed_degree; ++k) tail += std::abs(piece.speed[k]);
-    return tail <= series_tolerance * whole;
+    return tail <= series_tolerance * whole + piece.half * rounding;
 }
 
 }  // namespace
@@ -91,7 +104,7 @@ SpeedTable::SpeedTable(const Curve& curve) {
         segment_starts_.push_back(distance);
         const Hodograph hodograph(curve.segment(i));
         const auto refine = [&](const auto& self, SpeedPiece piece, double a, double b, int depth) -> void {
-            if (depth == deepest || resolved(piece, whole)) {
+            if (depth == deepest || resolved(piece, whole, hodograph.rounding())) {
                 piece.start = distance;
                 distance += piece.length;
                 pieces_.push_back(piece);

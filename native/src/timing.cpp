@@ -1,7 +1,9 @@
 #include "motus/timing.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -102,9 +104,14 @@ double expm1_over(double x) {
     return x == 0.0 ? 1.0 : std::expm1(x) / x;
 }
 
-/// log(1 + x) / x, 1 at 0.
-double log1p_over(double x) {
-    return x == 0.0 ? 1.0 : std::log1p(x) / x;
+/// Time that a distance takes at a speed which changes evenly along it: the distance over the logarithmic
+/// mean.
+double time_across(double distance, double from_speed, double to_speed) {
+    const double change = (to_speed - from_speed) / from_speed;
+    if (change == 0.0) return distance / from_speed;
+    // Near -1 the change has lost the digits that the ratio still has.
+    const double logarithm = change > -0.5 ? std::log1p(change) : std::log(to_speed / from_speed);
+    return distance / from_speed * (logarithm / change);
 }
 
 /// The last piece that begins at or before `time`; the first one before all.
@@ -168,11 +175,22 @@ double Timing::Exponentials::speed(double time) const {
     return e.speed * std::exp(e.growth * (time - e.time));
 }
 
+Timing::Cubics Timing::checked(Cubics cubics, const char* message) {
+    for (const Cubic& c : cubics.pieces) {
+        // The last two as the derivative has them.
+        const std::array numbers{c.value, c.slope, 2.0 * c.bend, 3.0 * c.twist};
+        require(std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); }),
+                message);
+    }
+    return cubics;
+}
+
 Timing::Timing(Profile profile) : profile_(std::move(profile)) {}
 
 Timing Timing::eased(double duration, double length, double ease_in, double ease_out) {
     require(std::isfinite(duration) && duration > 0.0, "duration must be finite and greater than 0");
-    require(std::isfinite(length), "length must be finite");
+    require(std::isfinite(length) && std::isfinite(length / duration),
+            "length and the speed it asks for must be finite");
     check_ease(ease_in, ease_out);
     return Timing(Eased{duration, length, ease_in, ease_out});
 }
@@ -198,7 +216,7 @@ Timing Timing::pins(std::span<const double> times, std::span<const double> dista
         }
         cubics.pieces.push_back({times[count - 1], distances[count - 1], 0.0, 0.0, 0.0});
     }
-    return Timing(std::move(cubics));
+    return Timing(checked(std::move(cubics), "times and distances must give finite speeds"));
 }
 
 Timing Timing::speeds(std::span<const double> times, std::span<const double> speeds) {
@@ -215,7 +233,7 @@ Timing Timing::speeds(std::span<const double> times, std::span<const double> spe
     cubics.pieces.push_back({times[count - 1], travelled, speeds[count - 1], 0.0, 0.0});
     const double at_zero = cubics.distance(0.0);
     for (Cubic& piece : cubics.pieces) piece.value -= at_zero;
-    return Timing(std::move(cubics));
+    return Timing(checked(std::move(cubics), "times and speeds must give finite distances"));
 }
 
 Timing Timing::speeds_by_distance(std::span<const double> distances, std::span<const double> speeds) {
@@ -229,16 +247,24 @@ Timing Timing::speeds_by_distance(std::span<const double> distances, std::span<c
         const double width = distances[i + 1] - distances[i];
         const double growth = (speeds[i + 1] - speeds[i]) / width;
         pieces.push_back({elapsed, distances[i], speeds[i], growth});
-        elapsed += width / speeds[i] * log1p_over(growth * width / speeds[i]);
+        elapsed += time_across(width, speeds[i], speeds[i + 1]);
     }
     pieces.push_back({elapsed, distances[count - 1], speeds[count - 1], 0.0});
 
-    const auto after = std::upper_bound(distances.begin(), distances.end(), 0.0);
-    const Exponential& home =
-        pieces[static_cast<std::size_t>(after - distances.begin())];  // where distance 0 lies
-    const double reach = -home.start / home.speed;
-    const double time_at_zero = home.time + reach * log1p_over(home.growth * reach);
+    // Where distance 0 lies: between the samples behind - 1 and behind, or outside them all.
+    const auto behind = static_cast<std::size_t>(std::upper_bound(distances.begin(), distances.end(), 0.0) -
+                                                 distances.begin());
+    const Exponential& home = pieces[behind];
+    const bool inside = behind > 0 && behind < count;
+    const double speed_at_zero =
+        inside ? std::lerp(home.speed, speeds[behind], -home.start / (distances[behind] - home.start))
+               : home.speed;
+    const double time_at_zero = home.time + time_across(-home.start, home.speed, speed_at_zero);
     for (Exponential& piece : pieces) piece.time -= time_at_zero;
+    for (const Exponential& piece : pieces) {
+        require(std::isfinite(piece.time) && std::isfinite(piece.growth),
+                "distances and speeds must give finite times");
+    }
     return Timing(Exponentials{std::move(pieces)});
 }
 

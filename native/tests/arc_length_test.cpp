@@ -250,3 +250,30 @@ TEST_CASE("building takes a bounded number of evaluations and intervals", "[arc_
     CHECK(line.evaluation_count() == 17);
     CHECK(line.interval_count() == 1);
 }
+
+TEST_CASE("building is bounded where the speed is mostly rounding", "[arc_length]") {
+    Random random(36);
+    // The control points of a Chebyshev polynomial: the curve is smaller than they are by twelve digits and
+    // more.
+    for (const int degree : {40, 64}) {
+        std::vector<glm::dvec3> points = random.points(static_cast<std::size_t>(degree) + 1);
+        double size = 1.0;  // binomial(2 n, 2 k) / binomial(n, k)
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            points[k] += (k % 2 == 0 ? size : -size) * glm::dvec3(1.0, 0.5, 0.2);
+            const double left = 2.0 * static_cast<double>(degree) - 2.0 * static_cast<double>(k);
+            const double next = static_cast<double>(k) + 1.0;
+            size *= left * (left - 1.0) / (2.0 * next * (2.0 * next - 1.0)) * next / (0.5 * left);
+        }
+        const ArcLength path(Curve::bezier(points));
+        CHECK(path.evaluation_count() <= 20000);
+        CHECK(path.interval_count() <= 20000);
+        CHECK(std::isfinite(path.t_at_length(0.3 * path.length())));
+    }
+    // Lengths whose squares are below the smallest number.
+    for (const double size : {1e-155, 1e-161, 1e-165}) {
+        const ArcLength path(random.bezier(3, size));
+        CHECK(path.evaluation_count() <= 3000);
+        CHECK(path.length() <= 20.0 * size);
+        CHECK(path.t_at_length(0.5 * path.length()) <= 1.0);
+    }
+}

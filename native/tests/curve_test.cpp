@@ -222,3 +222,13 @@ TEST_CASE("what makes no curve is refused", "[curve]") {
     CHECK_THROWS_AS(Curve::chain(0, Points(4), false), std::invalid_argument);
     CHECK_THROWS_AS(Curve::chain(3, Points{}, false), std::invalid_argument);
 }
+
+TEST_CASE("the limit of the curvature holds at any size", "[curve]") {
+    // (t^2, t^4): the parabola y = x^2, which sets out with speed 0.
+    for (const double size : {1e-90, 1.0, 1e90}) {
+        CAPTURE(size);
+        Points points{{0, 0, 0}, {0, 0, 0}, {1.0 / 6.0, 0, 0}, {0.5, 0, 0}, {1, 1, 0}};
+        for (glm::dvec3& p : points) p *= size;
+        CHECK(size * curvature(Curve::bezier(points), 0.0) == Approx(2.0));
+    }
+}

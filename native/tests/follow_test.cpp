@@ -194,3 +194,16 @@ TEST_CASE("follow refuses what has no meaning", "[follow]") {
     CHECK_THROWS_AS(follow(frames, timing, 0.0, offsets, settings, locations, rotations),
                     std::invalid_argument);
 }
+
+TEST_CASE("follow ends at any time, and refuses one at which the distance overflows", "[follow]") {
+    const Frames frames(samples::level_circle(5.0), mode(FrameMode::world_up));
+    FollowSettings settings;
+    settings.extend = Extend::loop;
+    settings.lag_rate = 0.01;
+    for (const double time : {1e13, 1e15, 1e17, 1e18, 1e19, 1e300}) {
+        CAPTURE(time);
+        const Pose pose = follow_one(frames, Timing::constant(1.0), time, 0.0, settings);
+        CHECK(glm::length(pose.rotation) == Approx(1.0));
+    }
+    CHECK_THROWS_AS(follow_one(frames, Timing::constant(1e200), 1e200, 0.0, settings), std::invalid_argument);
+}

@@ -248,3 +248,32 @@ TEST_CASE("tilt rolls the world-up frame, linearly in t, right-handed about the 
     settings.tilt.pop_back();
     CHECK_THROWS_AS(Frames(path, settings), std::invalid_argument);
 }
+
+TEST_CASE("a filter much wider than the path gives the mean of its bend", "[frames]") {
+    const double radius = 5.0;
+    const samples::Path path = samples::level_circle(radius);
+    FrameSettings settings = mode(FrameMode::banking);
+    for (const double smoothing : {1e3, 1e7, 1e12, 1e20, 1e308}) {
+        CAPTURE(smoothing);
+        settings.smoothing = smoothing;
+        const Frames frames(path, settings);
+        for (const double s : {0.0, 3.0, 20.0}) {
+            const double roll = angle_between(up(frames.at(s, speed)), z);
+            CHECK(std::tan(roll) == Approx(speed * speed / radius / settings.gravity).epsilon(1e-5));
+        }
+    }
+}
+
+TEST_CASE("banking at any speed keeps its direction", "[frames]") {
+    FrameSettings settings = mode(FrameMode::banking);
+    for (const double gravity : {9.81, 5e-324, 1e300}) {
+        settings.gravity = gravity;
+        const Frames frames(samples::level_circle(5.0), settings);
+        for (const double fast : {0.0, 1e20, 1e160, 1e308}) {
+            CAPTURE(gravity, fast);
+            const glm::dquat q = frames.at(1.0, fast);
+            CHECK(glm::length(q) == Approx(1.0));
+            CHECK(angle_between(q, frames.at(1.0, -fast)) == 0.0);
+        }
+    }
+}

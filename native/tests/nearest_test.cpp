@@ -71,3 +71,20 @@ TEST_CASE("nearest point of a segment and of a curve without length", "[nearest]
     const Curve dot = Curve::bezier(std::vector<glm::dvec3>(4, {1, 1, 1}));
     CHECK(nearest(dot, {1, 1, 3}).distance == 2.0);
 }
+
+TEST_CASE("the nearest point of a small curve far from the origin is found at once", "[nearest]") {
+    // Its coordinates carry rounding of 1e-10, a ten millionth of its size.
+    Random random(13);
+    const std::vector<glm::dvec3> near_origin = random.points(4, 1e-3);
+    const glm::dvec3 far(1e6);
+    std::vector<glm::dvec3> moved;
+    for (const glm::dvec3& p : near_origin) moved.push_back(p + far);
+    const Curve curve = Curve::bezier(moved);
+    for (int trial = 0; trial < 50; ++trial) {
+        const glm::dvec3 point = random.point(2e-3);
+        const double expected = nearest(Curve::bezier(near_origin), point).distance;
+        CHECK(nearest(curve, far + point).distance == Approx(expected).margin(1e-9));
+    }
+    CHECK_THROWS_AS(nearest(curve, glm::dvec3(1e200)), std::invalid_argument);
+    CHECK_THROWS_AS(nearest(curve, glm::dvec3(0.0, std::nan(""), 0.0)), std::invalid_argument);
+}

@@ -191,3 +191,28 @@ TEST_CASE("speeds by distance hold at the distance they are given for", "[timing
     CHECK(Timing::speeds_by_distance(level, four).distance(0.75) == Approx(3.0));
     CHECK_THROWS_AS(Timing::speeds_by_distance(level, std::vector<double>{1.0, 0.0}), std::invalid_argument);
 }
+
+TEST_CASE("a way that slows down to almost nothing takes the time that it should", "[timing]") {
+    // v = 1 - s down to e: the time to the end is log(1 / e).
+    for (const double end : {1e-6, 1e-12, 1e-17, 1e-100}) {
+        CAPTURE(end);
+        const std::vector<double> distances{0.0, 1.0};
+        const Timing timing = Timing::speeds_by_distance(distances, std::vector<double>{1.0, end});
+        const double arrival = -std::log(end) / (1.0 - end);
+        CHECK(timing.distance(0.0) == 0.0);
+        CHECK(timing.distance(arrival) == Approx(1.0).epsilon(1e-14));
+        CHECK(timing.distance(arrival + 3.0 / end) == Approx(4.0).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("profiles whose numbers overflow are refused", "[timing]") {
+    const std::vector<double> ends{0.0, 1.0};
+    const std::vector<double> close{0.0, 1e-320};
+    const std::vector<double> opposite{-1e308, 1e308};
+    CHECK_THROWS_AS(Timing::pins(close, ends), std::invalid_argument);
+    CHECK_THROWS_AS(Timing::pins(ends, opposite), std::invalid_argument);
+    CHECK_THROWS_AS(Timing::speeds(ends, opposite), std::invalid_argument);
+    CHECK_THROWS_AS(Timing::speeds_by_distance(opposite, std::vector<double>{1.0, 1e-3}),
+                    std::invalid_argument);
+    CHECK_THROWS_AS(Timing::eased(1e-320, 1.0, 0.0, 0.0), std::invalid_argument);
+}

@@ -39,8 +39,9 @@ class Setting:
     def read(self, _value, settings):
         # Not the variable's value: where the owner carries the solver there is none (see wiring.attach).
         value = getattr(settings, self.name)
-        declared = settings.bl_rna.properties[self.name]
-        return declared.enum_items[value].value if declared.type == 'ENUM' else value
+        if isinstance(value, str):
+            return settings.bl_rna.properties[self.name].enum_items[value].value
+        return value
 
 
 @dataclass(frozen=True)
@@ -109,6 +110,7 @@ class System:
     outputs: tuple = ()
     channels: Callable = lambda settings: frozenset({"location", "rotation"})
     members: Callable = lambda owner: [owner]
+    member_data: Optional[Callable] = None
     space: str = 'WORLD'
     overlay: Optional[Callable] = None
     add_menu: tuple = ()
@@ -126,6 +128,7 @@ class Context:
     locations: Any
     rotations: Any
     outputs: Any = field(default_factory=list)
+    member_data: Any = None
 
     @property
     def fps(self):

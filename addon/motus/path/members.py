@@ -7,8 +7,21 @@ def channels(settings):
 
 
 def members(owner):
-    """The owner, then the wagons that exist."""
-    return [owner] + [wagon.object for wagon in owner.motus.path.wagons if wagon.object]
+    """The owner, then the wagons that exist and have no other leader (the copy of a leader lists the first one's)."""
+    return [owner] + [wagon.object for wagon in _wagons(owner)]
+
+
+def offsets(owner):
+    """Distance along the path of each member from the owner's: each is a gap behind the one before it."""
+    import numpy as np
+
+    gaps = [wagon.gap for wagon in _wagons(owner)]
+    return -np.cumsum([0.0, *gaps])
+
+
+def _wagons(owner):
+    return [wagon for wagon in owner.motus.path.wagons
+            if wagon.object and wagon.object.motus.path.leader in {None, owner}]
 
 
 def index_of(leader, wagon):

@@ -1,7 +1,5 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
-import numpy as np
-
 from ..core import curves, native
 from ..core.system import Deformed, Matrix, Problem, Setting, Splines
 from . import motion
@@ -37,7 +35,7 @@ def solve(context, matrix, splines, deformed, **numbers):
     moving = motion.motion(context, numbers, path.curve.length())
     if isinstance(moving, Problem):
         return moving
-    offsets = member_offsets(settings, len(context.locations)) + (numbers["offset"] + moving.offset)
+    offsets = context.member_data + (numbers["offset"] + moving.offset)
     native.module.follow(
         path.curve, moving.timing, moving.time, offsets, locations=context.locations, rotations=context.rotations,
         **follow_options(settings, numbers, path.tilt))
@@ -78,20 +76,6 @@ def mode_options(settings, numbers, tilt):
 def axis_name(identifier):
     """'NEG_Y' as the native module writes it: '-Y'."""
     return identifier.replace("POS_", "").replace("NEG_", "-")
-
-
-def member_offsets(settings, count):
-    """Distance along the path of `count` members (the owner, then its wagons) from the owner's."""
-    offsets = np.zeros(count)
-    wagons = settings.wagons
-    if count > 1:
-        gaps = np.empty(len(wagons), np.float32)
-        wagons.foreach_get("gap", gaps)
-        if len(gaps) != count - 1:
-            # An object was deleted since: its entry is left, and the wiring has passed it over.
-            gaps = gaps[[wagon.object is not None for wagon in wagons]]
-        offsets[1:] = -np.cumsum(gaps, dtype=float)
-    return offsets
 
 
 def _write_outputs(outputs, curve, moving, offset, extend):

@@ -35,8 +35,8 @@ inline constexpr double lag_memory = 120.0;
 ///
 /// With lag the orientation starts on its target at time 0, or lag_memory seconds ago where that is later,
 /// and moves towards it along the shortest arc at the rate stated, in steps of 1/120 s; before time 0 it is
-/// on its target. It is continuous in time. Throws std::invalid_argument where a span's size differs, time or
-/// an offset is not finite, or lag_rate is not >= 0.
+/// on its target. It is continuous in time. Throws std::invalid_argument where a span's size differs, time,
+/// an offset, or the timing's distance or speed at that time is not finite, or lag_rate is not >= 0.
 void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
             const FollowSettings& settings, std::span<glm::dvec3> locations, std::span<glm::dquat> rotations);
 

@@ -29,7 +29,7 @@ struct FrameSettings {
     double gravity = 9.81;  ///< banking: length unit / s^2, > 0
     double strength = 1.0;  ///< banking: k; 1 is the turn an aircraft would fly, < 0 leans outward
     double limit = 3.2;     ///< banking: largest roll away from world up, rad, >= 0; >= pi means none.
-                         ///< Approached smoothly over its last fifth; upside down counts as no roll
+                            ///< Approached smoothly over its last fifth; upside down counts as no roll
     double smoothing =
         0.0;  ///< banking, curvature: width of the symmetric filter along the arc, length unit, >= 0
     std::vector<double> tilt;  ///< tilt: rad, one per point of the curve (segment_count() + 1, or

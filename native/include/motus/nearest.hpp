@@ -14,7 +14,8 @@ struct Nearest {
 
 /// The nearest of all points of the curve, not only a local one: branch and bound over halved segments, then
 /// Newton's method on the foot of the perpendicular. The distance is right to 1e-12 of itself (or 1e-14 of
-/// the segment's size); where several points are as near, one of them.
+/// the segment's size), the rounding of the coordinates apart; where several points are as near, one of them.
+/// Throws std::invalid_argument where a coordinate of the point is not finite or passes coordinate_limit.
 [[nodiscard]] Nearest nearest(const Curve& curve, const glm::dvec3& point);
 
 }  // namespace motus

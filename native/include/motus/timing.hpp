@@ -18,7 +18,8 @@ namespace motus {
 /// Distance as a function of time: seconds from the start, and the curve's unit of length. Value type,
 /// immutable.
 ///
-/// Every factory throws std::invalid_argument where a value is not finite or outside the stated domain.
+/// Every factory throws std::invalid_argument where a value is not finite or outside the stated domain,
+/// or a speed or a time that follows from the values overflows.
 class Timing {
   public:
     /// `length` in `duration` seconds (> 0) with ease; before 0 and after `duration` it rests.
@@ -60,6 +61,8 @@ class Timing {
         [[nodiscard]] double distance(double time) const;
         [[nodiscard]] double speed(double time) const;
     };
+    /// Throws std::invalid_argument where the numbers given were too far apart for the pieces to be finite.
+    [[nodiscard]] static Cubics checked(Cubics cubics, const char* message);
 
     /// ds/dt = speed + growth (s - start) with s = start at `time`.
     struct Exponential {

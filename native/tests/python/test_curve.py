@@ -208,6 +208,7 @@ class Errors(unittest.TestCase):
         self.check(ValueError, "order", curve.derivative, 0.5, 4)
         self.check(ValueError, "order", curve.derivative, 0.5, order=0)
         self.check(ValueError, "t", curve.split, float("nan"))
+        self.check(TypeError, "t", curve.split, "half")
         self.check(ValueError, "times", curve.elevate, -1)
         self.check(ValueError, "times", curve.elevate, 62)
         self.check(ValueError, "matrix", curve.transformed, np.eye(3))

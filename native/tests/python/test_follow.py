@@ -99,6 +99,26 @@ class FollowTest(unittest.TestCase):
         read_only.flags.writeable = False
         with self.assertRaisesRegex(TypeError, "locations"):
             call(locations=read_only)()
+        unaligned = np.frombuffer(bytearray(25), np.float64, 3, offset=1).reshape(1, 3)
+        with self.assertRaisesRegex(TypeError, "locations"):
+            call(locations=unaligned)()
+
+    def test_outputs_that_share_memory_are_refused(self):
+        memory = np.zeros(14)
+        with self.assertRaisesRegex(ValueError, "rotations: must not share memory with locations"):
+            native.follow(
+                self.curve, self.timing, 1.0, [0.0, 1.0], "minimal",
+                locations=memory[:6].reshape(2, 3), rotations=memory[5:13].reshape(2, 4),
+            )
+        with self.assertRaisesRegex(ValueError, "locations: must not share memory with offsets"):
+            native.follow(self.curve, self.timing, 1.0, memory[:2], "minimal", locations=memory[:6].reshape(2, 3))
+        beside = native.follow(
+            self.curve, self.timing, 1.0, [0.0, 1.0], "minimal",
+            locations=memory[:6].reshape(2, 3), rotations=memory[6:].reshape(2, 4),
+        )
+        fresh = native.follow(self.curve, self.timing, 1.0, [0.0, 1.0], "minimal")
+        np.testing.assert_array_equal(beside[0], fresh[0])
+        np.testing.assert_array_equal(beside[1], fresh[1])
 
 
 if __name__ == "__main__":

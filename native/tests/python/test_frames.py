@@ -116,6 +116,11 @@ class PoseTest(unittest.TestCase):
         np.testing.assert_allclose(columns[2][:, 2], np.cos(x) * np.cos(y), atol=1e-12)
         np.testing.assert_allclose(columns[1][:, 2], np.sin(x) * np.cos(y), atol=1e-12)
 
+    def test_quaternions_of_any_length(self):
+        q = np.array([0.5, 0.5, -0.1, 0.2])
+        for size in (1e-300, 1e-200, 1e200, 1e307):
+            np.testing.assert_allclose(native.euler_xyz(size * q), native.euler_xyz(q), atol=1e-14)
+
     def test_euler_out(self):
         out = np.empty((100, 3))
         self.assertIs(native.euler_xyz(self.rotations, out=out), out)

@@ -26,12 +26,15 @@ class EaseTest(unittest.TestCase):
         for arguments, name in (((0.5, 0.6, 0.6), "ease_in"), ((0.5, -0.1, 0.0), "ease_in"), ((0.5, 0.0, 1.1), "ease_out")):
             with self.assertRaisesRegex(ValueError, name):
                 native.ease(*arguments)
-        with self.assertRaisesRegex(ValueError, "u"):
-            native.ease(float("nan"), 0.1, 0.1)
-        with self.assertRaisesRegex(TypeError, "u"):
-            native.ease("half", 0.1, 0.1)
-        with self.assertRaises(ValueError):
-            native.ease(0.5, float("nan"), 0.1)
+        for function in (native.ease, native.ease_derivative):
+            with self.assertRaisesRegex(ValueError, "^u:"):
+                function(float("nan"), 0.1, 0.1)
+            with self.assertRaisesRegex(TypeError, "^u:"):
+                function("half", 0.1, 0.1)
+            with self.assertRaisesRegex(ValueError, "^ease_in:"):
+                function(0.5, float("nan"), 0.1)
+            with self.assertRaisesRegex(TypeError, "^ease_out:"):
+                function(0.5, 0.1, "half")
 
 
 class TimingTest(unittest.TestCase):
@@ -69,6 +72,13 @@ class TimingTest(unittest.TestCase):
         )
         for call, name in cases:
             with self.assertRaisesRegex(ValueError, name):
+                call()
+        for call, name in (
+            (lambda: make.eased("4", 1.0), "duration"),
+            (lambda: make.eased(4.0, None), "length"),
+            (lambda: make.constant([1.0]), "speed"),
+        ):
+            with self.assertRaisesRegex(TypeError, f"^{name}:"):
                 call()
 
 

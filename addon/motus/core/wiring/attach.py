@@ -3,7 +3,7 @@
 import bpy
 
 from .. import capabilities
-from ..system import Setting, input_variables, of_owner
+from ..system import Setting, Variable, input_variables, of_owner
 from . import attribute_sink, drivers, limit_sink, order, outbox
 
 
@@ -19,7 +19,7 @@ def attach(system, owner):
     carrier = owner if own else _make_hub(system, owner, settings)
     uses_attribute = not own and capabilities.has_geometry_attribute_constraint()
     if uses_attribute:
-        attribute_sink.prepare(carrier, len(members))
+        attribute_sink.prepare(carrier, members)
     outbox.create(system, carrier, 0 if uses_attribute else len(members))
     expression, variables = _call(system, owner, with_settings=not own)
     drivers.add(carrier, outbox.out_path(system), f'motus_solve(self,"{system.name}",{expression}', variables,
@@ -28,13 +28,12 @@ def attach(system, owner):
     if own and (settings.use_direct_drivers or _has_driven_settings(owner, settings)):
         expression, variables = _call(system, owner)
         direct = (f'motus_direct(self,"{system.name}",{{slot}},{expression}', variables)
-    source = (owner, _influence_path(system, owner))
     channels = system.channels(settings)
     for index, member in enumerate(members):
         if uses_attribute:
-            attribute_sink.add(system, member, settings.hub, source, index, channels)
+            attribute_sink.add(system, member, settings.hub, index, channels)
         else:
-            limit_sink.add(system, member, carrier, source, index, channels, direct, settings.hub)
+            limit_sink.add(system, member, carrier, index, channels, direct, settings.hub)
         if member.id_data != owner:
             of_owner(system, member.id_data).leader = owner
     touch(system, owner)
@@ -61,11 +60,17 @@ def detach(system, owner):
 
 def refresh(system, owner):
     """Wire again after a change of what is driven or read: targets, members, channels."""
-    if is_attached(system, owner):
-        muted = [constraint.mute for _, constraint in sinks(system, owner)]
-        attach(system, owner)
-        if muted and all(muted):
-            set_muted(system, owner, True)
+    if not is_attached(system, owner):
+        return
+    places = {}
+    for member, constraint in reversed(sinks(system, owner)):
+        places[member] = (_index(member, constraint), constraint.mute)
+    attach(system, owner)
+    for member, constraint in sinks(system, owner):
+        if member in places:
+            index, constraint.mute = places[member]
+            member.constraints.move(_index(member, constraint), index)
+            places[member] = (index + 1, constraint.mute)
 
 
 def is_attached(system, owner):
@@ -77,8 +82,20 @@ def touch(system, owner):
     """Let Blender evaluate the system again after a change of settings from Python."""
     owner.update_tag()
     hub = of_owner(system, owner).hub
-    if hub:
-        hub.data.update_tag()
+    if hub is None or hub.data[outbox.OWNER_KEY] != owner:
+        return
+    hub.data.update_tag()
+    if system.member_data:
+        # Reading a list of settings item by item in every solve would be dear where there are many members.
+        data = [float(value) for value in system.member_data(owner)]
+        if len(data) != len(hub.data.get(outbox.MEMBER_DATA_KEY, data)):
+            refresh(system, owner)  # a member was deleted since
+            return
+        hub.data[outbox.MEMBER_DATA_KEY] = data
+
+
+def _index(member, constraint):
+    return next(index for index, one in enumerate(member.constraints) if one == constraint)
 
 
 def set_muted(system, owner, muted):
@@ -89,14 +106,19 @@ def set_muted(system, owner, muted):
 
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink of the system, found by what their drivers read."""
-    objects = {member.id_data for member in system.members(owner) if member} | {owner}
-    objects.update(_led_by(system, owner))
-    influence = _influence_path(system, owner)
+    carrier = outbox.carrier_of(system, owner)
+    hub = of_owner(system, owner).hub
+    objects = {owner}
+    # The copy of an owner shares its hub, but the members are the first one's.
+    if hub is None or hub.data[outbox.OWNER_KEY] == owner:
+        objects.update(member.id_data for member in system.members(owner) if member)
+        objects.update(_led_by(system, owner))
     found = []
     for candidate in objects:
+        found += [(candidate, c) for c in candidate.constraints if attribute_sink.is_undriven(c, hub)]
         animation = candidate.animation_data
         for curve in animation.drivers if animation else ():
-            if curve.data_path.endswith(".influence") and _is_sink_driver(system, curve.driver, owner, influence):
+            if curve.data_path.endswith(".influence") and _is_sink_driver(system, curve.driver, carrier):
                 constraint = _resolve(candidate, curve.data_path.removesuffix(".influence"))
                 if constraint:
                     found.append((_holder(candidate, curve.data_path), constraint))
@@ -109,16 +131,12 @@ def _led_by(system, owner):
     return [other for other in bpy.data.objects if of_owner(system, other).leader == owner]
 
 
-def _influence_path(system, owner):
-    return f"{of_owner(system, owner).path_from_id()}.influence"
-
-
-def _is_sink_driver(system, driver, owner, influence):
-    targets = [(target.id, target.data_path) for variable in driver.variables for target in variable.targets]
-    if (owner, influence) not in targets:
-        return False
-    is_direct = f'motus_direct(self,"{system.name}"' in driver.expression
-    return is_direct or any(path == outbox.out_path(system, outbox.OK_SLOT) for _, path in targets)
+def _is_sink_driver(system, driver, carrier):
+    if driver.expression.startswith(f'motus_direct(self,"{system.name}",{outbox.WEIGHT},'):
+        return True
+    weight = outbox.out_path(system, outbox.WEIGHT)
+    targets = [target for variable in driver.variables for target in variable.targets]
+    return any(target.id == carrier and target.data_path == weight for target in targets)
 
 
 def _resolve(owner, path):
@@ -171,4 +189,7 @@ def _call(system, owner, with_settings=True):
             continue
         arguments.append(f"v{index}")
         variables[f"v{index}"] = variable
+    if with_settings:
+        # Read by the solver itself; declared so that it comes first.
+        variables["influence"] = Variable('OBJECT', owner, f"{of_owner(system, owner).path_from_id()}.influence")
     return ",".join(arguments) + ")", variables

@@ -14,11 +14,6 @@ def copy_value(owner, path, source):
     _new(owner, path, None, {"v": source}).type = 'SUM'
 
 
-def minimum(owner, path, variables):
-    """Let one property have the least value of others, without Python."""
-    _new(owner, path, None, variables).type = 'MIN'
-
-
 def _new(owner, path, index, variables):
     curve = owner.driver_add(path) if index is None else owner.driver_add(path, index)
     driver = curve.driver

@@ -14,11 +14,11 @@ AXES = "xyz"
 LIMITS = ("min_{}", "max_{}")
 
 
-def add(system, target, carrier, settings_source, member, channels, direct=None, hub=None):
+def add(system, target, carrier, member, channels, direct=None, hub=None):
     """Drive `target` (Object or PoseBone) by slot block `member` of the carrier's outbox.
 
-    settings_source: (object, data path of its influence). direct: (expression prefix, variables) drives the sinks
-    without the outbox (see motus_direct). hub: object of the carrier, where it is one for many members.
+    direct: (expression, variables) drives the sinks without the outbox (see motus_direct). hub: object of the carrier,
+    where it is one for many members.
     """
     base = outbox.pose_base(system, member)
     # Drivers are what many members cost, and Transformation needs half as many; but it loses a negative scale,
@@ -33,7 +33,7 @@ def add(system, target, carrier, settings_source, member, channels, direct=None,
         for axis, letter in enumerate(AXES):
             for path in paths:
                 _drive(constraint, path.format(letter), system, carrier, first + axis, direct)
-        _drive_influence(constraint, system, carrier, settings_source, direct)
+        _drive(constraint, "influence", system, carrier, outbox.WEIGHT, direct)
 
 
 def _mapped(target, system, hub, channel):
@@ -86,13 +86,3 @@ def _drive(constraint, path, system, carrier, index, direct):
     else:
         expression, variables = direct
         drivers.add(constraint, path, expression.format(slot=index), variables, use_self=True)
-
-
-def _drive_influence(constraint, system, carrier, settings_source, direct):
-    influence = Variable('OBJECT', *settings_source)
-    if direct is None:
-        drivers.minimum(constraint, "influence", {"ok": _slot(system, carrier, outbox.OK_SLOT), "i": influence})
-    else:
-        expression, variables = direct
-        call = expression.format(slot=outbox.OK_SLOT)
-        drivers.add(constraint, "influence", f"i*{call}", variables | {"i": influence}, use_self=True)

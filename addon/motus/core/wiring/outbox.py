@@ -1,21 +1,23 @@
 """The outbox: one float array property of a solver's carrier that holds all it computed.
 
-    [status, ok, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ...]
+    [status, weight, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ...]
 
 The solver driver sits on the first slot, status: to Blender's dependency graph the array is one property, so whoever
 reads any slot of it waits for the solver. status is 0 or the index + 1 of the system's problem (INTERNAL for an error of
-our own); ok is 1 where the sinks may act. On the original ok stays zero for ever: without the add-on, or before the first
-evaluation, nothing acts.
+our own, SILENT before the first evaluation); weight is the influence of the sinks, and 0 where they may not act. On the
+original it stays zero for ever: without the add-on nothing acts.
 """
 
 from ..system import Problem, of_owner
 
-STATUS, OK_SLOT, FIRST_OUTPUT = 0, 1, 2
+STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
 POSE_SIZE = 6
 
 OWNER_KEY = "motus_owner"
 """Custom property of a hub's mesh: the object whose settings it computes."""
-INTERNAL = -1
+MEMBER_DATA_KEY = "motus_member_data"
+"""Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
+INTERNAL, SILENT = -1, -2
 
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
@@ -39,7 +41,7 @@ def pose_base(system, member):
 
 def create(system, carrier, members):
     """Give `carrier` an empty outbox for so many members."""
-    carrier[out_key(system)] = [0.0] * pose_base(system, members)
+    carrier[out_key(system)] = [float(SILENT)] + [0.0] * (pose_base(system, members) - 1)
 
 
 def remove(system, carrier):
@@ -71,8 +73,6 @@ def problem(system, owner, depsgraph):
     if out is None:
         return None
     code = int(out[STATUS])
-    if code == INTERNAL:
-        return _INTERNAL_PROBLEM
-    if code == 0:
-        return None if out[OK_SLOT] else _SILENT_PROBLEM
-    return system.problems[code - 1]
+    if code < 0:
+        return _INTERNAL_PROBLEM if code == INTERNAL else _SILENT_PROBLEM
+    return system.problems[code - 1] if code else None

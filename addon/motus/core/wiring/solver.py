@@ -9,7 +9,7 @@ from bpy.app.handlers import persistent
 from .. import native
 from ..system import Context, of_owner, registered
 from . import outbox
-from .attribute_sink import ATTRIBUTE, write_transforms
+from .attribute_sink import ATTRIBUTE, store_own_poses, write
 
 log = logging.getLogger(__name__)
 
@@ -43,7 +43,7 @@ def _solve(system, carrier, out, frame, depsgraph, values):
     import numpy as np
 
     if native.module is None:
-        out[outbox.OK_SLOT] = 0.0
+        out[outbox.WEIGHT] = 0.0
         return
     owner = carrier.get(outbox.OWNER_KEY) or carrier
     base = outbox.pose_base(system, 0)
@@ -54,27 +54,35 @@ def _solve(system, carrier, out, frame, depsgraph, values):
     context = Context(
         settings=settings, owner=owner, frame=frame, depsgraph=depsgraph,
         locations=np.zeros((count, 3)), rotations=np.zeros((count, 4)),
-        outputs=box[outbox.FIRST_OUTPUT:base])
+        outputs=box[outbox.FIRST_OUTPUT:base], member_data=_member_data(system, carrier, owner))
     context.rotations[:, 0] = 1.0
     inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
-    ok = problem is None or not problem.blocking
-    box[outbox.OK_SLOT] = float(ok)
-    if not ok:
-        return
+    weight = 0.0 if problem is not None and problem.blocking else settings.influence
+    box[outbox.WEIGHT] = weight
     if has_attribute:
-        write_transforms(carrier, context.locations, context.rotations)
-    else:
+        write(carrier, lambda: system.members(owner), context.locations, context.rotations, weight)
+    elif weight > 0.0:
         poses = box[base:].reshape(count, outbox.POSE_SIZE)
         poses[:, :3] = context.locations
         poses[:, 3:] = native.module.euler_xyz(context.rotations)
 
 
+def _member_data(system, carrier, owner):
+    import numpy as np
+
+    if system.member_data is None:
+        return None
+    if carrier == owner:
+        return system.member_data(owner)
+    return np.frombuffer(memoryview(carrier[outbox.MEMBER_DATA_KEY]))
+
+
 def _fail(carrier, name):
     out = carrier.get(outbox.out_key(registered[name])) if name in registered else None
     if out is not None:
-        out[outbox.OK_SLOT] = 0.0
+        out[outbox.WEIGHT] = 0.0
     return float(outbox.INTERNAL)
 
 
@@ -91,10 +99,12 @@ def register():
     """Make the driver functions known, now and after every file load."""
     _fill_namespace()
     bpy.app.handlers.load_post.append(_fill_namespace)
+    bpy.app.handlers.save_pre.append(store_own_poses)
 
 
 def unregister():
     """Take the driver functions back."""
+    bpy.app.handlers.save_pre.remove(store_own_poses)
     bpy.app.handlers.load_post.remove(_fill_namespace)
     for name in _FUNCTIONS:
         bpy.app.driver_namespace.pop(name, None)
