@@ -109,12 +109,12 @@ class Presets(PathTestCase):
         car = self.follow(timing='SPEED', speed=9.0, orientation='BANKING', start_frame=33.0)
         bpy.context.view_layer.objects.active = car
         name = f"test{os.getpid()}"
-        self.assertEqual(bpy.ops.motus.path_preset_add(name=name), {'FINISHED'})
-        kept, = [path for folder in bpy.utils.preset_paths("motus/path") for path in Path(folder).glob(f"{name}.py")]
-        self.addCleanup(kept.unlink)
         # Blender writes the preset's name over the panel's label.
         panel = bpy.types.MOTUS_PT_path_presets
         self.addCleanup(setattr, panel, "bl_label", panel.bl_label)
+        self.assertEqual(bpy.ops.motus.path_preset_add(name=name), {'FINISHED'})
+        kept, = [path for folder in bpy.utils.preset_paths("motus/path") for path in Path(folder).glob(f"{name}.py")]
+        self.addCleanup(kept.unlink)
         self.follow(timing='DURATION', speed=1.0, orientation='NONE', start_frame=2.0)
         bpy.ops.script.execute_preset(filepath=str(kept), menu_idname="MOTUS_PT_path_presets")
         settings = car.motus.path

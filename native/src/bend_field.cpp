@@ -14,8 +14,9 @@ namespace {
 constexpr double ramp_share =
     0.1;  // of a stretch: the ramp at each end that leads over a jump of the curvature
 constexpr double shortest_cell =
-    1e-6;                       // of the length: what curves more tightly than the cells above it, is a cusp
-constexpr double widest = 1e9;  // of the length: any wider filter gives the mean, to its last digit but one
+    1e-6;  // of the length: what curves more tightly than the cells above it, is a cusp
+constexpr double narrowest = 1e-12;  // of the length: what a filter is at the least, far below a cell's width
+constexpr double widest = 1e9;    // of the length: any wider filter gives the mean, to its last digit but one
 constexpr double headroom = 2.0;  // of the curvature over the mean of the cell it lies in
 
 /// Angle by which the tangent turns from one place to the next, towards where, in the frame of the first.
@@ -130,7 +131,7 @@ BendField::Memory BendField::steady(const Memory& after_lap, Across lap_turn, do
 }
 
 void BendField::filter(double smoothing) {
-    width_ = std::min(smoothing, widest * frames_->length());
+    width_ = std::clamp(smoothing, narrowest * frames_->length(), widest * frames_->length());
     const auto stations = frames_->stations();
     const std::size_t last = stations.size() - 1;
     const auto run_forth = [&](Memory memory) {

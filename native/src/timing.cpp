@@ -157,7 +157,7 @@ double Timing::Cubics::distance(double time) const {
 double Timing::Cubics::speed(double time) const {
     const Cubic& c = at(time);
     const double h = time - c.time;
-    return c.slope + h * (2.0 * c.bend + h * 3.0 * c.twist);
+    return c.slope + h * (2.0 * c.bend + h * (3.0 * c.twist));
 }
 
 const Timing::Exponential& Timing::Exponentials::at(double time) const {

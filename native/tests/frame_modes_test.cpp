@@ -264,6 +264,18 @@ TEST_CASE("a filter much wider than the path gives the mean of its bend", "[fram
     }
 }
 
+TEST_CASE("a filter of next to no width changes nothing", "[frames]") {
+    const samples::Path path = samples::level_circle(5.0);
+    FrameSettings settings = mode(FrameMode::banking);
+    const Frames plain(path, settings);
+    for (const double smoothing : {1e-9, 1e-100, 5e-324}) {
+        settings.smoothing = smoothing;
+        const Frames frames(path, settings);
+        for (const double s : {0.0, 3.0, 20.0})
+            CHECK(angle_between(frames.at(s, speed), plain.at(s, speed)) < 1e-3);
+    }
+}
+
 TEST_CASE("banking at any speed keeps its direction", "[frames]") {
     FrameSettings settings = mode(FrameMode::banking);
     for (const double gravity : {9.81, 5e-324, 1e300}) {

@@ -19,6 +19,8 @@ _INTERFACE = {
         "Calcular en cada controlador por separado en vez de una sola vez: más lento, pero sin buzón de salida",
     "Copy the message to the clipboard": "Copiar el mensaje al portapapeles",
     "Select an object": "Selecciona un objeto",
+    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale":
+        "Reflejado por una escala negativa, que las restricciones de rotación no conservan: aplica la escala",
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
     "Not evaluated: the add-on's driver functions are not available in this file yet":
         "Sin evaluar: las funciones de los controladores del complemento aún no están disponibles en este archivo",

@@ -4,11 +4,12 @@ The only module that knows how results reach Blender. A system never looks insid
 detached here. See docs/architecture.md for the way of the data and docs/gotchas.md for why it is this way.
 """
 
-from .attach import attach, detach, is_attached, refresh, set_muted, sinks, touch
+from .attaching import attach, detach, is_attached, refresh, touch
 from .outbox import output, output_path, problem
+from .sinks import has_sinks, release, set_muted, sinks
 from .solver import register, unregister
 
 __all__ = (
-    "attach", "detach", "is_attached", "output", "output_path", "problem", "refresh", "register",
+    "attach", "detach", "has_sinks", "is_attached", "output", "output_path", "problem", "refresh", "register", "release",
     "set_muted", "sinks", "touch", "unregister",
 )

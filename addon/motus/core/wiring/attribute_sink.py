@@ -48,10 +48,12 @@ def add(system, target, hub, member, channels):
         drivers.copy_value(constraint, "influence", weight)
 
 
-def is_undriven(constraint, hub):
+def is_undriven(system, constraint):
     """Whether this is the sink of a member that stands still; the others' are known by their drivers."""
-    return (hub is not None and constraint.type == 'GEOMETRY_ATTRIBUTE' and constraint.target == hub
-            and bool(hub.data[STILL_KEY][constraint.sample_index]))
+    if constraint.type != 'GEOMETRY_ATTRIBUTE' or constraint.target is None:
+        return False
+    mesh = constraint.target.data
+    return outbox.out_key(system) in mesh and bool(mesh[STILL_KEY][constraint.sample_index])
 
 
 def write(mesh, members, locations, rotations, weight):

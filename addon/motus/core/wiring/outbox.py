@@ -20,6 +20,8 @@ MEMBER_DATA_KEY = "motus_member_data"
 INTERNAL, SILENT = -1, -2
 
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
+_MIRRORED_PROBLEM = Problem(
+    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale", blocking=False)
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
 
 
@@ -56,6 +58,12 @@ def carrier_of(system, owner):
     return hub.data if hub else owner
 
 
+def owns_hub(system, owner):
+    """Whether the owner has a hub of its own; a copy shares the hub of the object it was copied from."""
+    hub = of_owner(system, owner).hub
+    return hub is not None and hub.data.get(OWNER_KEY) == owner
+
+
 def output_path(system, name):
     """Data path, on the carrier, of an output for users' own drivers."""
     return out_path(system, FIRST_OUTPUT + system.outputs.index(name))
@@ -75,4 +83,7 @@ def problem(system, owner, depsgraph):
     code = int(out[STATUS])
     if code < 0:
         return _INTERNAL_PROBLEM if code == INTERNAL else _SILENT_PROBLEM
-    return system.problems[code - 1] if code else None
+    if code:
+        return system.problems[code - 1]
+    turns = "rotation" in system.channels(of_owner(system, owner))
+    return _MIRRORED_PROBLEM if turns and owner.matrix_basis.is_negative else None

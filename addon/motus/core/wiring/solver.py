@@ -8,7 +8,7 @@ from bpy.app.handlers import persistent
 
 from .. import native
 from ..system import Context, of_owner, registered
-from . import outbox
+from . import healing, outbox
 from .attribute_sink import ATTRIBUTE, store_own_poses, write
 
 log = logging.getLogger(__name__)
@@ -17,8 +17,11 @@ log = logging.getLogger(__name__)
 def motus_solve(self, name, frame, depsgraph, *values):
     """Solve one system into the outbox of the evaluated carrier `self`. Never raises. Returns the first slot, status."""
     try:
-        out = self[outbox.out_key(registered[name])]
-        _solve(registered[name], self, memoryview(out), frame, depsgraph, values)
+        system = registered[name]
+        out = self[outbox.out_key(system)]
+        _solve(system, self, memoryview(out), frame, depsgraph, values)
+        if isinstance(self, bpy.types.Object):
+            healing.check(system, self)
     except Exception:
         # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
         log.exception("Motus: %s could not be computed on %s", name, self.name)
@@ -45,9 +48,13 @@ def _solve(system, carrier, out, frame, depsgraph, values):
     if native.module is None:
         out[outbox.WEIGHT] = 0.0
         return
-    owner = carrier.get(outbox.OWNER_KEY) or carrier
+    is_hub = isinstance(carrier, bpy.types.Mesh)
+    owner = carrier.get(outbox.OWNER_KEY) if is_hub else carrier
+    if owner is None:  # the owner of a hub was removed from the file
+        out[outbox.WEIGHT] = 0.0
+        return
     base = outbox.pose_base(system, 0)
-    has_attribute = isinstance(carrier, bpy.types.Mesh) and ATTRIBUTE in carrier.attributes
+    has_attribute = is_hub and ATTRIBUTE in carrier.attributes
     count = len(carrier.vertices) if has_attribute else (len(out) - base) // outbox.POSE_SIZE
     box = np.frombuffer(out)
     settings = of_owner(system, owner)
@@ -100,10 +107,12 @@ def register():
     _fill_namespace()
     bpy.app.handlers.load_post.append(_fill_namespace)
     bpy.app.handlers.save_pre.append(store_own_poses)
+    healing.register()
 
 
 def unregister():
     """Take the driver functions back."""
+    healing.unregister()
     bpy.app.handlers.save_pre.remove(store_own_poses)
     bpy.app.handlers.load_post.remove(_fill_namespace)
     for name in _FUNCTIONS:

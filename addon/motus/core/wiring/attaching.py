@@ -4,7 +4,8 @@ import bpy
 
 from .. import capabilities
 from ..system import Setting, Variable, input_variables, of_owner
-from . import attribute_sink, drivers, limit_sink, order, outbox
+from . import attribute_sink, drivers, healing, limit_sink, order, outbox
+from .sinks import led_by, remove, sinks
 
 
 def attach(system, owner):
@@ -25,7 +26,7 @@ def attach(system, owner):
     drivers.add(carrier, outbox.out_path(system), f'motus_solve(self,"{system.name}",{expression}', variables,
                 index=outbox.STATUS, use_self=True)
     direct = None
-    if own and (settings.use_direct_drivers or _has_driven_settings(owner, settings)):
+    if own and (settings.use_direct_drivers or healing.has_driven_settings(owner, settings)):
         expression, variables = _call(system, owner)
         direct = (f'motus_direct(self,"{system.name}",{{slot}},{expression}', variables)
     channels = system.channels(settings)
@@ -43,13 +44,12 @@ def detach(system, owner):
     """Remove everything attach() made; the owner's and members' own transforms, keys and constraints stay."""
     settings = of_owner(system, owner)
     for member, constraint in sinks(system, owner):
-        _remove_sink(member, constraint)
-    for other in _led_by(system, owner):
+        remove(member, constraint)
+    for other in led_by(system, owner):
         of_owner(system, other).leader = None
-    if settings.hub:
-        hub, settings.hub = settings.hub, None
-        if hub.data.get(outbox.OWNER_KEY) == owner:
-            bpy.data.meshes.remove(hub.data)
+    if outbox.owns_hub(system, owner):
+        bpy.data.meshes.remove(settings.hub.data)
+    settings.hub = None
     drivers.remove_under(owner, outbox.out_path(system))
     outbox.remove(system, owner)
     order.release(settings)
@@ -62,15 +62,14 @@ def refresh(system, owner):
     """Wire again after a change of what is driven or read: targets, members, channels."""
     if not is_attached(system, owner):
         return
-    places = {}
-    for member, constraint in reversed(sinks(system, owner)):
-        places[member] = (_index(member, constraint), constraint.mute)
+    before = _stacks(system, owner)
     attach(system, owner)
-    for member, constraint in sinks(system, owner):
-        if member in places:
-            index, constraint.mute = places[member]
-            member.constraints.move(_index(member, constraint), index)
-            places[member] = (index + 1, constraint.mute)
+    for member, places in _stacks(system, owner).items():
+        old = before.get(member)
+        for offset, (index, _) in enumerate(places if old else ()):
+            constraint = member.constraints[index]
+            constraint.mute = old[min(offset, len(old) - 1)][1]
+            member.constraints.move(index, old[0][0] + offset)
 
 
 def is_attached(system, owner):
@@ -82,7 +81,10 @@ def touch(system, owner):
     """Let Blender evaluate the system again after a change of settings from Python."""
     owner.update_tag()
     hub = of_owner(system, owner).hub
-    if hub is None or hub.data[outbox.OWNER_KEY] != owner:
+    if hub is None:
+        return
+    if not outbox.owns_hub(system, owner):
+        refresh(system, owner)  # a copy, which was driven along with the first one until now
         return
     hub.data.update_tag()
     if system.member_data:
@@ -94,70 +96,13 @@ def touch(system, owner):
         hub.data[outbox.MEMBER_DATA_KEY] = data
 
 
-def _index(member, constraint):
-    return next(index for index, one in enumerate(member.constraints) if one == constraint)
-
-
-def set_muted(system, owner, muted):
-    """Switch the sinks off or on, leaving all else in place."""
-    for _, constraint in sinks(system, owner):
-        constraint.mute = muted
-
-
-def sinks(system, owner):
-    """(Object or PoseBone, constraint) of every sink of the system, found by what their drivers read."""
-    carrier = outbox.carrier_of(system, owner)
-    hub = of_owner(system, owner).hub
-    objects = {owner}
-    # The copy of an owner shares its hub, but the members are the first one's.
-    if hub is None or hub.data[outbox.OWNER_KEY] == owner:
-        objects.update(member.id_data for member in system.members(owner) if member)
-        objects.update(_led_by(system, owner))
-    found = []
-    for candidate in objects:
-        found += [(candidate, c) for c in candidate.constraints if attribute_sink.is_undriven(c, hub)]
-        animation = candidate.animation_data
-        for curve in animation.drivers if animation else ():
-            if curve.data_path.endswith(".influence") and _is_sink_driver(system, curve.driver, carrier):
-                constraint = _resolve(candidate, curve.data_path.removesuffix(".influence"))
-                if constraint:
-                    found.append((_holder(candidate, curve.data_path), constraint))
-    return found
-
-
-def _led_by(system, owner):
-    if of_owner(system, owner).hub is None:
-        return []
-    return [other for other in bpy.data.objects if of_owner(system, other).leader == owner]
-
-
-def _is_sink_driver(system, driver, carrier):
-    if driver.expression.startswith(f'motus_direct(self,"{system.name}",{outbox.WEIGHT},'):
-        return True
-    weight = outbox.out_path(system, outbox.WEIGHT)
-    targets = [target for variable in driver.variables for target in variable.targets]
-    return any(target.id == carrier and target.data_path == weight for target in targets)
-
-
-def _resolve(owner, path):
-    try:
-        return owner.path_resolve(path)
-    except ValueError:
-        return None
-
-
-def _holder(owner, path):
-    """The Object or PoseBone whose constraint a driver path names."""
-    bone, separator, _ = path.rpartition(".constraints[")
-    return owner.path_resolve(bone) if separator else owner
-
-
-def _remove_sink(member, constraint):
-    owner = member.id_data
-    drivers.remove_under(owner, constraint.path_from_id() + ".")
-    member.constraints.remove(constraint)
-    drivers.drop_empty_animation(owner)
-    owner.update_tag()
+def _stacks(system, owner):
+    """For each driven Object or PoseBone, (place in its constraint stack, whether muted) of its sinks, in their order."""
+    ours = {}
+    for member, constraint in sinks(system, owner):
+        ours.setdefault(member, []).append(constraint.name)
+    return {member: [(index, constraint.mute) for index, constraint in enumerate(member.constraints)
+                     if constraint.name in names] for member, names in ours.items()}
 
 
 def _make_hub(system, owner, settings):
@@ -167,11 +112,6 @@ def _make_hub(system, owner, settings):
     mesh[outbox.OWNER_KEY] = owner
     settings.hub = hub
     return mesh
-
-
-def _has_driven_settings(owner, settings):
-    prefix = settings.path_from_id() + "."
-    return any(curve.data_path.startswith(prefix) for curve in owner.animation_data.drivers)
 
 
 def _call(system, owner, with_settings=True):
