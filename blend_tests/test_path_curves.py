@@ -4,6 +4,7 @@ import math
 
 import bpy
 import numpy as np
+import support
 from mathutils import Matrix
 from path_cases import (
     CLIMB, PathTestCase, add_bezier, add_points, bernstein, circle_knots, cubic_knots, curve_data, dense, dense_knots,
@@ -112,8 +113,13 @@ class Refusals(PathTestCase):
         self.assertSentence("order above 6")
 
     def test_no_splines(self):
-        self.link("Course", curve_data())
-        self.assertSentence("no splines")
+        data = self.cubic().data
+        car = self.follow()
+        data.splines.clear()
+        self.assertIn("no splines", self.sentence(car, 2))
+        self.link("Other")
+        self.assertRefused("no splines", bpy.ops.motus.path_follow_add, object="Other", curve="Course")
+        self.assertFalse(bpy.data.objects["Other"].motus.path.is_active)
 
     def test_one_point(self):
         self.points('POLY', [(1, 2, 3)])
@@ -121,9 +127,14 @@ class Refusals(PathTestCase):
 
     def test_index_beyond_the_last(self):
         self.cubic()
-        car = self.assertSentence("no spline of this index", spline=1)
+        car = self.follow()
+        car.motus.path.spline = 1
+        self.assertIn("no spline of this index", self.sentence(car))
         car.motus.path.spline = 0
         self.assertIsNone(self.sentence(car))
+        add = bpy.ops.motus.path_follow_add
+        self.assertRefused("no spline of this index", add, object="Car", curve="Course", spline=1, speed=2.0)
+        self.assertEqual((car.motus.path.spline, car.motus.path.speed), (0, 5.0))
 
     def test_too_many_control_points(self):
         self.points('POLY', [(i, 0, 0) for i in range(66)]).data["motus_bezier"] = True
@@ -137,6 +148,46 @@ class Refusals(PathTestCase):
         self.assertIn("in no collection", self.sentence(car, 11))
         self.scene.collection.objects.link(curve)
         self.assertIsNone(self.sentence(car, 12))
+
+    def test_curve_that_came_along_with_an_appended_follower(self):
+        self.line(10.0, "Brought Along")
+        self.follow("Brought Car", "Brought Along", timing='MANUAL', distance_factor=0.5)
+        library = str(self.folder / "library.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=library, copy=True)
+        code = (
+            "import bpy, path_cases\n"
+            "case = path_cases.PathTestCase()\n"
+            "case.setUp()\n"
+            f"with bpy.data.libraries.load({library!r}) as (_, chosen):\n"
+            "    chosen.objects = ['Brought Car']\n"
+            "car, = chosen.objects\n"
+            "case.scene.collection.objects.link(car)\n"
+            "assert not car.motus.path.curve.users_collection\n"
+            "assert case.sentence(car) is None, case.sentence(car)\n"
+            "assert abs(case.place(car)[0] - 5.0) < 1e-5, case.place(car)\n"
+            "curve = car.motus.path.curve\n"
+            "case.scene.collection.objects.link(curve)\n"
+            "case.at(car, 2)\n"
+            "case.scene.collection.objects.unlink(curve)\n"
+            "assert 'no collection' in case.sentence(car, 3)\n")
+        status, output = support.run_blender(code)
+        self.assertEqual(status, 0, output)
+
+    def test_deleted_and_undone(self):
+        curve = self.line(10.0, "Undone Curve")
+        car = self.follow("Car", "Undone Curve", timing='MANUAL', distance_factor=0.5)
+        self.at(car)
+        bpy.ops.ed.undo_push(message="before")
+        with bpy.context.temp_override(selected_objects=[curve]):
+            bpy.ops.object.delete()
+        bpy.ops.ed.undo_push(message="deleted")
+        car = bpy.data.objects["Car"]
+        self.assertIn("in no collection", self.sentence(car, 11))
+        bpy.ops.ed.undo()
+        self.scene = bpy.context.scene
+        car = bpy.data.objects["Car"]
+        self.assertIsNone(self.sentence(car, 12))
+        self.assertPlace(car, np.array((5.0, 0.0, 0.0)))
 
     def test_curve_removed_from_the_file(self):
         curve = self.cubic()

@@ -69,8 +69,11 @@ class Duration(Straight):
         self.assertDistance(car, LENGTH * eased(0.5, 0.9, 0.1), 49)
 
     def test_sum_of_given_eases_is_limited(self):
-        settings = self.follow(ease_in=0.8, ease_out=0.7).motus.path
-        self.assertLessEqual(settings.ease_in + settings.ease_out, 1.0 + 1e-6)
+        settings = self.follow(ease_in=0.7, ease_out=0.3).motus.path
+        for given in ({"ease_in": 0.8, "ease_out": 0.7}, {"ease_out": 0.7, "ease_in": 0.8}):
+            self.assertRefused("more than 1", bpy.ops.motus.path_follow_add, object="Car", curve="Course", **given)
+        self.assertAlmostEqual(settings.ease_in, 0.7, places=6)
+        self.assertAlmostEqual(settings.ease_out, 0.3, places=6)
 
     def test_offset(self):
         car = self.follow(duration=4.0, offset=1.5)
@@ -187,7 +190,23 @@ class Pins(Straight):
 
     def test_problems_are_said(self):
         self.assertIn("Add a pin", self.sentence(self.pinned([])))
-        self.assertIn("same frame", self.sentence(self.pinned([(5, 0.1), (5, 0.9)])))
+
+    def test_of_two_on_one_frame_the_later_entry_counts(self):
+        car = self.pinned([(5, 0.1), (15, 0.5), (5, 0.9)])
+        self.assertIn("same frame", self.sentence(car, 5))
+        self.assertDistance(car, 9.0, 5)
+        self.assertDistance(car, 5.0, 15)
+        car.motus.path.pins[2].frame = 25
+        self.assertIsNone(self.sentence(car, 5))
+        self.assertDistance(car, 1.0, 5)
+
+    def test_adding_on_a_frame_replaces_its_pins(self):
+        car = self.pinned([(5, 0.1), (15, 0.5), (5, 0.9)])
+        bpy.ops.motus.path_pin_add(object="Car", frame=5.0, fraction=0.3)
+        settings = car.motus.path
+        self.assertEqual([(pin.frame, round(pin.fraction, 6)) for pin in settings.pins], [(15.0, 0.5), (5.0, 0.3)])
+        self.assertEqual(settings.active_pin, 1)
+        self.assertDistance(car, 3.0, 5)
 
     def test_operators(self):
         car = self.follow(duration=4.0)

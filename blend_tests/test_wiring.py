@@ -250,3 +250,16 @@ class CostTest(WiringTestCase):
             count = len(follower.animation_data.drivers) if follower.animation_data else 0
             still = follower != moving
             self.assertEqual(count, (0 if still else 1) if uses_attribute else 8)
+
+
+class ExactTest(WiringTestCase):
+    def test_tiny_values_are_not_rounded_to_nothing(self):
+        for radius in (9e-5, 3e-6, 0.5):
+            support.empty_scene()
+            target = toy_system.new_object("Target")
+            owner, things = build_object(target, radius=radius)
+            frame_set(1)
+            location, _ = toy_system.expected(owner, 0)
+            actual = toy_system.world_matrix(things[0]).translation
+            for one, wanted in zip(actual, location):
+                self.assertAlmostEqual(one, wanted, delta=1e-6 * radius)

@@ -6,12 +6,13 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 
-import operator_page  # noqa: E402  (found by the line above)
+import flight_picture  # noqa: E402  (found by the line above)
+import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
 import support  # noqa: E402
 
 support.enable()
 (HERE / "operators.md").write_text(operator_page.text(), encoding="utf-8")
 print("docs/operators.md")
-for picture in path_pictures.render_all(HERE / "pictures"):
+for picture in [*path_pictures.render_all(HERE / "pictures"), flight_picture.render(HERE / "pictures")]:
     print(f"docs/pictures/{picture.name}")

@@ -140,14 +140,14 @@ def errors(found, exact, length):
 
 
 def native_positions(points):
-    from addon import native
     curve = support.addon("core.native").module.Bezier(np.array(points, float))
     return curve.position_at_length(FRACTIONS * curve.length())
 
 
 def report_exactness():
-    print("\nExactness at 101 equal distances (position: of the length; step: deviation from the exact step)")
-    print(f"{'curve':14} {'what':34} {'position':>10} {'step':>10} {'ratio':>12}")
+    print("|\n| Exactness at 101 equal distances: position error / length, step error / step, both largest; "
+          "times better than Blender's default")
+    print(f"| {'curve':14} {'what':35} {'position':>10} {'step':>10} {'better':>10}")
     for name, points in CURVES.items():
         exact, length = truth.positions_at_fractions(points, FRACTIONS)
         rows = {
@@ -159,11 +159,11 @@ def report_exactness():
         reference = errors(rows["Blender Follow Path, resolution 12"], exact, length)[0]
         for what, found in rows.items():
             position_error, step_error = errors(found, exact, length)
-            print(f"{name:14} {what:34} {position_error:10.1e} {step_error:10.1e} "
-                  f"{reference / max(position_error, 1e-17):11.3g}x")
+            print(f"| {name:14} {what:35} {position_error:10.1e} {step_error:10.1e} "
+                  f"{reference / max(position_error, 1e-17):9.2g}x")
         largest = np.abs(exact).max()
         off = np.abs(rows["Motus on the object (float32)"] - exact).max() / largest
-        print(f"{name:14} {'Motus on the object':34} {off:10.1e} of the largest coordinate")
+        print(f"| {name:14} {'Motus on the object':35} {off:10.1e} of the largest coordinate")
 
 
 def report_frame_time():
@@ -173,9 +173,9 @@ def report_frame_time():
         f"Motus train x {FOLLOWERS}, banking": motus_frame_time(),
     }
     reference = next(iter(rows.values()))
-    print(f"\nFrame time, {FOLLOWERS} followers on one curve, Blender {bpy.app.version_string}")
+    print(f"| Frame time, {FOLLOWERS} followers on one curve, Blender {bpy.app.version_string}")
     for what, value in rows.items():
-        print(f"{what:52} {value:8.2f} ms {value / reference:7.2f}x")
+        print(f"| {what:52} {value:8.2f} ms {value / reference:7.2f}x")
 
 
 if __name__ == "__main__":

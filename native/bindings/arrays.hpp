@@ -206,16 +206,4 @@ template <class Function>
     return result;
 }
 
-/// The value that a name stands for; ValueError with the list of names where there is none.
-template <class Value>
-[[nodiscard]] Value choice(std::string_view given, std::string_view name,
-                           std::initializer_list<std::pair<std::string_view, Value>> choices) {
-    std::string list;
-    for (const auto& [text, value] : choices) {
-        if (text == given) return value;
-        list += (list.empty() ? "'" : ", '") + std::string(text) + "'";
-    }
-    value_error(name, "must be one of " + list + ", not '" + std::string(given) + "'");
-}
-
 }  // namespace motus::bindings

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "areas.hpp"
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "motus/bezier.hpp"
 #include "motus/bspline.hpp"
@@ -96,10 +97,37 @@ class PolyLine : public BoundCurve {
     return py::make_tuple(t_out[0], to_array(positions_out[0]), distances_out[0]);
 }
 
+void bind_bends(py::class_<BoundCurve>& curve) {
+    curve.def(
+        "curvature",
+        [](const BoundCurve& self, const py::object& t, const py::object& extend) {
+            const Extend how = extend_option(extend);
+            return map_numbers(Numbers(t, "t"), 2.0 * evaluation_cost(self),
+                               [&](double at) { return curvature(self.curve(), at, how); });
+        },
+        "t"_a, "extend"_a = "clamp", R"(
+Curvature |C' x C''| / |C'|^3 at t (a number or (m,)), 1 / unit of length: a float or (m,).
+
+Where C' vanishes the limit: infinity at a cusp, 0 on a straight stretch.  extend: what a t outside means, as in
+position(); 0 where it goes straight on.  Raises as position().)");
+    curve.def(
+        "torsion",
+        [](const BoundCurve& self, const py::object& t, const py::object& extend) {
+            const Extend how = extend_option(extend);
+            return map_numbers(Numbers(t, "t"), 2.0 * evaluation_cost(self),
+                               [&](double at) { return torsion(self.curve(), at, how); });
+        },
+        "t"_a, "extend"_a = "clamp", R"(
+Torsion (C' x C'') . C''' / |C' x C''|^2 at t (a number or (m,)), 1 / unit of length: a float or (m,).
+
+Positive where the curve turns as a right-handed screw, forth and back; 0 where the curvature is 0 or infinite.
+extend: as in curvature().  Raises as position().)");
+}
+
 void bind_evaluation(py::class_<BoundCurve>& curve) {
     curve.def(
         "position",
-        [](const BoundCurve& self, const py::object& t, const std::string& extend) {
+        [](const BoundCurve& self, const py::object& t, const py::object& extend) {
             const Extend how = extend_option(extend);
             return map_points(Numbers(t, "t"), evaluation_cost(self),
                               [&](double at) { return position(self.curve(), at, how); });
@@ -114,47 +142,33 @@ Returns (3,) or (m, 3), in the curve's space and unit. De Casteljau's scheme (cu
 TypeError where t does not hold real numbers.)");
     curve.def(
         "derivative",
-        [](const BoundCurve& self, const py::object& t, int order) {
-            if (order < 1 || order > 3) value_error("order", "must be 1, 2 or 3");
+        [](const BoundCurve& self, const py::object& t, const py::object& order, const py::object& extend) {
+            const int times = whole_number(order, "order");
+            if (times < 1 || times > 3) value_error("order", "must be 1, 2 or 3");
+            const Extend how = extend_option(extend);
             return map_points(Numbers(t, "t"), evaluation_cost(self),
-                              [&](double at) { return derivative(self.curve(), at, order); });
+                              [&](double at) { return derivative(self.curve(), at, times, how); });
         },
-        "t"_a, "order"_a = 1, R"(
+        "t"_a, "order"_a = 1, "extend"_a = "clamp", R"(
 Derivative of the position with respect to t.
 
-t: a number or (m,), clamped to [0, segment_count]; at a joint the segment that begins there counts.  order: 1, 2 or 3.
+t: a number or (m,), in [0, segment_count]; at a joint the segment that begins there counts.  order: 1, 2 or 3.
+extend: outside, the derivative of position(t, extend): 'loop' repeats it; on the way back of 'ping_pong' odd orders
+change their sign; 'extrapolate' keeps the end's first one, the others are 0; but 'clamp' gives the end's.
 Returns (3,) or (m, 3).  Raises ValueError where t is not finite or order is another, TypeError as position().)");
     curve.def(
         "tangent",
-        [](const BoundCurve& self, const py::object& t) {
+        [](const BoundCurve& self, const py::object& t, const py::object& extend) {
+            const Extend how = extend_option(extend);
             return map_points(Numbers(t, "t"), 2.0 * evaluation_cost(self),
-                              [&](double at) { return tangent(self.curve(), at); });
+                              [&](double at) { return tangent(self.curve(), at, how); });
         },
-        "t"_a, R"(
-Unit tangent at t (a number or (m,), clamped): (3,) or (m, 3).
+        "t"_a, "extend"_a = "clamp", R"(
+Unit tangent at t (a number or (m,)): (3,) or (m, 3).
 
 Where the first derivative vanishes (cusp, handle on its point) its limit from the right, at the end of the curve from
-the left; (0, 1, 0) on a curve of zero length.  Raises as position().)");
-    curve.def(
-        "curvature",
-        [](const BoundCurve& self, const py::object& t) {
-            return map_numbers(Numbers(t, "t"), 2.0 * evaluation_cost(self),
-                               [&](double at) { return curvature(self.curve(), at); });
-        },
-        "t"_a, R"(
-Curvature |C' x C''| / |C'|^3 at t (a number or (m,), clamped), 1 / unit of length: a float or (m,).
-
-Where C' vanishes the limit: infinity at a cusp, 0 on a straight stretch.  Raises as position().)");
-    curve.def(
-        "torsion",
-        [](const BoundCurve& self, const py::object& t) {
-            return map_numbers(Numbers(t, "t"), 2.0 * evaluation_cost(self),
-                               [&](double at) { return torsion(self.curve(), at); });
-        },
-        "t"_a, R"(
-Torsion (C' x C'') . C''' / |C' x C''|^2 at t (a number or (m,), clamped), 1 / unit of length: a float or (m,).
-
-Positive where the curve turns as a right-handed screw; 0 where the curvature is 0 or infinite.  Raises as position().)");
+the left; (0, 1, 0) on a curve of zero length.  extend: as in derivative(), order 1.  Raises as position().)");
+    bind_bends(curve);
 }
 
 void bind_arc_length(py::class_<BoundCurve>& curve) {
@@ -166,18 +180,22 @@ Length of the curve in its unit; gaps between segments do not count; 0 where all
 Adaptive Clenshaw-Curtis quadrature of |C'|; error <= 1e-12 of the length, cusps included.)");
     curve.def(
         "length_at",
-        [](const BoundCurve& self, const py::object& t) {
+        [](const BoundCurve& self, const py::object& t, const py::object& extend) {
+            const Extend how = extend_option(extend);
             const Numbers at(t, "t");
             const ArcLength& path = *self.path();
-            return map_numbers(at, 2.0 * look_up_cost, [&](double value) { return path.length_at(value); });
+            return map_numbers(at, 2.0 * look_up_cost,
+                               [&](double value) { return length_at(path, value, how); });
         },
-        "t"_a, R"(
-Distance along the curve from its start to t (a number or (m,), clamped): a float or (m,).
+        "t"_a, "extend"_a = "clamp", R"(
+Distance along the curve from its start to t (a number or (m,)): a float or (m,).
 
+extend: outside [0, segment_count] the distance at which position_at_length(s, extend) is position(t, extend): 'loop' and
+'ping_pong' add whole lengths, 'extrapolate' goes on by |C'| of that end.
 Error <= 1e-12 of the length.  Raises as position().)");
     curve.def(
         "t_at_length",
-        [](const BoundCurve& self, const py::object& s, const std::string& extend) {
+        [](const BoundCurve& self, const py::object& s, const py::object& extend) {
             const Extend how = extend_option(extend);
             const Numbers at(s, "s");
             const ArcLength& path = self.path_by_length();
@@ -193,7 +211,7 @@ Returns a float or (m,); the distance at it differs from s by <= 1e-10 of the le
 rests (a segment of zero length), one of its parameters.  Raises as position().)");
     curve.def(
         "position_at_length",
-        [](const BoundCurve& self, const py::object& s, const std::string& extend) {
+        [](const BoundCurve& self, const py::object& s, const py::object& extend) {
             const Extend how = extend_option(extend);
             const Numbers at(s, "s");
             const ArcLength& path = self.path_by_length();
@@ -235,11 +253,13 @@ The parts (before, after) of the curve cut at t (a number, clamped): two Bezier 
 Cut at an end, one part has zero length.  Raises ValueError where t is not finite, TypeError where it is no number.)");
     curve.def(
         "elevate",
-        [](const py::object& self, int times) { return like(self, elevated(bound(self).curve(), times)); },
+        [](const py::object& self, const py::object& times) {
+            return like(self, elevated(bound(self).curve(), whole_number(times, "times")));
+        },
         "times"_a = 1, R"(
 The same curve written with a degree higher by `times`: a Bezier of a Bezier, else a Chain.
 
-Raises ValueError where times < 0 or the degree would pass 64.)");
+Raises ValueError where times < 0 or the degree would pass 64, TypeError where it is no whole number.)");
     curve.def(
         "reversed", [](const py::object& self) { return like(self, reversed(bound(self).curve())); }, R"(
 The same points run through from the end to the start: a Bezier of a Bezier, else a Chain.)");
@@ -265,12 +285,12 @@ control_points: (n + 1, 3), 2 to 65 rows.  Raises ValueError for another shape o
 TypeError where they are not real numbers.)");
     py::class_<Spline, BoundCurve>(m, "Spline", R"(
 Cubic segments through points with two handles each, as Blender's Bezier splines; t in [0, segment_count].)")
-        .def(py::init(
-                 [](const py::object& points, const py::object& left, const py::object& right, bool cyclic) {
-                     return Spline(Curve::spline(Points(points, "points").values(),
-                                                 Points(left, "handles_left").values(),
-                                                 Points(right, "handles_right").values(), cyclic));
-                 }),
+        .def(py::init([](const py::object& points, const py::object& left, const py::object& right,
+                         const py::object& cyclic) {
+                 return Spline(
+                     Curve::spline(Points(points, "points").values(), Points(left, "handles_left").values(),
+                                   Points(right, "handles_right").values(), flag(cyclic, "cyclic")));
+             }),
              "points"_a, "handles_left"_a, "handles_right"_a, "cyclic"_a = false, R"(
 points, handles_left, handles_right: (k, 3), k >= 2.  cyclic: adds the segment from the last point to the first.
 Raises ValueError for another shape, different k, or where a value is not finite, TypeError where they are not real
@@ -278,26 +298,30 @@ numbers.)");
     py::class_<Chain, BoundCurve>(m, "Chain", R"(
 Bezier segments of one degree, each with its own control points, so that neighbours may be apart; t in
 [0, segment_count].)")
-        .def(py::init([](const py::object& points, bool cyclic) { return Chain(chain_of(points, cyclic)); }),
+        .def(py::init([](const py::object& points, const py::object& cyclic) {
+                 return Chain(chain_of(points, flag(cyclic, "cyclic")));
+             }),
              "control_points"_a, "cyclic"_a = false, R"(
 control_points: (segments, degree + 1, 3), degree 1 to 64.  cyclic: says that the end is the start; adds no segment.
 Raises ValueError for another shape or where a value is not finite, TypeError where they are not real numbers.)");
     py::class_<BSpline, BoundCurve>(m, "BSpline", R"(
 Blender's NURBS spline with all weights 1, as Bezier segments of degree order - 1, exactly; one a knot span.)")
-        .def(py::init(
-                 [](const py::object& points, int order, bool cyclic, bool use_endpoint, bool use_bezier) {
-                     return BSpline(bspline(Points(points, "points").values(),
-                                            {order, cyclic, use_endpoint, use_bezier}));
-                 }),
-             "points"_a, "order"_a = 4, "cyclic"_a = false, "use_endpoint"_a = false, "use_bezier"_a = false,
-             R"(
+        .def(
+            py::init([](const py::object& points, const py::object& order, const py::object& cyclic,
+                        const py::object& use_endpoint, const py::object& use_bezier) {
+                return BSpline(bspline(Points(points, "points").values(),
+                                       {whole_number(order, "order"), flag(cyclic, "cyclic"),
+                                        flag(use_endpoint, "use_endpoint"), flag(use_bezier, "use_bezier")}));
+            }),
+            "points"_a, "order"_a = 4, "cyclic"_a = false, "use_endpoint"_a = false, "use_bezier"_a = false,
+            R"(
 points: (k, 3), k >= 2.  order: 2 to 6.  The flags are Blender's (use_cyclic_u, use_endpoint_u, use_bezier_u) and decide
 the knots; what Blender shows as the bare control polygon gives that polygon.
 Raises ValueError for another shape or order or where a value is not finite, TypeError where they are not real numbers.)");
     py::class_<PolyLine, BoundCurve>(m, "PolyLine", R"(
 Straight segments from point to point, as Blender's poly splines; t in [0, segment_count].)")
-        .def(py::init([](const py::object& points, bool cyclic) {
-                 return PolyLine(poly_line(Points(points, "points").values(), cyclic));
+        .def(py::init([](const py::object& points, const py::object& cyclic) {
+                 return PolyLine(poly_line(Points(points, "points").values(), flag(cyclic, "cyclic")));
              }),
              "points"_a, "cyclic"_a = false, R"(
 points: (k, 3), k >= 2.  cyclic: adds the segment from the last point to the first.

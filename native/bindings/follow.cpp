@@ -3,10 +3,10 @@
 
 #include <pybind11/pybind11.h>
 
-#include <string>
 #include <utility>
 
 #include "areas.hpp"
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "curve.hpp"
 #include "path_options.hpp"
@@ -19,7 +19,7 @@ using namespace pybind11::literals;
 
 constexpr double follower_cost = 300.0;  // ns, rough
 
-[[nodiscard]] glm::dvec3 axis_option(const std::string& axis, const char* name) {
+[[nodiscard]] glm::dvec3 axis_option(const py::object& axis, const char* name) {
     return choice<glm::dvec3>(axis, name,
                               {{"X", {1, 0, 0}},
                                {"Y", {0, 1, 0}},
@@ -29,26 +29,28 @@ constexpr double follower_cost = 300.0;  // ns, rough
                                {"-Z", {0, 0, -1}}});
 }
 
-[[nodiscard]] LagBy lag_option(const std::string& name) {
-    return choice<LagBy>(name, "lag_by",
+[[nodiscard]] LagBy lag_option(const py::object& lag_by) {
+    return choice<LagBy>(lag_by, "lag_by",
                          {{"acceleration", LagBy::acceleration}, {"curvature", LagBy::curvature}});
 }
 
-py::tuple follow_curve(const BoundCurve& curve, const Timing& timing, const py::object& time,
-                       const py::object& offsets, const std::string& mode, const std::string& extend,
-                       const std::string& forward, const std::string& up, bool rotate,
-                       const py::object& lag_rate, const std::string& lag_by, const py::object& locations,
+py::tuple follow_curve(const py::object& curve, const py::object& timing, const py::object& time,
+                       const py::object& offsets, const py::object& mode, const py::object& extend,
+                       const py::object& forward, const py::object& up, const py::object& rotate,
+                       const py::object& lag_rate, const py::object& lag_by, const py::object& locations,
                        const py::object& rotations, const py::kwargs& options) {
+    const BoundCurve& path = curve_argument(curve);
+    const Timing& motion = instance<Timing>(timing, "timing", "a Timing");
     const Numbers along(offsets, "offsets");
     const double at = number(time, "time");
     FollowSettings settings;
     settings.extend = extend_option(extend);
     settings.axes = follower_axes(axis_option(forward, "forward"), axis_option(up, "up"));
-    settings.rotate = rotate;
+    settings.rotate = flag(rotate, "rotate");
     settings.lag_rate = number(lag_rate, "lag_rate");
     settings.lag_by = lag_option(lag_by);
     FrameSettings frame = frame_settings(mode, options, false);
-    if (!rotate) frame = FrameSettings{};  // its tables are the cheapest, and not looked at
+    if (!settings.rotate) frame = FrameSettings{};  // its tables are the cheapest, and not looked at
 
     const std::size_t count = along.values().size();
     const auto rows = static_cast<py::ssize_t>(count);
@@ -59,10 +61,10 @@ py::tuple follow_curve(const BoundCurve& curve, const Timing& timing, const py::
     require_apart(values_of(location_rows), "locations", values_of(rotation_rows), "rotations");
     const std::span<glm::dvec3> location_out = points_of(location_rows);
     const std::span<glm::dquat> rotation_out = quaternions_in(rotation_rows.mutable_data(), count);
-    const Frames frames = frames_on(curve, std::move(frame));
+    const Frames frames = frames_on(path, std::move(frame));
     {
         const ReleaseGil released(count, settings.lag_rate > 0.0 ? 1e3 * follower_cost : follower_cost);
-        follow(frames, timing, at, along.values(), settings, location_out, rotation_out);
+        follow(frames, motion, at, along.values(), settings, location_out, rotation_out);
         rows_from_quaternions(rotation_out);
     }
     return py::make_tuple(location_rows, rotation_rows);

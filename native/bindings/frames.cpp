@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "areas.hpp"
+#include "arguments.hpp"
 #include "arrays.hpp"
 #include "curve.hpp"
 #include "path_options.hpp"
@@ -35,8 +36,7 @@ bool set_option(FrameSettings& settings, std::string_view name, py::handle value
     } else if ((banking || curvature) && name == "smoothing") {
         settings.smoothing = number(value, name);
     } else if (curvature && name == "outward") {
-        if (!PyBool_Check(value.ptr())) type_error(name, "must be True or False");
-        settings.outward = value.ptr() == Py_True;
+        settings.outward = flag(value, name);
     } else if (settings.mode == FrameMode::tilt && name == "tilt") {
         const DoubleArray tilt = doubles(value, name);
         if (tilt.ndim() != 1) value_error(name, "must have the shape (k,), not " + shape_of(tilt));
@@ -47,8 +47,9 @@ bool set_option(FrameSettings& settings, std::string_view name, py::handle value
     return true;
 }
 
-py::object frames_of(const BoundCurve& curve, const py::object& lengths, const std::string& mode,
-                     const std::string& extend, const py::kwargs& options) {
+py::object frames_of(const py::object& curve, const py::object& lengths, const py::object& mode,
+                     const py::object& extend, const py::kwargs& options) {
+    const BoundCurve& along = curve_argument(curve);
     const Numbers at(lengths, "lengths");
     const Extend how = extend_option(extend);
     const FrameSettings settings = frame_settings(mode, options, true);
@@ -59,7 +60,7 @@ py::object frames_of(const BoundCurve& curve, const py::object& lengths, const s
     if (!speed.is_single() && v.size() != s.size())
         value_error("speed", "must be a number or have one value per length");
 
-    const Frames frames = frames_on(curve, settings);
+    const Frames frames = frames_on(along, settings);
     py::array_t<double, py::array::c_style> rows({static_cast<py::ssize_t>(s.size()), py::ssize_t{4}});
     const std::span<glm::dquat> out = quaternions_in(rows.mutable_data(), s.size());
     {
@@ -76,7 +77,7 @@ py::object frames_of(const BoundCurve& curve, const py::object& lengths, const s
 
 }  // namespace
 
-FrameSettings frame_settings(const std::string& mode, const py::kwargs& options, bool reads_speed) {
+FrameSettings frame_settings(const py::object& mode, const py::kwargs& options, bool reads_speed) {
     FrameSettings settings;
     settings.mode = choice<FrameMode>(mode, "mode",
                                       {{"world_up", FrameMode::world_up},
@@ -87,7 +88,8 @@ FrameSettings frame_settings(const std::string& mode, const py::kwargs& options,
     for (const auto& [key, value] : options) {
         const std::string name = py::str(key);
         if (reads_speed && settings.mode == FrameMode::banking && name == "speed") continue;
-        if (!set_option(settings, name, value)) type_error(name, "is no option of the mode '" + mode + "'");
+        if (!set_option(settings, name, value))
+            type_error(name, "is no option of the mode '" + mode.cast<std::string>() + "'");
     }
     if (settings.mode == FrameMode::tilt && !options.contains("tilt"))
         type_error("tilt", "must be given for the mode 'tilt'");

@@ -1,5 +1,6 @@
 #include "motus/arc_length.hpp"
 
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "inverse_table.hpp"
@@ -10,6 +11,8 @@ namespace {
 
 // About 100 kB each: a shot with as many paths, or as many steps back of one that is being edited.
 constexpr std::size_t cached_tables = 128;
+// For curves of many thousand segments; with that of the frame tables 256 MB.
+constexpr std::size_t cached_bytes = std::size_t{64} << 20;
 
 }  // namespace
 
@@ -43,6 +46,12 @@ std::size_t ArcLength::interval_count() const {
     return length_ > 0.0 ? inverse().interval_count() : 0;
 }
 
+std::size_t ArcLength::bytes() const noexcept {
+    const InverseTable* inverse = inverse_.load(std::memory_order_acquire);
+    return sizeof *this + curve_.control_points().size_bytes() + speed_->bytes() +
+           (inverse != nullptr ? inverse->bytes() : 0);
+}
+
 const InverseTable& ArcLength::inverse() const {
     if (const InverseTable* built = inverse_.load(std::memory_order_acquire)) return *built;
     const std::scoped_lock lock(building_);
@@ -51,6 +60,13 @@ const InverseTable& ArcLength::inverse() const {
         inverse_.store(inverse_owner_.get(), std::memory_order_release);
     }
     return *inverse_owner_;
+}
+
+double length_at(const ArcLength& path, double t, Extend extend) {
+    const Extended at = extended(t, static_cast<double>(path.curve().segment_count()), extend);
+    const double inside = path.length_at(at.value);
+    if (at.beyond != 0.0) return inside + at.beyond * glm::length(derivative(path.curve(), at.value));
+    return at.laps * path.length() + (at.returning ? -inside : inside);
 }
 
 Extended t_at_length(const ArcLength& path, double s, Extend extend) {
@@ -78,8 +94,12 @@ std::size_t CurveHash::operator()(const Curve& curve) const noexcept {
     return hash.value();
 }
 
+std::size_t ArcLengthBytes::operator()(const Curve& curve, const ArcLength& path) const noexcept {
+    return curve.control_points().size_bytes() + path.bytes();
+}
+
 ArcLengthCache& arc_length_cache() {
-    static ArcLengthCache cache(cached_tables);
+    static ArcLengthCache cache(cached_tables, cached_bytes);
     return cache;
 }
 

@@ -21,6 +21,11 @@ class BendField {
     [[nodiscard]] Across at(const Place& place) const;
     /// Turning of the whole path over its length.
     [[nodiscard]] double mean() const noexcept { return mean_; }
+    /// What it takes, the frames not included.
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return bytes_of(turning_) + bytes_of(stretches_) + bytes_of(stretch_of_) + bytes_of(before_) +
+               bytes_of(behind_);
+    }
 
   private:
     /// Exponentially weighted sums of the turning on one side of a station.

@@ -46,7 +46,15 @@ inline void reduce(Points& points, std::size_t count, double t) {
 }
 
 // The differences of the last levels of de Casteljau's scheme are the derivatives (Farin, section 5.3).
+[[nodiscard]] inline Jet cubic_jet(Segment p, double t) {
+    const glm::dvec3 a = mix(p[0], p[1], t), b = mix(p[1], p[2], t), c = mix(p[2], p[3], t);
+    const glm::dvec3 d = mix(a, b, t), e = mix(b, c, t);
+    return {mix(d, e, t), 3.0 * (e - d), 6.0 * ((c - b) - (b - a)),
+            6.0 * ((p[3] - p[0]) - 3.0 * (p[2] - p[1]))};
+}
+
 [[nodiscard]] inline Jet jet(Segment segment, double t) {
+    if (segment.size() == 4) return cubic_jet(segment, t);
     Points q = copy(segment);
     std::size_t count = segment.size();
     const auto n = static_cast<double>(count - 1);

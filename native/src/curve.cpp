@@ -27,6 +27,11 @@ void require_finite(std::span<const glm::dvec3> points, const char* name) {
     }
 }
 
+/// The largest t.
+[[nodiscard]] double end_of(const Curve& curve) {
+    return static_cast<double>(curve.segment_count());
+}
+
 /// Unit vector of v, which is not zero; safe where the square of its length would under- or overflow.
 [[nodiscard]] glm::dvec3 unit(const glm::dvec3& v) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -173,7 +178,7 @@ glm::dvec3 position(const Curve& curve, double t) {
 }
 
 glm::dvec3 position(const Curve& curve, double t, Extend extend) {
-    const Extended at = extended(t, static_cast<double>(curve.segment_count()), extend);
+    const Extended at = extended(t, end_of(curve), extend);
     if (at.beyond == 0.0) return position(curve, at.value);
     const Jet end = jet(curve, at.value);
     return end.position + at.beyond * end.d1;
@@ -193,6 +198,13 @@ glm::dvec3 derivative(const Curve& curve, double t, int order) {
     }
 }
 
+glm::dvec3 derivative(const Curve& curve, double t, int order, Extend extend) {
+    const Extended at = extended(t, end_of(curve), extend);
+    const glm::dvec3 on_curve = derivative(curve, at.value, order);
+    if (at.beyond != 0.0 && order > 1) return glm::dvec3(0.0);
+    return at.returning && order % 2 == 1 ? -on_curve : on_curve;
+}
+
 Jet jet(const Curve& curve, double t) {
     const Location at = locate(curve, t);
     return bernstein::jet(curve.segment(at.segment), at.t);
@@ -208,6 +220,12 @@ glm::dvec3 tangent(const Curve& curve, double t) {
     return limit_tangent(segment, at.t, extent);
 }
 
+glm::dvec3 tangent(const Curve& curve, double t, Extend extend) {
+    const Extended at = extended(t, end_of(curve), extend);
+    const glm::dvec3 forward = tangent(curve, at.value);
+    return at.returning ? -forward : forward;
+}
+
 double curvature(const Curve& curve, double t) {
     const Location at = locate(curve, t);
     const bernstein::Segment segment = curve.segment(at.segment);
@@ -218,6 +236,11 @@ double curvature(const Curve& curve, double t) {
     if (speed <= vanishing * extent) return limit_curvature(segment, at.t, extent);
     // Divided step by step: the cube of the speed would underflow on tiny curves.
     return glm::length(glm::cross(all.d1 / speed, all.d2 / speed)) / speed;
+}
+
+double curvature(const Curve& curve, double t, Extend extend) {
+    const Extended at = extended(t, end_of(curve), extend);
+    return at.beyond == 0.0 ? curvature(curve, at.value) : 0.0;
 }
 
 double torsion(const Curve& curve, double t) {
@@ -231,6 +254,11 @@ double torsion(const Curve& curve, double t) {
     // The product of the two derivatives' rounding errors, squared.
     if (square <= vanishing * vanishing * glm::dot(all.d1 / extent, all.d1 / extent)) return 0.0;
     return glm::dot(binormal, all.d3 / extent) / square / extent;
+}
+
+double torsion(const Curve& curve, double t, Extend extend) {
+    const Extended at = extended(t, end_of(curve), extend);
+    return at.beyond == 0.0 ? torsion(curve, at.value) : 0.0;
 }
 
 }  // namespace motus

@@ -25,6 +25,7 @@ class DirectionTrack {
 
     /// Unit direction at distance s in [0, length], where the field is `value`.
     [[nodiscard]] Across at(double s, Across value) const;
+    [[nodiscard]] std::size_t bytes() const noexcept { return bytes_of(gaps_); }
 
   private:
     struct Gap {

@@ -11,6 +11,7 @@ constexpr double upright_threshold =
 constexpr double bend_threshold = 0.02;  // of the mean curvature: what shows the direction of the bend
 constexpr double least_turning = 1e-6;   // rad over the whole length: below, the curve is straight
 constexpr std::size_t cached_tables = 64;
+constexpr std::size_t cached_bytes = std::size_t{192} << 20;
 
 DirectionTrack bend_track(const ParallelFrames& frames, const BendField& bend) {
     const bool straight = bend.mean() * frames.length() < least_turning;
@@ -36,6 +37,10 @@ Across FrameTables::minimal(const Place& place) const {
     return std::polar(1.0, closing_angle_ == 0.0 ? 0.0 : -closing_angle_ * place.s / frames_->length());
 }
 
+std::size_t FrameTables::bytes() const noexcept {
+    return sizeof *this + frames_->bytes() + (bend_ ? bend_->bytes() : 0) + (track_ ? track_->bytes() : 0);
+}
+
 std::size_t FrameTablesHash::operator()(const FrameTablesKey& key) const noexcept {
     ContentHash hash;
     hash.add(static_cast<std::uint64_t>(CurveHash{}(key.curve)));
@@ -44,8 +49,13 @@ std::size_t FrameTablesHash::operator()(const FrameTablesKey& key) const noexcep
     return hash.value();
 }
 
+std::size_t FrameTablesBytes::operator()(const FrameTablesKey& key,
+                                         const FrameTables& tables) const noexcept {
+    return key.curve.control_points().size_bytes() + tables.bytes();
+}
+
 FrameTablesCache& frame_tables_cache() {
-    static FrameTablesCache cache(cached_tables);
+    static FrameTablesCache cache(cached_tables, cached_bytes);
     return cache;
 }
 

@@ -29,6 +29,8 @@ class FrameTables {
     }
     /// Unit vector along a rotation-minimising up that closes on a cyclic curve.
     [[nodiscard]] Across minimal(const Place& place) const;
+    /// What they take, the path included.
+    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     std::shared_ptr<const ParallelFrames> frames_;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "frame_tables.hpp"
+#include "polish.hpp"
 #include "smooth.hpp"
 
 namespace motus {
@@ -109,7 +110,7 @@ Across up_across(const FrameTables& tables, const FrameSettings& settings, const
 glm::dquat rotation_to(const Place& place, Across up) {
     const glm::dvec3 x = up.real() * place.side - up.imag() * place.up;
     const glm::dvec3 z = up.real() * place.up + up.imag() * place.side;
-    return glm::normalize(glm::quat_cast(glm::dmat3(x, place.tangent, z)));
+    return polished(glm::quat_cast(glm::dmat3(x, place.tangent, z)));
 }
 
 }  // namespace

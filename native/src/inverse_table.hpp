@@ -20,6 +20,9 @@ class InverseTable {
     /// Parameter at distance s, 0 < s < length.
     [[nodiscard]] double t_at(double s) const noexcept;
     [[nodiscard]] std::size_t interval_count() const noexcept { return polynomials_.size(); }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return sizeof *this + bytes_of(starts_) + bytes_of(polynomials_) + bytes_of(lowest_);
+    }
 
   private:
     struct Start {

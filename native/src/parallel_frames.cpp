@@ -6,6 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "polish.hpp"
+
 namespace motus {
 namespace {
 
@@ -49,13 +51,15 @@ glm::dvec3 double_reflected(const Place& from, const Place& to) {
     const glm::dvec3 up = from.up - 2.0 / c1 * glm::dot(v1, from.up) * v1;
     const glm::dvec3 tangent = from.tangent - 2.0 / c1 * glm::dot(v1, from.tangent) * v1;
     const glm::dvec3 v2 = to.tangent - tangent;
-    return made_across(up - 2.0 / glm::dot(v2, v2) * glm::dot(v2, up) * v2, to.tangent);
+    const glm::dvec3 reflected = up - 2.0 / glm::dot(v2, v2) * glm::dot(v2, up) * v2;
+    return polished(reflected - glm::dot(reflected, to.tangent) * to.tangent);
 }
 
 /// Gives `to` the frame that `from` becomes across a cell of the given kind. Steps shorter than `grain` have
 /// no chord to reflect in; there both ways agree.
 void carry(const Place& from, Cell cell, double grain, Place& to) {
-    const bool chord = cell == Cell::smooth && glm::length(to.position - from.position) > grain;
+    const glm::dvec3 step = to.position - from.position;
+    const bool chord = cell == Cell::smooth && glm::dot(step, step) > grain * grain;
     to.up = chord ? double_reflected(from, to) : carried_round_corner(from, to.tangent);
     to.side = glm::cross(to.tangent, to.up);
 }
@@ -69,8 +73,9 @@ Place place_at(const Curve& curve, double s, double t, double grain) {
     place.t = t;
     place.position = all.position;
     if (speed > grain) {
-        place.tangent = all.d1 / speed;
-        place.bend = (all.d2 - glm::dot(all.d2, place.tangent) * place.tangent) / speed / speed;
+        const double per_speed = 1.0 / speed;
+        place.tangent = per_speed * all.d1;
+        place.bend = per_speed * (per_speed * (all.d2 - glm::dot(all.d2, place.tangent) * place.tangent));
     } else {
         place.tangent = tangent(curve, t);
         place.bend = glm::dvec3(std::numeric_limits<double>::quiet_NaN());

@@ -70,6 +70,10 @@ class ParallelFrames {
     /// Factor that takes coordinates in the last station's frame to those of the same vector in the first's
     /// (cyclic only; its argument is the angle by which the frames fail to close).
     [[nodiscard]] Across closing() const noexcept { return closing_; }
+    /// What they take, the path included.
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return sizeof *this + path_->bytes() + bytes_of(stations_) + bytes_of(distances_) + bytes_of(cells_);
+    }
 
   private:
     void add_segment(std::size_t index);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "chebyshev.hpp"
+#include "motus/cache.hpp"
 #include "motus/curve.hpp"
 
 namespace motus {
@@ -33,6 +34,9 @@ class SpeedTable {
     [[nodiscard]] double segment_start(std::size_t index) const { return segment_starts_.at(index); }
     [[nodiscard]] const std::vector<SpeedPiece>& pieces() const noexcept { return pieces_; }
     [[nodiscard]] std::size_t evaluation_count() const noexcept { return evaluations_; }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return sizeof *this + bytes_of(pieces_) + bytes_of(first_pieces_) + bytes_of(segment_starts_);
+    }
 
   private:
     std::vector<SpeedPiece> pieces_;         ///< all segments', in order

@@ -5,9 +5,9 @@ from dataclasses import dataclass
 from typing import Any
 
 import bpy
-import numpy as np
 
 from . import native
+from .lazy import numpy as np
 from .system import Problem
 
 ALL_SPLINES = -1
@@ -27,6 +27,7 @@ PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONA
 # A second to_curve() on an object frees the first one's result, and drivers run in several threads.
 _temporary_curve = threading.Lock()
 _last_collection = {}
+"""Name of each curve that was followed in this session -> name of the collection it was last found in."""
 
 
 class Unreadable(Exception):
@@ -39,10 +40,10 @@ class Unreadable(Exception):
 
 @dataclass(frozen=True)
 class WorldCurve:
-    """A curve in world space, and the tilt (rad) at its segments' joints."""
+    """A native curve in world space, and the tilt (rad) at its segments' joints, an array."""
 
     curve: Any
-    tilt: np.ndarray
+    tilt: Any
 
 
 def read_evaluated(curve_object, depsgraph, index):
@@ -69,20 +70,33 @@ def read(curve_object, splines, depsgraph, index, matrix):
 
 
 def is_deleted(curve_object):
-    """Whether the object stands in no collection any more; a pointer property keeps it in the file all the same."""
+    """Whether the object stands in no collection any more; a pointer property keeps it in the file all the same.
+
+    A curve that came along with an appended follower has never stood in one, and is followed. Nothing in a file tells it from
+    a deleted one, so a curve that was deleted before the file was saved counts as present when another session opens it.
+    """
     original = curve_object.original
     if original.library:
         return False
     name = original.name
-    # Names, not references: undo invalidates those. Where it was last time is where it most probably is.
-    last = bpy.data.collections.get(_last_collection.get(name, ""))
-    if last and name in last.objects:
-        return False
+    # Names, not references: undo invalidates those.
+    holder = _collection_of(name, _last_collection.get(name, ""))
+    if holder is None:
+        return name in _last_collection
+    _last_collection[name] = holder
+    return False
+
+
+def _collection_of(name, last):
+    """Name of a collection with an object of this name, "" for a scene's own; None where there is none."""
+    # Where it was last time is where it most probably is.
+    found = bpy.data.collections.get(last)
+    if found and name in found.objects:
+        return last
     for collection in bpy.data.collections:
         if name in collection.objects:
-            _last_collection[name] = collection.name
-            return False
-    return not any(name in scene.collection.objects for scene in bpy.data.scenes)
+            return collection.name
+    return "" if any(name in scene.collection.objects for scene in bpy.data.scenes) else None
 
 
 def _read_splines(splines, index, is_polygon):

@@ -1,10 +1,11 @@
 """The operator that builds a demo scene."""
 
+from importlib import import_module
+
 import bpy
 
-from . import banked_flight
-
-SCENES = {"PATH": banked_flight.build}
+# Imported when one is built, and NumPy with it: most sessions build none.
+SCENES = {"PATH": "banked_flight"}
 
 
 class MOTUS_OT_demo_scene(bpy.types.Operator):
@@ -31,7 +32,7 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
     def execute(self, context):
         previous = context.window.scene
         try:
-            scene = SCENES[self.system](context)
+            scene = import_module(f"{__package__}.{SCENES[self.system]}").build(context)
         except RuntimeError as error:  # one of the operators it calls refused
             _discard(context.window, previous)
             self.report({"ERROR"}, f"The demo scene could not be finished: {error}")

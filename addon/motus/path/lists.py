@@ -4,10 +4,9 @@ import bpy
 
 from ..core import wiring
 from ..core.translations import tr
-from . import setup, targets
+from . import properties, setup, targets
 from .operators import follower_of
 
-DEFAULT_GAP = 2.0  # m
 
 
 class MOTUS_OT_path_pin_add(bpy.types.Operator):
@@ -29,14 +28,22 @@ class MOTUS_OT_path_pin_add(bpy.types.Operator):
         if obj is None:
             return {'CANCELLED'}
         settings = obj.motus.path
+        try:
+            targets.check_finite(self, ("frame", "fraction", "distance"))
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
         for name, present in _here_and_now(context, obj).items():
             if not self.properties.is_property_set(name):
                 setattr(self, name, present)
+        replaced = _remove_pins(settings, self.frame)
         pin = settings.pins.add()
         pin.frame, pin.fraction, pin.distance = self.frame, self.fraction, self.distance
         settings.active_pin = len(settings.pins) - 1
         settings.timing = 'PINS'
         wiring.touch(setup.system(), obj)
+        if replaced:
+            self.report({'INFO'}, tr("Replaced the pin at frame {frame}").format(frame=f"{self.frame:g}"))
         return {'FINISHED'}
 
 
@@ -77,7 +84,7 @@ class MOTUS_OT_path_wagon_add(bpy.types.Operator):
     wagon: bpy.props.StringProperty(
         name="Wagon", description="Name of the wagon; empty takes the other selected objects", options={'SKIP_SAVE'})
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path to the one in front", default=DEFAULT_GAP, min=0.0,
+        name="Gap", description="Distance along the path to the one in front", default=properties.DEFAULT_GAP, min=0.0,
         subtype='DISTANCE')
 
     def execute(self, context):
@@ -86,6 +93,7 @@ class MOTUS_OT_path_wagon_add(bpy.types.Operator):
             return {'CANCELLED'}
         settings = obj.motus.path
         try:
+            targets.check_finite(self, ("gap",))
             wagons = [targets.named(self.wagon)] if self.wagon else [
                 found for found in targets.selected_followers(context) if found != obj]
             for wagon in wagons:
@@ -147,6 +155,14 @@ class MOTUS_OT_path_select_leader(bpy.types.Operator):
         leader.select_set(True)
         context.view_layer.objects.active = leader
         return {'FINISHED'}
+
+
+def _remove_pins(settings, frame):
+    """Remove the pins on a frame; how many there were."""
+    found = [index for index, pin in enumerate(settings.pins) if pin.frame == frame]
+    for index in reversed(found):
+        settings.pins.remove(index)
+    return len(found)
 
 
 def _here_and_now(context, obj):

@@ -1,5 +1,7 @@
 """Who follows: the owner of the settings and its wagons, and what of them is driven."""
 
+from ..core.lazy import numpy as np
+
 
 def channels(settings):
     """What is driven; without an orientation the object keeps its own rotation."""
@@ -13,8 +15,6 @@ def members(owner):
 
 def offsets(owner):
     """Distance along the path of each member from the owner's: each is a gap behind the one before it."""
-    import numpy as np
-
     gaps = [wagon.gap for wagon in _wagons(owner)]
     return -np.cumsum([0.0, *gaps])
 
@@ -27,6 +27,12 @@ def _wagons(owner):
 def index_of(leader, wagon):
     """Index of an object in its leader's list of wagons, or -1."""
     return next((i for i, entry in enumerate(leader.motus.path.wagons) if entry.object == wagon), -1)
+
+
+def is_wagon(obj):
+    """Whether a train has this object among its wagons. The copy of a wagon names the leader too, but is not."""
+    leader = obj.motus.path.leader
+    return leader is not None and index_of(leader, obj) >= 0
 
 
 def take_out(leader, index):

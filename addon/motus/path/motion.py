@@ -4,16 +4,20 @@ import math
 from dataclasses import dataclass
 from typing import Any, Optional
 
-import numpy as np
-
 from ..core import native
+from ..core.lazy import numpy as np
 from ..core.system import Problem
 from . import keyed
 
 NO_PINS = Problem("Add a pin: a frame and the place to be at")
-SAME_FRAME = Problem("Two pins are on the same frame")
+SAME_FRAME = Problem("Two pins are on the same frame: the later one in the list counts", False)
 DRIVEN_SPEED = Problem("The speed is driven, so its past is not known: its present value counts for the whole way", False)
-PROBLEMS = (NO_PINS, SAME_FRAME, DRIVEN_SPEED)
+SPEED_IN_STRIPS = Problem(
+    "The speed is animated in NLA strips, so its past is not known: its present value counts for the whole way", False)
+FRACTION_IN_STRIPS = Problem(
+    "The fraction is animated in NLA strips, so the speed is not known: banking and lag take it for 0", False)
+NOT_FINITE = Problem("A setting is not a finite number")
+PROBLEMS = (NO_PINS, SAME_FRAME, DRIVEN_SPEED, SPEED_IN_STRIPS, FRACTION_IN_STRIPS, NOT_FINITE)
 
 REPEATING = {'LOOP', 'PING_PONG'}
 SHORTEST = 1e-6  # s; keys and drivers can pass the setting's own limits
@@ -38,16 +42,21 @@ class Motion:
         return self.timing.speed(self.time)
 
 
-def motion(context, numbers, length):
-    """The Motion at the context's frame, or a blocking Problem."""
-    return _BY_TIMING[context.settings.timing](context, numbers, length)
+def motion(context, numbers, length, with_past):
+    """The Motion at the context's frame, or a blocking Problem.
+
+    with_past: the timing is right from the start on, which a lag and the overlay need; else only at the present time.
+    """
+    if not all(map(math.isfinite, numbers.values())):
+        return NOT_FINITE
+    return _BY_TIMING[context.settings.timing](context, numbers, length, with_past)
 
 
 def _since_start(context, numbers):
     return max(0.0, (context.frame - numbers["start_frame"]) / context.fps)
 
 
-def _by_duration(context, numbers, length):
+def _by_duration(context, numbers, length, with_past):
     duration = max(numbers["duration"], SHORTEST)
     ease_in = min(max(numbers["ease_in"], 0.0), 1.0)
     ease_out = min(max(numbers["ease_out"], 0.0), 1.0 - ease_in)
@@ -55,11 +64,11 @@ def _by_duration(context, numbers, length):
     repeats = context.settings.extend in REPEATING
     if time <= duration or not (repeats or context.settings.extend == 'EXTRAPOLATE'):
         return Motion(native.module.Timing.eased(duration, length, ease_in, ease_out), time)
-    if numbers["lag_rate"] == 0.0 and repeats:
+    if repeats and not with_past:
         laps = math.floor(time / duration)
         timing = native.module.Timing.eased(duration, length, ease_in, ease_out)
         return Motion(timing, time - laps * duration, laps * length)
-    # The lag needs one history over all laps; after the last sample the speed holds.
+    # One history over all laps; after the last sample the speed holds.
     laps = math.floor(time / duration) + 1 if repeats else 1
     return Motion(_eased_laps(duration, length, ease_in, ease_out, laps, repeats), time)
 
@@ -76,47 +85,61 @@ def _eased_laps(duration, length, ease_in, ease_out, laps, repeats):
     return native.module.Timing.speeds(times, speeds[first])
 
 
-def _by_speed(context, numbers, _length):
-    time = _since_start(context, numbers)
-    settings = context.settings
-    curve = keyed.find(context.owner, settings, "speed")
-    if curve is None:
-        driven = keyed.is_driven(context.owner, settings, "speed")
-        return Motion(native.module.Timing.constant(numbers["speed"]), time, problem=DRIVEN_SPEED if driven else None)
-    frames, speeds = keyed.samples(curve, numbers["start_frame"], context.frame)
-    times = (frames - numbers["start_frame"]) / context.fps
-    return Motion(native.module.Timing.speeds(times, speeds), time)
+def _by_speed(context, numbers, _length, with_past):
+    settings, owner = context.settings, context.owner
+    curve, unknown = keyed.find(owner, settings, "speed"), None
+    if keyed.is_driven(owner, settings, "speed"):
+        unknown = DRIVEN_SPEED
+    elif keyed.is_in_strips(owner, settings, "speed"):
+        unknown = SPEED_IN_STRIPS
+    if curve is None or unknown:
+        timing = native.module.Timing.constant(numbers["speed"])
+        return Motion(timing, _since_start(context, numbers), problem=unknown)
+    start = numbers["start_frame"]
+    now = max(start, context.frame)
+    if now == start:
+        return Motion(native.module.Timing.constant(curve.evaluate(start)), 0.0)
+    past = keyed.samples(curve, start, now)
+    distance = past.integral / context.fps
+    if not with_past:
+        return Motion(native.module.Timing.constant(past.values[-1]), 0.0, distance)
+    times = (np.array(past.frames) - start) / context.fps
+    timing = native.module.Timing.speeds(times, past.values)
+    return Motion(timing, times[-1], distance - timing.distance(times[-1]))
 
 
-def _by_pins(context, _numbers, length):
+def _by_pins(context, _numbers, length, _with_past):
     settings = context.settings
     if not settings.pins:
         return NO_PINS
-    if settings.pins_by == 'FRACTION':
-        pins = sorted((pin.frame, pin.fraction * length) for pin in settings.pins)
-    else:
-        pins = sorted((pin.frame, pin.distance) for pin in settings.pins)
+    by_fraction = settings.pins_by == 'FRACTION'
+    places = {pin.frame: pin.fraction * length if by_fraction else pin.distance for pin in settings.pins}
+    pins = sorted(places.items())
+    if not all(map(math.isfinite, (value for pin in pins for value in pin))):
+        return NOT_FINITE
     frames, distances = np.array(pins).T
-    if not np.diff(frames).all():
-        return SAME_FRAME
-    return Motion(native.module.Timing.pins(frames / context.fps, distances), context.frame / context.fps)
+    timing = native.module.Timing.pins(frames / context.fps, distances)
+    problem = SAME_FRAME if len(pins) < len(settings.pins) else None
+    return Motion(timing, context.frame / context.fps, problem=problem)
 
 
-def _by_hand(context, numbers, length):
+def _by_hand(context, numbers, length, with_past):
+    settings, owner = context.settings, context.owner
     distance = numbers["distance_factor"] * length
-    curve = keyed.find(context.owner, context.settings, "distance_factor")
-    if curve is None:
-        return Motion(native.module.Timing.constant(0.0), 0.0, distance)
-    if numbers["lag_rate"] == 0.0 or len(curve.keyframe_points) == 0:
+    curve = keyed.find(owner, settings, "distance_factor")
+    in_strips = keyed.is_in_strips(owner, settings, "distance_factor")
+    if curve is None or in_strips:
+        return Motion(native.module.Timing.constant(0.0), 0.0, distance, FRACTION_IN_STRIPS if in_strips else None)
+    if not with_past or len(curve.keyframe_points) == 0:
         speed = keyed.rate(curve, context.frame) * length * context.fps
         return Motion(native.module.Timing.constant(speed), 0.0, distance)
     first = curve.keyframe_points[0].co[0]
-    frames, fractions = keyed.samples(curve, first, context.frame)
-    times = (frames - first) / context.fps
-    if len(times) < 2:
-        return Motion(native.module.Timing.constant(0.0), 0.0, distance)
-    timing = native.module.Timing.speeds(times, np.gradient(fractions * length, times))
-    time = max(0.0, context.frame - first) / context.fps
+    now = max(first, context.frame)
+    # To beyond the present frame, which then has neighbours on both sides, and the same ones until the next whole frame.
+    frames = keyed.bounds(curve, first, math.floor(now) + 2.0)
+    timing = native.module.Timing.pins(
+        (np.array(frames) - first) / context.fps, [curve.evaluate(frame) * length for frame in frames])
+    time = (now - first) / context.fps
     return Motion(timing, time, distance - timing.distance(time))
 
 

@@ -30,6 +30,16 @@ def in_object_mode(cls, context):
     return False
 
 
+def report_problems(operator, context, owners):
+    """Warn of what keeps the owners from following, as far as they are evaluated here."""
+    context.view_layer.update()
+    depsgraph = context.view_layer.depsgraph
+    problems = {wiring.problem(setup.system(), owner, depsgraph) for owner in owners
+                if owner.evaluated_get(depsgraph).is_evaluated}
+    for sentence in sorted(problem.sentence for problem in problems if problem):
+        operator.report({'WARNING'}, tr(sentence))
+
+
 class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_follow_add"
     bl_label = "Follow Path"
@@ -45,14 +55,15 @@ class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
 
     def execute(self, context):
         try:
-            names = self._add(context)
+            owners = self._add(context)
         except targets.Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
-        if len(names) == 1:
-            self.report({'INFO'}, tr("{object} follows {curve}").format(object=names[0], curve=self.curve))
+        if len(owners) == 1:
+            self.report({'INFO'}, tr("{object} follows {curve}").format(object=owners[0].name, curve=self.curve))
         else:
-            self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(names), curve=self.curve))
+            self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(owners), curve=self.curve))
+        report_problems(self, context, owners)
         return {'FINISHED'}
 
     def _add(self, context):
@@ -60,13 +71,15 @@ class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
         if not owners:
             raise targets.Refused(tr("Select the object that shall follow"))
         curve = targets.curve_for(context, self.curve, *owners)
+        keywords = given_keywords(self)
+        targets.check_finite(self, keywords)
         for owner in owners:
             targets.check_free(owner, curve)
-        keywords = given_keywords(self)
+            targets.check_settings(owner, curve, keywords)
         for owner in owners:
             setup.attach(owner, curve, keywords)
         self.curve = curve.name
-        return [owner.name for owner in owners]
+        return owners
 
 
 class MOTUS_OT_path_follow_remove(bpy.types.Operator):
@@ -114,15 +127,18 @@ class MOTUS_OT_path_refresh(bpy.types.Operator):
 
 
 def _remove(obj):
-    """Remove the follower or take the wagon out of its train; False where it is neither."""
+    """Remove the follower, take the wagon out of its train or free a stray one; False where it is none of them."""
     settings = obj.motus.path
-    if not settings.leader and not settings.is_active:
+    is_wagon = members.is_wagon(obj)
+    if not (is_wagon or settings.is_active or setup.is_stray(obj)):
         return False
     targets.check_editable(obj)
-    if settings.leader:
+    if is_wagon:
         setup.uncouple(settings.leader, members.index_of(settings.leader, obj))
-    else:
+    elif settings.is_active:
         setup.clear(obj)
+    else:
+        setup.free(obj)
     return True
 
 

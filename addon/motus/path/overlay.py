@@ -1,8 +1,7 @@
 """What the viewport shows of a path: the true curve coloured by speed, control polygon, tangents and frames."""
 
-import numpy as np
-
 from ..core import curves, native
+from ..core.lazy import numpy as np
 from ..core.overlay import Batch
 from ..core.system import Context, Problem
 from . import motion, solve
@@ -48,9 +47,12 @@ def _of_follower(scene, owner, depsgraph):
         path = curves.read_evaluated(settings.curve.evaluated_get(depsgraph), depsgraph, settings.spline)
     except curves.Unreadable:
         return []
-    if path.curve.length() == 0.0:
+    numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
+    last = Context(settings, owner, float(scene.frame_end), depsgraph, None, None)
+    moving = motion.motion(last, numbers, path.curve.length(), with_past=True)
+    if path.curve.length() == 0.0 or moving == motion.NOT_FINITE:
         return []
-    speeds = _speed_profile(scene, owner, depsgraph, path.curve)
+    speeds = _speed_profile(settings, moving, path.curve.length())
     found = _curve_batches(scene.motus, path.curve, speeds if scene.motus.show_speed else None)
     distances = np.linspace(0.0, path.curve.length(), WHISKERS + 1)
     size = WHISKER_SHARE * path.curve.length()
@@ -58,7 +60,7 @@ def _of_follower(scene, owner, depsgraph):
         tangents = path.curve.tangent(path.curve.t_at_length(distances))
         found.append(_whiskers(path.curve, distances, tangents, size, TANGENT_COLOR))
     if scene.motus.show_frames and settings.orientation != 'NONE':
-        found += _frames(path, settings, distances, speeds, size)
+        found += _frames(path, settings, numbers, distances, speeds, size)
     return found
 
 
@@ -105,25 +107,20 @@ def _speed_colors(speed, highest):
     return colors
 
 
-def _speed_profile(scene, owner, depsgraph, curve):
-    """(distances, speeds) along the path over the scene's frames, distances rising."""
-    settings = owner.motus.path
-    numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
-    last = Context(settings, owner, float(scene.frame_end), depsgraph, None, None)
-    moving = motion.motion(last, numbers, curve.length())
+def _speed_profile(settings, moving, length):
+    """(distances, speeds) along the path up to the end of a Motion, distances rising."""
     if isinstance(moving, Problem):
-        return np.array([0.0, curve.length()]), np.zeros(2)
+        return np.array([0.0, length]), np.zeros(2)
     times = np.linspace(min(0.0, moving.time), moving.time, SPEED_SAMPLES)
     if settings.timing == 'DURATION':
         times = np.linspace(0.0, settings.duration, SPEED_SAMPLES)
-    distances = np.array([moving.timing.distance(time) for time in times])
-    speeds = np.array([moving.timing.speed(time) for time in times])
+    distances = moving.timing.distance(times) + moving.offset
+    speeds = moving.timing.speed(times)
     order = np.argsort(distances, kind='stable')
     return distances[order], speeds[order]
 
 
-def _frames(path, settings, distances, speeds, size):
-    numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
+def _frames(path, settings, numbers, distances, speeds, size):
     options = solve.mode_options(settings, numbers, path.tilt)
     if settings.orientation == 'BANKING':
         options["speed"] = np.interp(distances, *speeds)

@@ -3,8 +3,14 @@
 import bpy
 
 from ..core import native, ui, wiring
+from ..core.system import Problem
+from . import members
 from .presets import MOTUS_PT_path_presets
-from .setup import system
+from .properties import DEFAULT_GAP
+from .setup import is_stray, system
+
+COPY_OF_A_WAGON = Problem("A copy of a wagon: it stands where the wagon stands", blocking=False)
+LEADER_GONE = Problem("The leader of this wagon is gone")
 
 
 def _split(layout):
@@ -23,8 +29,11 @@ def draw_main(layout, context):
         return
     obj = context.object
     settings = obj.motus.path
-    if settings.leader:
+    if members.is_wagon(obj):
         _draw_wagon(layout, obj, settings.leader)
+        return
+    if is_stray(obj):
+        _draw_stray(layout, obj, settings.leader)
         return
     if obj.type == 'CURVE':
         layout.operator("motus.path_edit_views", icon='VIEW_ORTHO')
@@ -57,6 +66,16 @@ def _draw_wagon(layout, wagon, leader):
     box.label(text=f"{bpy.app.translations.pgettext_iface('Driven by')} {leader.name}", icon='LINKED', translate=False)
     box.operator("motus.path_select_leader", icon='RESTRICT_SELECT_OFF')
     box.operator("motus.path_follow_remove", text="Take Out", icon='X').object = wagon.name
+
+
+def _draw_stray(layout, stray, leader):
+    if leader:
+        ui.draw_message(layout, COPY_OF_A_WAGON.sentence, 'INFO')
+        couple = layout.operator("motus.path_wagon_add", text="Add to the Train", icon='ADD')
+        couple.object, couple.wagon, couple.gap = leader.name, stray.name, DEFAULT_GAP
+    else:
+        ui.draw_message(layout, LEADER_GONE.sentence, 'ERROR')
+    layout.operator("motus.path_follow_remove", text="Remove", icon='X').object = stray.name
 
 
 def _draw_readouts(layout, context, owner):

@@ -9,6 +9,7 @@ ANIMATED = {'ANIMATABLE'}
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
 EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
 EASE_TOLERANCE = 1e-6  # single precision: 0.7 + 0.3 is already above 1
+DEFAULT_GAP = 2.0  # m
 
 TIMINGS = (
     ('DURATION', "Duration", "The whole path takes a given time"),
@@ -56,15 +57,20 @@ def _rewire(settings, context):
 
 
 def _push_ease_out(settings, context):
-    if settings.ease_in + settings.ease_out > 1.0 + EASE_TOLERANCE:
+    if _has_too_much_ease(settings):
         settings.ease_out = 1.0 - settings.ease_in
     _touch(settings, context)
 
 
 def _push_ease_in(settings, context):
-    if settings.ease_in + settings.ease_out > 1.0 + EASE_TOLERANCE:
+    if _has_too_much_ease(settings):
         settings.ease_in = 1.0 - settings.ease_out
     _touch(settings, context)
+
+
+def _has_too_much_ease(settings):
+    # Operators refuse such keywords instead.
+    return isinstance(settings, SystemSettings) and settings.ease_in + settings.ease_out > 1.0 + EASE_TOLERANCE
 
 
 def _number(name, description, default, **options):
@@ -161,7 +167,7 @@ class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
         type=bpy.types.Object, name="Object", description="Object that follows behind", update=_rewire_owner,
         override=OVERRIDABLE)
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path to the one in front", default=2.0, subtype='DISTANCE',
+        name="Gap", description="Distance along the path to the one in front", default=DEFAULT_GAP, subtype='DISTANCE',
         options=set(), update=_touch_owner, override=OVERRIDABLE)
 
 

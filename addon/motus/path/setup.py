@@ -21,6 +21,9 @@ def attach(owner, curve, keywords, wagons=None):
     settings.curve = curve
     for name, value in keywords.items():
         setattr(settings, name, value)
+    for obj in (owner, *(wagon for wagon, _ in wagons or ())):
+        if is_stray(obj):
+            wiring.release(system(), obj)
     if wagons is not None:
         _replace_wagons(owner, wagons)
     wiring.attach(system(), owner)
@@ -33,6 +36,20 @@ def clear(owner):
     _remove_animation(owner)
     for member in driven:
         reset(member)
+
+
+def is_stray(obj):
+    """Whether the object is driven by a train that does not list it: the copy of a wagon, or one whose leader is gone."""
+    settings = obj.motus.path
+    if settings.is_active or members.is_wagon(obj):
+        return False
+    return settings.leader is not None or wiring.has_sinks(system(), obj)
+
+
+def free(obj):
+    """Let a stray wagon stand at its own transform again."""
+    wiring.release(system(), obj)
+    reset(obj)
 
 
 def reset(obj):

@@ -1,6 +1,9 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
+import math
+
 from ..core import curves, native
+from ..core.lazy import numpy as np
 from ..core.system import Deformed, Matrix, Problem, Setting, Splines
 from . import motion
 
@@ -28,11 +31,13 @@ def solve(context, matrix, splines, deformed, **numbers):
         return CURVE_DELETED
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
+    if not (math.isfinite(settings.influence) and np.isfinite(context.member_data).all()):
+        return motion.NOT_FINITE
     try:
         path = curves.read(settings.curve, splines, context.depsgraph, int(numbers["spline"]), matrix)
     except curves.Unreadable as error:
         return error.problem
-    moving = motion.motion(context, numbers, path.curve.length())
+    moving = motion.motion(context, numbers, path.curve.length(), with_past=numbers["lag_rate"] > 0.0)
     if isinstance(moving, Problem):
         return moving
     offsets = context.member_data + (numbers["offset"] + moving.offset)

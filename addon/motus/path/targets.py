@@ -1,8 +1,13 @@
 """Which objects an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
+import math
+
 import bpy
 
+from ..core import curves
 from ..core.translations import tr
+from . import members, solve
+from .properties import EASE_TOLERANCE, KEYWORDS
 
 
 class Refused(Exception):
@@ -56,9 +61,32 @@ def check_free(obj, curve, leader=None):
         raise Refused(tr("{curve} is moved by {object}, so {object} cannot follow it").format(
             curve=curve.name, object=obj.name))
     other = obj.motus.path.leader
-    if other and other != leader:
+    if other != leader and members.is_wagon(obj):
         raise Refused(tr("{object} is a wagon of {leader}: remove it from the train first").format(
             object=obj.name, leader=other.name))
+
+
+def check_finite(operator, names):
+    """Refuse keywords that were given something that is no number."""
+    for name in names:
+        value = getattr(operator, name)
+        if isinstance(value, float) and not math.isfinite(value):
+            raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
+
+
+def check_settings(obj, curve, keywords):
+    """Refuse settings that cannot work, as they would be after a change by these keywords."""
+    if keywords.get("ease_in", 0.0) + keywords.get("ease_out", 0.0) > 1.0 + EASE_TOLERANCE:
+        raise Refused(tr("ease_in and ease_out are together more than 1"))
+    wanted = {name: keywords.get(name, getattr(obj.motus.path, name)) for name in KEYWORDS}
+    if wanted["forward_axis"][-1] == wanted["up_axis"][-1]:
+        raise Refused(tr(solve.AXES_NOT_ACROSS.sentence))
+    if curve.modifiers:  # these can make splines
+        return
+    if not curve.data.splines:
+        raise Refused(tr(curves.NO_SPLINES.sentence))
+    if wanted["spline"] >= len(curve.data.splines):
+        raise Refused(tr(curves.NO_SUCH_SPLINE.sentence))
 
 
 def check_editable(obj):

@@ -5,8 +5,8 @@ from mathutils import Vector
 
 from ..core.translations import tr
 from . import setup, targets
-from .operators import given_keywords, in_object_mode
-from .properties import FollowKeywords
+from .operators import given_keywords, in_object_mode, report_problems
+from .properties import DEFAULT_GAP, FollowKeywords
 
 DIRECTIONS = {
     identifier: sign * Vector((axis == 'X', axis == 'Y', axis == 'Z'))
@@ -26,7 +26,7 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
         name="Curve", description="Name of the curve object; empty takes the selected one", options={'SKIP_SAVE'})
     gap: bpy.props.FloatProperty(
         name="Gap", description="Distance along the path from one to the next; 0 takes the lengths of the objects",
-        default=2.0, min=0.0, subtype='DISTANCE')
+        default=DEFAULT_GAP, min=0.0, subtype='DISTANCE')
 
     poll = classmethod(in_object_mode)
 
@@ -37,6 +37,7 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(train), curve=self.curve))
+        report_problems(self, context, train[:1])
         return {'FINISHED'}
 
     def _add(self, context):
@@ -47,6 +48,9 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
             raise targets.Refused(tr("An object can be in the train only once"))
         leader, *wagons = train
         curve = targets.curve_for(context, self.curve, leader)
+        keywords = given_keywords(self)
+        targets.check_finite(self, (*keywords, "gap"))
+        targets.check_settings(leader, curve, keywords)
         targets.check_free(leader, curve)
         for wagon in wagons:
             targets.check_wagon(wagon, curve, leader)
@@ -54,7 +58,7 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
             gaps = [self.gap] * len(wagons)
         else:
             gaps = touching_gaps(train, self.forward_axis)
-        setup.attach(leader, curve, given_keywords(self), list(zip(wagons, gaps)))
+        setup.attach(leader, curve, keywords, list(zip(wagons, gaps)))
         self.curve = curve.name
         return train
 

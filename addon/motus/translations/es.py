@@ -195,7 +195,9 @@ _INTERFACE = {
     "Remove a pin of the path": "Quitar una cita de la trayectoria",
     "Which pin; -1 is the active one": "Qué cita; -1 es la activa",
     "There is no such pin": "No existe esa cita",
-    "Two pins are on the same frame": "Hay dos citas en el mismo fotograma",
+    "Two pins are on the same frame: the later one in the list counts":
+        "Hay dos citas en el mismo fotograma: cuenta la que está más abajo en la lista",
+    "Replaced the pin at frame {frame}": "Sustituida la cita del fotograma {frame}",
     "Train": "Tren",
     "Wagon": "Vagón",
     "Wagons": "Vagones",
@@ -219,6 +221,8 @@ _INTERFACE = {
     "A train needs two objects at least": "Un tren necesita al menos dos objetos",
     "An object can be in the train only once": "Un objeto solo puede estar una vez en el tren",
     "Driven by": "Movido por",
+    "A copy of a wagon: it stands where the wagon stands": "Copia de un vagón: está donde está el vagón",
+    "The leader of this wagon is gone": "El guía de este vagón ya no existe",
 
     # Follow Path: operators
     "Let the selected objects follow a curve": "Hacer que los objetos seleccionados sigan una curva",
@@ -293,6 +297,13 @@ _INTERFACE = {
         "El eje de avance y el eje vertical han de ser perpendiculares",
     "The speed is driven, so its past is not known: its present value counts for the whole way":
         "La velocidad viene de un controlador, así que su pasado no se conoce: su valor actual cuenta para todo el recorrido",
+    "The speed is animated in NLA strips, so its past is not known: its present value counts for the whole way":
+        "La velocidad se anima en tiras de ANL, así que su pasado no se conoce: su valor actual cuenta para todo el recorrido",
+    "The fraction is animated in NLA strips, so the speed is not known: banking and lag take it for 0":
+        "La fracción se anima en tiras de ANL, así que la velocidad no se conoce: el peralte y el retraso la toman por 0",
+    "A setting is not a finite number": "Un ajuste no es un número finito",
+    "{keyword} is not a finite number": "{keyword} no es un número finito",
+    "ease_in and ease_out are together more than 1": "ease_in y ease_out suman más de 1",
 
     # Demo scenes
     "A window is needed to show the new scene": "Hace falta una ventana para mostrar la escena nueva",
@@ -305,6 +316,7 @@ _OPERATORS = {
     "Add Follow Path Preset": "Añadir preajuste de seguir trayectoria",
     "Add Pin": "Añadir cita",
     "Add Wagons": "Añadir vagones",
+    "Add to the Train": "Añadir al tren",
     "Bake": "Capturar",
     "Bézier of Any Degree": "Bézier de cualquier grado",
     "Copy": "Copiar",

@@ -45,6 +45,8 @@ class ArcLength {
     /// count where milliseconds would depend on the machine.
     [[nodiscard]] std::size_t evaluation_count() const noexcept;
     [[nodiscard]] std::size_t interval_count() const;
+    /// What it takes now; more once the inverse is built.
+    [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
     [[nodiscard]] const InverseTable& inverse() const;
@@ -56,6 +58,11 @@ class ArcLength {
     mutable std::unique_ptr<const InverseTable> inverse_owner_;
     mutable std::atomic<const InverseTable*> inverse_{nullptr};
 };
+
+/// Distance s at which position_at_length(path, s, extend) is position(curve, t, extend): inside [0, length]
+/// as ArcLength::length_at; outside, whole lengths are added (loop, ping_pong), or the speed at that end
+/// times the parameter beyond it (extrapolate).
+[[nodiscard]] double length_at(const ArcLength& path, double t, Extend extend);
 
 /// Parameter at distance s, and the distance left beyond that end of the curve (extrapolate only; < 0 before
 /// the start).
@@ -72,7 +79,10 @@ void positions_at_length(const ArcLength& path, std::span<const double> s, Exten
 struct CurveHash {
     [[nodiscard]] std::size_t operator()(const Curve& curve) const noexcept;
 };
-using ArcLengthCache = Cache<Curve, ArcLength, CurveHash>;
+struct ArcLengthBytes {
+    [[nodiscard]] std::size_t operator()(const Curve& curve, const ArcLength& path) const noexcept;
+};
+using ArcLengthCache = Cache<Curve, ArcLength, CurveHash, ArcLengthBytes>;
 
 /// The process's cache of arc length tables.
 [[nodiscard]] ArcLengthCache& arc_length_cache();

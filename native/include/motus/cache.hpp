@@ -4,13 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
-#include <iterator>
 #include <list>
 #include <memory>
 #include <mutex>
 #include <span>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace motus {
 
@@ -38,19 +38,28 @@ class ContentHash {
     std::uint64_t state_ = 0x243f6a8885a308d3ULL;
 };
 
-/// Keeps the `capacity` values used last, each found by the whole content of its key (Key needs ==; the hash
-/// only narrows the search). What it answers never depends on what it holds: a value is a function of its
-/// key.
-template <class Key, class Value, class Hash>
+/// Bytes that a vector has taken.
+template <class T>
+[[nodiscard]] std::size_t bytes_of(const std::vector<T>& values) noexcept {
+    return values.capacity() * sizeof(T);
+}
+
+/// Keeps the values used last: `capacity` of them at most, and only as many as together take `byte_limit` at
+/// most. Each is found by the whole content of its key (Key needs ==; the hash only narrows the search). What
+/// it answers never depends on what it holds: a value is a function of its key.
+///
+/// Bytes{}(key, value) says what an entry takes. It is asked anew whenever one is added, since a value may
+/// build a part of itself later.
+template <class Key, class Value, class Hash, class Bytes>
 class Cache {
   public:
     using Pointer = std::shared_ptr<const Value>;
 
-    explicit Cache(std::size_t capacity) : capacity_(capacity) {}
+    Cache(std::size_t capacity, std::size_t byte_limit) : capacity_(capacity), byte_limit_(byte_limit) {}
 
     /// The value of `key`; where it is not held, `make(key)` -> shared_ptr<const Value> builds it. Built
     /// outside the lock, so that threads with different keys don't wait for each other; where two build the
-    /// same, the first stays.
+    /// same, the first stays. Where this throws, the cache is as it was.
     template <class Make>
     [[nodiscard]] Pointer get(const Key& key, Make&& make) {
         const std::size_t hash = Hash{}(key);
@@ -61,8 +70,11 @@ class Cache {
         Pointer made = std::forward<Make>(make)(key);
         const std::scoped_lock lock(mutex_);
         if (Pointer held = find(hash, key)) return held;
-        entries_.push_front({hash, key, made});
-        index_.emplace(hash, entries_.begin());
+        // What may throw comes before the splice, which cannot, and which keeps the iterator.
+        Entries added;
+        added.push_front({hash, key, made});
+        index_.emplace(hash, added.begin());
+        entries_.splice(entries_.begin(), added);
         shrink();
         return made;
     }
@@ -80,6 +92,14 @@ class Cache {
     [[nodiscard]] std::size_t size() const {
         const std::scoped_lock lock(mutex_);
         return entries_.size();
+    }
+    [[nodiscard]] std::size_t byte_limit() const noexcept { return byte_limit_; }
+    /// What is held, now.
+    [[nodiscard]] std::size_t bytes() const {
+        const std::scoped_lock lock(mutex_);
+        std::size_t sum = 0;
+        for (const Entry& entry : entries_) sum += Bytes{}(entry.key, *entry.value);
+        return sum;
     }
 
   private:
@@ -101,18 +121,26 @@ class Cache {
         return nullptr;
     }
 
+    /// Drops what was used before the entries that fit.
     void shrink() {
-        while (entries_.size() > capacity_) {
-            const auto oldest = std::prev(entries_.end());
-            auto it = index_.find(oldest->hash);
-            while (it->second != oldest) ++it;
+        auto end = entries_.begin();
+        std::size_t count = 0;
+        std::size_t bytes = 0;
+        for (; end != entries_.end(); ++end) {
+            bytes += Bytes{}(end->key, *end->value);
+            if (++count > capacity_ || bytes > byte_limit_) break;
+        }
+        while (end != entries_.end()) {
+            auto it = index_.find(end->hash);
+            while (it->second != end) ++it;
             index_.erase(it);
-            entries_.erase(oldest);
+            end = entries_.erase(end);
         }
     }
 
     mutable std::mutex mutex_;
     std::size_t capacity_;
+    const std::size_t byte_limit_;
     Entries entries_;  ///< used last first
     std::unordered_multimap<std::size_t, typename Entries::iterator> index_;
 };

@@ -78,6 +78,11 @@ struct Location {
 /// begins there. Throws std::invalid_argument for another order.
 [[nodiscard]] glm::dvec3 derivative(const Curve& curve, double t, int order = 1);
 
+/// Outside the curve's interval the derivative of position(curve, t, extend): on the way back of ping_pong
+/// the odd orders change their sign, extrapolated the first one stays and the others are 0. Clamped it is the
+/// end's.
+[[nodiscard]] glm::dvec3 derivative(const Curve& curve, double t, int order, Extend extend);
+
 /// Position and the first three derivatives in one pass.
 struct Jet {
     glm::dvec3 position{0.0};
@@ -92,11 +97,20 @@ struct Jet {
 /// else of the one before; (0, 1, 0) on a curve of zero length.
 [[nodiscard]] glm::dvec3 tangent(const Curve& curve, double t);
 
+/// Direction in which position(curve, t, extend) moves as t grows: turned back on the way back of ping_pong.
+[[nodiscard]] glm::dvec3 tangent(const Curve& curve, double t, Extend extend);
+
 /// Curvature |C' x C''| / |C'|^3, 1 / length unit. Where C' vanishes, the limit: infinity at a cusp, 0 on a
 /// straight stretch and on a segment of zero length.
 [[nodiscard]] double curvature(const Curve& curve, double t);
 
+/// Curvature of position(curve, t, extend): 0 where it goes on straight.
+[[nodiscard]] double curvature(const Curve& curve, double t, Extend extend);
+
 /// Torsion (C' x C'') . C''' / |C' x C''|^2, 1 / length unit; 0 where the curvature is 0 or infinite.
 [[nodiscard]] double torsion(const Curve& curve, double t);
+
+/// Torsion of position(curve, t, extend): 0 where it goes on straight; the same forth and back.
+[[nodiscard]] double torsion(const Curve& curve, double t, Extend extend);
 
 }  // namespace motus

@@ -88,7 +88,10 @@ struct FrameTablesKey {
 struct FrameTablesHash {
     [[nodiscard]] std::size_t operator()(const FrameTablesKey& key) const noexcept;
 };
-using FrameTablesCache = Cache<FrameTablesKey, FrameTables, FrameTablesHash>;
+struct FrameTablesBytes {
+    [[nodiscard]] std::size_t operator()(const FrameTablesKey& key, const FrameTables& tables) const noexcept;
+};
+using FrameTablesCache = Cache<FrameTablesKey, FrameTables, FrameTablesHash, FrameTablesBytes>;
 
 /// The process's cache of frame tables.
 [[nodiscard]] FrameTablesCache& frame_tables_cache();

@@ -16,6 +16,12 @@ def copy_value(owner, path, source):
 
 def _new(owner, path, index, variables):
     curve = owner.driver_add(path) if index is None else owner.driver_add(path, index)
+    # Blender maps a driver's value through its curve, in 5.x by two keys at 0 and 1, and there snaps values that are within
+    # 1e-4 above a key onto it. A bare curve passes the value on as it is.
+    while curve.modifiers:
+        curve.modifiers.remove(curve.modifiers[0])
+    for key in reversed(curve.keyframe_points):
+        curve.keyframe_points.remove(key)
     driver = curve.driver
     for name, source in variables.items():
         variable = driver.variables.new()

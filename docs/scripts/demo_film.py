@@ -1,6 +1,6 @@
 """Render the demo flight: three stills, then a short film. Run inside Blender with the add-on enabled:
 
-    blender -b --python render.py -- --output FOLDER [--quick]
+    blender -b --python demo_film.py -- --output FOLDER [--quick]
 
 The film is made by EEVEE, which is free of noise at the few samples a frame can have here; it is cut short where the
 machine would not finish it in time. So are the stills, unless this Blender can denoise what Cycles makes.
@@ -70,7 +70,7 @@ def main():
 
 
 def _arguments():
-    parser = argparse.ArgumentParser(prog="render.py", description="Render Motus's demo flight")
+    parser = argparse.ArgumentParser(prog="demo_film.py", description="Render Motus's demo flight")
     parser.add_argument("--output", type=Path, required=True, help="folder for the pictures")
     parser.add_argument("--quick", action="store_true", help="small and rough, to see that everything works")
     own = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
@@ -90,20 +90,20 @@ def _set_size(scene, width):
 # --- stills ----------------------------------------------------------------------------------------------------------
 
 
-def render_stills(scene, folder, quality, progress):
-    """flight_01.png and so on, one for each camera."""
+def render_stills(scene, folder, quality, progress, count=len(STILLS)):
+    """flight_01.png and so on, one for each of the first `count` cameras."""
     if not _use_cycles(scene, quality):
         _use_eevee(scene, quality.still_samples, reflections=True)
     _set_size(scene, quality.still_width)
     _set_format(scene, "PNG")
     cuts = _suspend_cuts(scene)
-    for number, (camera, seconds) in enumerate(STILLS, start=1):
+    for number, (camera, seconds) in enumerate(STILLS[:count], start=1):
         scene.camera = scene.objects[camera]
         scene.frame_set(_frame_at(scene, seconds))
         scene.render.filepath = str(folder / f"flight_{number:02d}.png")
         began = progress.seconds()
         bpy.ops.render.render(write_still=True)
-        progress.say(f"Still {number} of {len(STILLS)}: {camera}, {progress.seconds() - began:.0f} s")
+        progress.say(f"Still {number} of {count}: {camera}, {progress.seconds() - began:.0f} s")
     _resume_cuts(scene, cuts)
 
 

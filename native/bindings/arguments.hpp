@@ -1,0 +1,72 @@
+// Python objects that are no arrays to checked values. They are taken as they come and looked at here, so
+// that the exception names the argument instead of listing a signature.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include <initializer_list>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "arrays.hpp"
+
+namespace motus::bindings {
+
+[[nodiscard]] inline std::string_view type_name(py::handle object) {
+    return Py_TYPE(object.ptr())->tp_name;
+}
+
+[[noreturn]] inline void wrong_type(py::handle given, std::string_view name, std::string_view wanted) {
+    type_error(name, "must be " + std::string(wanted) + ", not " + std::string(type_name(given)));
+}
+
+/// True or False, NumPy's included.
+[[nodiscard]] inline bool flag(py::handle object, std::string_view name) {
+    const bool is_numpy = type_name(object) == "numpy.bool" || type_name(object) == "numpy.bool_";
+    if (!is_numpy && PyBool_Check(object.ptr()) == 0) wrong_type(object, name, "True or False");
+    return PyObject_IsTrue(object.ptr()) == 1;
+}
+
+/// A whole number, NumPy's included. One that no int holds becomes the nearest that does: no argument's
+/// domain is as wide, so that the sentence about the domain comes from the one who knows it.
+[[nodiscard]] inline int whole_number(py::handle object, std::string_view name) {
+    constexpr long lowest = std::numeric_limits<int>::min();
+    constexpr long highest = std::numeric_limits<int>::max();
+    if (PyIndex_Check(object.ptr()) == 0 || PyBool_Check(object.ptr()) != 0)
+        wrong_type(object, name, "a whole number");
+    const auto index = py::reinterpret_steal<py::object>(PyNumber_Index(object.ptr()));
+    if (!index) {
+        PyErr_Clear();  // an array of several numbers, which has the method but no use for it
+        wrong_type(object, name, "a whole number");
+    }
+    int overflow = 0;
+    const long value = PyLong_AsLongAndOverflow(index.ptr(), &overflow);
+    if (overflow > 0 || value > highest) return static_cast<int>(highest);
+    if (overflow < 0 || value < lowest) return static_cast<int>(lowest);
+    return static_cast<int>(value);
+}
+
+/// An object of a bound class, called `wanted` in the message.
+template <class Bound>
+[[nodiscard]] const Bound& instance(py::handle object, std::string_view name, std::string_view wanted) {
+    if (!py::isinstance<Bound>(object)) wrong_type(object, name, wanted);
+    return object.cast<const Bound&>();
+}
+
+/// The value that a name stands for; TypeError where it is no string, ValueError with the list of names where
+/// it is none of them.
+template <class Value>
+[[nodiscard]] Value choice(py::handle object, std::string_view name,
+                           std::initializer_list<std::pair<std::string_view, Value>> choices) {
+    if (!py::isinstance<py::str>(object)) wrong_type(object, name, "a string");
+    const auto given = object.cast<std::string>();
+    std::string list;
+    for (const auto& [text, value] : choices) {
+        if (text == given) return value;
+        list += (list.empty() ? "'" : ", '") + std::string(text) + "'";
+    }
+    value_error(name, "must be one of " + list + ", not '" + given + "'");
+}
+
+}  // namespace motus::bindings
