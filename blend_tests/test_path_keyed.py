@@ -102,7 +102,7 @@ class KeyedSpeed(PathTestCase):
         car = self.keyed([(1, 3.0), (25, 9.0)], 'LINEAR')
         car.motus.path.driver_add("speed").driver.expression = "2.0"
         self.assertIn("driven", self.sentence(car, 25))
-        self.assertAlmostEqual(self.output(car, "distance", 25), 2.0, places=5)
+        self.assertAlmostEqual(self.place(car, 25)[0], 2.0, places=5)
 
     def test_cost(self):
         car = self.keyed([(1 + 25 * index, 3.0 + index % 4) for index in range(11)], 'BEZIER')

@@ -186,6 +186,25 @@ TEST_CASE("distances outside the curve mean what extend says", "[arc_length]") {
         CHECK(positions[i] == position_at_length(path, distances[i], Extend::loop));
 }
 
+TEST_CASE("the distance at a parameter outside leads to the same place", "[arc_length]") {
+    Random random(34);
+    const ArcLength path(smooth_spline(random, 5, false));
+    for (const Extend extend : {Extend::clamp, Extend::extrapolate, Extend::loop, Extend::ping_pong}) {
+        double last = -std::numeric_limits<double>::infinity();
+        for (const double t : {-13.7, -9.3, -4.6, -0.4, 0.0, 0.7, 4.0, 4.2, 7.9, 8.3, 13.1}) {
+            CAPTURE(static_cast<int>(extend), t);
+            const double s = length_at(path, t, extend);
+            CHECK(glm::distance(position_at_length(path, s, extend), position(path.curve(), t, extend)) <=
+                  1e-10 * path.length());
+            CHECK(s >= last);
+            last = s;
+        }
+        CHECK((extend == Extend::clamp ? last == path.length() : last > path.length()));
+    }
+    CHECK(length_at(path, 9.5, Extend::loop) == Approx(2.0 * path.length() + path.length_at(1.5)));
+    CHECK(length_at(path, -0.5, Extend::ping_pong) == Approx(-path.length_at(0.5)));
+}
+
 TEST_CASE("a curve without length is its point at every distance", "[arc_length]") {
     const glm::dvec3 point(1.1, 2.2, 3.3);
     const ArcLength path(Curve::chain(3, std::vector<glm::dvec3>(8, point), true));
@@ -195,6 +214,7 @@ TEST_CASE("a curve without length is its point at every distance", "[arc_length]
     for (const Extend extend : {Extend::clamp, Extend::extrapolate, Extend::loop, Extend::ping_pong}) {
         for (const double s : {-1.0, 0.0, 2.0}) {
             CHECK(t_at_length(path, s, extend).value == 0.0);
+            CHECK(length_at(path, s, extend) == 0.0);
             CHECK(position_at_length(path, s, extend) == point);
         }
     }

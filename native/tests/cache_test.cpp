@@ -1,12 +1,16 @@
 #include "motus/cache.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstdlib>
+#include <functional>
+#include <new>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "curve_checks.hpp"
 #include "motus/arc_length.hpp"
+#include "motus/frames.hpp"
 
 using namespace motus;
 using namespace motus::checks;
@@ -17,7 +21,30 @@ namespace {
 struct ConstantHash {
     std::size_t operator()(const std::string&) const { return 1; }
 };
-using WordCache = Cache<std::string, std::string, ConstantHash>;
+struct WordBytes {
+    std::size_t operator()(const std::string& key, const std::string& value) const {
+        return key.size() + value.size();
+    }
+};
+using WordCache = Cache<std::string, std::string, ConstantHash, WordBytes>;
+constexpr std::size_t roomy = 1000;
+
+/// Allocations until one fails; below 0 none does.
+thread_local int allocations_left = -1;
+
+/// Runs `work` with so many allocations granted; whether they were enough.
+template <class Work>
+bool with_allocations(int count, Work&& work) {
+    allocations_left = count;
+    bool enough = true;
+    try {
+        work();
+    } catch (const std::bad_alloc&) {
+        enough = false;
+    }
+    allocations_left = -1;
+    return enough;
+}
 
 /// Counts how often a value is made.
 struct Maker {
@@ -42,8 +69,22 @@ class CacheOff {
 
 }  // namespace
 
+// The test program's own, so that they can fail.
+void* operator new(std::size_t size) {
+    if (allocations_left == 0) throw std::bad_alloc();
+    if (allocations_left > 0) --allocations_left;
+    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+    throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
 TEST_CASE("the cache tells keys apart by content and makes each once", "[cache]") {
-    WordCache cache(8);
+    WordCache cache(8, roomy);
     Maker maker;
     CHECK(*cache.get("a", std::ref(maker)) == "a!");
     CHECK(*cache.get("b", std::ref(maker)) == "b!");
@@ -53,7 +94,7 @@ TEST_CASE("the cache tells keys apart by content and makes each once", "[cache]"
 }
 
 TEST_CASE("a full cache drops what was used longest ago", "[cache]") {
-    WordCache cache(2);
+    WordCache cache(2, roomy);
     Maker maker;
     (void)cache.get("a", std::ref(maker));
     (void)cache.get("b", std::ref(maker));
@@ -68,7 +109,7 @@ TEST_CASE("a full cache drops what was used longest ago", "[cache]") {
 }
 
 TEST_CASE("what was handed out outlives the cache's copy", "[cache]") {
-    WordCache cache(1);
+    WordCache cache(1, roomy);
     const auto held = cache.get("a", Maker{});
     cache.set_capacity(0);
     CHECK(cache.size() == 0);
@@ -76,11 +117,69 @@ TEST_CASE("what was handed out outlives the cache's copy", "[cache]") {
 }
 
 TEST_CASE("a maker that throws leaves nothing behind", "[cache]") {
-    WordCache cache(2);
+    WordCache cache(2, roomy);
     const auto failing = [](const std::string&) -> std::shared_ptr<const std::string> { throw 1; };
     CHECK_THROWS(cache.get("a", failing));
     CHECK(cache.size() == 0);
     CHECK(*cache.get("a", Maker{}) == "a!");
+}
+
+TEST_CASE("a cache whose entries weigh too much drops what was used longest ago", "[cache]") {
+    WordCache cache(100, 12);
+    Maker maker;
+    for (const char* key : {"a", "b", "c", "d"}) (void)cache.get(key, std::ref(maker));
+    CHECK(cache.bytes() == 12);
+    (void)cache.get("a", std::ref(maker));
+    (void)cache.get("long", std::ref(maker));
+    CHECK(maker.made == 5);
+    CHECK(cache.size() == 2);
+    CHECK(cache.bytes() == 12);
+    (void)cache.get("a", std::ref(maker));
+    CHECK(maker.made == 5);
+    CHECK(*cache.get("longer than the cache", std::ref(maker)) == "longer than the cache!");
+    CHECK(cache.size() == 0);
+}
+
+TEST_CASE("a cache that finds no memory is as it was", "[cache]") {
+    for (int allocations = 0;; ++allocations) {
+        WordCache cache(1, roomy);
+        (void)cache.get("a", Maker{});
+        const auto made = std::make_shared<const std::string>("b!");
+        const std::string key(100, 'b');  // too long to be kept without an allocation
+        const auto make = [&made](const std::string&) { return made; };
+        const bool succeeded = with_allocations(allocations, [&] { (void)cache.get(key, make); });
+        CAPTURE(allocations);
+        CHECK(cache.size() == 1);
+        Maker maker;
+        CHECK(*cache.get("a", std::ref(maker)) == "a!");
+        CHECK(maker.made == (succeeded ? 1 : 0));
+        CHECK(cache.get(key, make) == made);
+        CHECK(cache.size() == 1);
+        if (!succeeded) continue;
+        CHECK(allocations >= 3);  // the entry, its key and the index
+        break;
+    }
+}
+
+TEST_CASE("animated curves of many segments hold no more memory than stated", "[cache]") {
+    ArcLengthCache& paths = arc_length_cache();
+    FrameTablesCache& frames = frame_tables_cache();
+    CHECK(paths.byte_limit() + frames.byte_limit() <= std::size_t{256} << 20);
+    const std::size_t before = paths.size();
+    std::vector<glm::dvec3> points = Random(7).points(40'000);
+    constexpr std::size_t shots = 8;
+    for (std::size_t i = 0; i < shots; ++i) {
+        points[0].x += 0.001;
+        const auto path = shared_arc_length(Curve::chain(3, points, false));
+        CHECK(paths.bytes() <= paths.byte_limit());
+        CHECK(path->bytes() >= path->curve().control_points().size_bytes() + 8 * 10'000);
+    }
+    CHECK(paths.size() < before + shots);
+    FrameSettings settings;
+    settings.mode = FrameMode::banking;
+    settings.smoothing = 0.1;
+    (void)shared_frames(shared_arc_length(Curve::chain(3, {points.data(), 4'000}, false)), settings);
+    CHECK(frames.bytes() <= frames.byte_limit());
 }
 
 TEST_CASE("arc lengths are the same with the cache and without", "[cache]") {
@@ -109,7 +208,7 @@ TEST_CASE("a curve that differs in one bit, in degree or in being cyclic has tab
 }
 
 TEST_CASE("many threads on one cache", "[cache]") {
-    WordCache cache(3);
+    WordCache cache(3, roomy);
     std::vector<std::thread> threads;
     std::vector<int> wrong(4, 0);
     for (int& count : wrong) {

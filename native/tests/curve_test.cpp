@@ -126,6 +126,46 @@ TEST_CASE("parameters outside the interval mean what extend says", "[curve]") {
     }
 }
 
+TEST_CASE("derivatives outside the interval are those of the extended position", "[curve]") {
+    Random random(2);
+    const Curve curve = smooth_spline(random, 5, false);
+    const double h = 1e-5;
+    for (const Extend extend : {Extend::extrapolate, Extend::loop, Extend::ping_pong}) {
+        for (const double t : {-9.3, -4.6, -0.4, 0.7, 4.2, 7.9, 8.3, 13.1}) {
+            CAPTURE(static_cast<int>(extend), t);
+            const auto difference = [&](auto&& f) { return (f(t + h) - f(t - h)) / (2.0 * h); };
+            const glm::dvec3 d1 = derivative(curve, t, 1, extend);
+            const glm::dvec3 d2 = derivative(curve, t, 2, extend);
+            const glm::dvec3 d3 = derivative(curve, t, 3, extend);
+            CHECK(glm::distance(d1, difference([&](double x) { return position(curve, x, extend); })) <=
+                  1e-7);
+            CHECK(glm::distance(d2, difference([&](double x) { return derivative(curve, x, 1, extend); })) <=
+                  1e-6);
+            CHECK(glm::distance(d3, difference([&](double x) { return derivative(curve, x, 2, extend); })) <=
+                  1e-5);
+            CHECK(glm::distance(tangent(curve, t, extend), glm::normalize(d1)) <= 1e-14);
+            const glm::dvec3 binormal = glm::cross(d1, d2);
+            const double square = glm::dot(binormal, binormal);
+            CHECK(curvature(curve, t, extend) ==
+                  Approx(std::sqrt(square) / std::pow(glm::length(d1), 3)).margin(1e-14));
+            CHECK(torsion(curve, t, extend) ==
+                  Approx(square > 0.0 ? glm::dot(binormal, d3) / square : 0.0).margin(1e-14));
+        }
+    }
+}
+
+TEST_CASE("clamped, everything outside is what it is at the end", "[curve]") {
+    Random random(3);
+    const Curve curve = smooth_spline(random, 5, false);
+    for (const auto& [t, end] : {std::pair{-3.0, 0.0}, std::pair{4.1, 4.0}}) {
+        for (const int order : {1, 2, 3})
+            CHECK(derivative(curve, t, order, Extend::clamp) == derivative(curve, end, order));
+        CHECK(tangent(curve, t, Extend::clamp) == tangent(curve, end));
+        CHECK(curvature(curve, t, Extend::clamp) == curvature(curve, end));
+        CHECK(torsion(curve, t, Extend::clamp) == torsion(curve, end));
+    }
+}
+
 TEST_CASE("curvature and torsion of a helix", "[curve]") {
     const double radius = 2.0;
     const double rise = 0.7;

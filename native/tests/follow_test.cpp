@@ -156,6 +156,28 @@ TEST_CASE("a lagging orientation is continuous in time and starts on its target"
     }
 }
 
+TEST_CASE("a lagging orientation converges as its steps shrink, with the square of the step", "[follow]") {
+    // k times the time at a k-th of the speed and of the rate is the same motion in steps a k-th as long.
+    const samples::Path path = samples::s_curve();
+    const Frames frames(path, mode(FrameMode::world_up));
+    const double time = 5.0;
+    const auto refined = [&](double k) {
+        FollowSettings settings;
+        settings.lag_rate = 0.02 / k;
+        const Timing timing = Timing::constant(0.8 * path->length() / time / k);
+        return follow_one(frames, timing, k * time, 0.0, settings).rotation;
+    };
+    const glm::dquat limit = refined(16.0);
+    const double coarse = angle_between(refined(1.0), limit);
+    const double middle = angle_between(refined(2.0), limit);
+    const double fine = angle_between(refined(4.0), limit);
+    CHECK(coarse < 1e-3);
+    CHECK(coarse > 1e-9);
+    CHECK(middle < 0.3 * coarse);
+    CHECK(fine < 0.3 * middle);
+    CHECK(angle_between(limit, frames.at(0.8 * path->length(), 0.0)) > 0.01);
+}
+
 TEST_CASE("a quick lag is no lag", "[follow]") {
     const samples::Path path = samples::level_circle(5.0);
     const Frames frames(path, mode(FrameMode::world_up));

@@ -12,7 +12,7 @@ WEIGHTS = 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0
 """Gauss-Legendre on [0, 1]: exact for polynomials up to degree 5, and never at an end, where a stepped key jumps."""
 
 CLOSE = 1e-4  # frames; nearer bounds are one
-SHORT = 4.0  # frames; between nearer keys a value may bend so much that a frame is halved
+SHORT = 2.0  # frames; between nearer keys the value bends so much in a frame that it is halved
 STEP = 0.5  # frames, to either side of where a rate is measured
 
 
@@ -69,9 +69,7 @@ def bounds(curve, first, last):
     if keys and curve.extrapolation == 'CONSTANT' and not curve.modifiers:
         start, end = max(first, keys[0]), min(last, keys[-1])
     inner = {*map(float, range(math.ceil(start), math.floor(end) + 1)), *keys, *_repeated(curve, keys, first, last)}
-    for key, following in zip(keys, keys[1:]):
-        if following - key < SHORT:
-            inner.update(key + 0.125 * eighth * (following - key) for eighth in range(1, 8))
+    inner.update(0.5 * (key + following) for key, following in zip(keys, keys[1:]) if following - key < SHORT)
     ordered = [first]
     for frame in sorted(inner):
         if ordered[-1] + CLOSE < frame < last - CLOSE:
