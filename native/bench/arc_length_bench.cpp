@@ -74,8 +74,7 @@ class Bisection {
 };
 
 void print_row(const char* name, double nanoseconds, double error, double reference) {
-    std::printf("  %-34s %12.1f ns %10.2f x   error %.1e of the length\n", name, nanoseconds,
-                nanoseconds / reference, error);
+    std::printf("  %-34s %12.1f %12.2f x %14.1e\n", name, nanoseconds, nanoseconds / reference, error);
 }
 
 [[nodiscard]] std::vector<double> random_distances(std::size_t count, double length) {
@@ -113,11 +112,13 @@ void run(const std::string& name, const Curve& curve) {
     const std::vector<double> few = random_distances(20, path.length());
 
     std::printf("%s: %zu segments of degree %d\n", name.c_str(), curve.segment_count(), curve.degree());
+    std::printf("  %-34s %12s %14s %14s\n", "t at a random distance", "each, ns", "time, linear=1",
+                "error / length");
     const double reference = look_up_time(linear, many);
-    print_row("linear table of 100, t at s", reference, error(linear, path, many), reference);
-    print_row("bisection and quadrature, t at s", look_up_time(bisection, few), error(bisection, path, few),
+    print_row("linear table of 100", reference, error(linear, path, many), reference);
+    print_row("bisection and quadrature", look_up_time(bisection, few), error(bisection, path, few),
               reference);
-    print_row("Motus, t at s", look_up_time(path, many), error(path, path, many), reference);
+    print_row("Motus", look_up_time(path, many), error(path, path, many), reference);
 
     const std::vector<double> million = random_distances(1'000'000, path.length());
     std::vector<glm::dvec3> positions(million.size());
@@ -125,12 +126,13 @@ void run(const std::string& name, const Curve& curve) {
         positions_at_length(path, million, Extend::clamp, positions);
         bench::keep(positions);
     });
-    std::printf("  %-34s %12.1f ms\n", "Motus, 1 M positions at s", batch * 1e-6);
     const double forward = bench::nanoseconds([&] { bench::keep(ArcLength(curve).length()); });
     const double both = bench::nanoseconds([&] { bench::keep(ArcLength(curve).interval_count()); });
     const double plain = bench::nanoseconds([&] { bench::keep(LinearTable(curve).length()); });
-    std::printf("  %-34s %12.1f us   (length alone %.1f us; linear table %.1f us)\n\n", "Motus, building",
-                both * 1e-3, forward * 1e-3, plain * 1e-3);
+    std::printf("  %-34s %12.1f ms\n", "Motus, 1 M positions", batch * 1e-6);
+    std::printf("  %-34s %12.1f us\n", "linear table, building", plain * 1e-3);
+    std::printf("  %-34s %12.1f us\n", "Motus, building for the length", forward * 1e-3);
+    std::printf("  %-34s %12.1f us\n\n", "Motus, building for t at s too", both * 1e-3);
 }
 
 [[nodiscard]] Curve random_spline(std::size_t count) {
@@ -155,6 +157,7 @@ void run(const std::string& name, const Curve& curve) {
 }  // namespace
 
 int main() {
+    std::printf("Look-ups by arc length; one thread, best of 7.\n\n");
     using Points = std::vector<glm::dvec3>;
     run("S curve", Curve::bezier(Points{{0, 0, 0}, {3, 0, 0}, {1, 4, 0}, {4, 4, 0}}));
     run("cusp", Curve::bezier(Points{{0, 0, 0}, {4, 4, 0}, {0, 4, 0}, {4, 0, 0}}));

@@ -18,7 +18,9 @@ namespace motus::bindings {
 }
 
 [[noreturn]] inline void wrong_type(py::handle given, std::string_view name, std::string_view wanted) {
-    type_error(name, "must be " + std::string(wanted) + ", not " + std::string(type_name(given)));
+    std::string_view type = type_name(given);
+    type.remove_prefix(type.rfind('.') + 1);  // its module's name; nothing where there is none
+    type_error(name, "must be " + std::string(wanted) + ", not " + std::string(type));
 }
 
 /// True or False, NumPy's included.

@@ -11,8 +11,9 @@ namespace {
 
 // About 100 kB each: a shot with as many paths, or as many steps back of one that is being edited.
 constexpr std::size_t cached_tables = 128;
-// For curves of many thousand segments; with that of the frame tables 256 MB.
-constexpr std::size_t cached_bytes = std::size_t{64} << 20;
+// For curves of many thousand segments: with the frame tables' limit and the inverses that are built later,
+// half as much again, no more than 256 MB in all.
+constexpr std::size_t cached_bytes = std::size_t{48} << 20;
 
 }  // namespace
 

@@ -53,8 +53,7 @@ inline void reduce(Points& points, std::size_t count, double t) {
             6.0 * ((p[3] - p[0]) - 3.0 * (p[2] - p[1]))};
 }
 
-[[nodiscard]] inline Jet jet(Segment segment, double t) {
-    if (segment.size() == 4) return cubic_jet(segment, t);
+[[nodiscard]] inline Jet jet_of_any_degree(Segment segment, double t) {
     Points q = copy(segment);
     std::size_t count = segment.size();
     const auto n = static_cast<double>(count - 1);
@@ -71,6 +70,10 @@ inline void reduce(Points& points, std::size_t count, double t) {
     result.d1 = n * (q[1] - q[0]);
     result.position = mix(q[0], q[1], t);
     return result;
+}
+
+[[nodiscard]] inline Jet jet(Segment segment, double t) {
+    return segment.size() == 4 ? cubic_jet(segment, t) : jet_of_any_degree(segment, t);
 }
 
 /// Control points of the two parts of a segment cut at t; each of segment.size().

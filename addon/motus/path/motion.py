@@ -21,6 +21,7 @@ PROBLEMS = (NO_PINS, SAME_FRAME, DRIVEN_SPEED, SPEED_IN_STRIPS, FRACTION_IN_STRI
 
 REPEATING = {'LOOP', 'PING_PONG'}
 SHORTEST = 1e-6  # s; keys and drivers can pass the setting's own limits
+INFINITE = 3.4e38  # what Blender makes of infinity lies above
 JUMP = 1e-9  # of the duration: how fast the speed jumps where there is no ease
 
 
@@ -47,9 +48,14 @@ def motion(context, numbers, length, with_past):
 
     with_past: the timing is right from the start on, which a lag and the overlay need; else only at the present time.
     """
-    if not all(map(math.isfinite, numbers.values())):
+    if not all(map(is_finite, numbers.values())):
         return NOT_FINITE
     return _BY_TIMING[context.settings.timing](context, numbers, length, with_past)
+
+
+def is_finite(value):
+    """Whether a setting's value is a finite number."""
+    return abs(value) < INFINITE
 
 
 def _since_start(context, numbers):
@@ -115,7 +121,7 @@ def _by_pins(context, _numbers, length, _with_past):
     by_fraction = settings.pins_by == 'FRACTION'
     places = {pin.frame: pin.fraction * length if by_fraction else pin.distance for pin in settings.pins}
     pins = sorted(places.items())
-    if not all(map(math.isfinite, (value for pin in pins for value in pin))):
+    if not all(map(is_finite, (value for pin in pins for value in pin))):
         return NOT_FINITE
     frames, distances = np.array(pins).T
     timing = native.module.Timing.pins(frames / context.fps, distances)

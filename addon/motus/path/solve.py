@@ -1,7 +1,5 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
-import math
-
 from ..core import curves, native
 from ..core.lazy import numpy as np
 from ..core.system import Deformed, Matrix, Problem, Setting, Splines
@@ -31,7 +29,7 @@ def solve(context, matrix, splines, deformed, **numbers):
         return CURVE_DELETED
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
-    if not (math.isfinite(settings.influence) and np.isfinite(context.member_data).all()):
+    if not (motion.is_finite(settings.influence) and np.isfinite(context.member_data).all()):
         return motion.NOT_FINITE
     try:
         path = curves.read(settings.curve, splines, context.depsgraph, int(numbers["spline"]), matrix)

@@ -1,12 +1,10 @@
 """Which objects an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-import math
-
 import bpy
 
 from ..core import curves
 from ..core.translations import tr
-from . import members, solve
+from . import members, motion, solve
 from .properties import EASE_TOLERANCE, KEYWORDS
 
 
@@ -70,7 +68,7 @@ def check_finite(operator, names):
     """Refuse keywords that were given something that is no number."""
     for name in names:
         value = getattr(operator, name)
-        if isinstance(value, float) and not math.isfinite(value):
+        if isinstance(value, float) and not motion.is_finite(value):
             raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
 
 

@@ -110,6 +110,25 @@ class Values(unittest.TestCase):
         self.assertAlmostEqual(curve.t_at_length(1.5 * S_LENGTH, "loop"), 0.5, places=11)
         self.assertAlmostEqual(curve.t_at_length(-0.5 * S_LENGTH, "ping_pong"), 0.5, places=11)
 
+    def test_extended_derivatives_and_lengths(self):
+        curve = smooth_spline(5, cyclic=False)
+        h = 1e-5
+        for extend in ("extrapolate", "loop", "ping_pong"):
+            t = np.array([-5.3, -0.4, 0.7, 4.2, 7.9, 8.3])
+            d1, d2 = (curve.derivative(t, order, extend=extend) for order in (1, 2))
+            numeric = (curve.position(t + h, extend) - curve.position(t - h, extend)) / (2.0 * h)
+            np.testing.assert_allclose(d1, numeric, atol=1e-6)
+            speeds = np.linalg.norm(d1, axis=1)
+            np.testing.assert_allclose(curve.tangent(t, extend), d1 / speeds[:, None], atol=1e-12)
+            bends = np.linalg.norm(np.cross(d1, d2), axis=1) / speeds**3
+            np.testing.assert_allclose(curve.curvature(t, extend=extend), bends, atol=1e-9)
+            np.testing.assert_allclose(curve.torsion(t, extend)[:2] == 0.0, extend == "extrapolate")
+            s = curve.length_at(t, extend)
+            np.testing.assert_allclose(curve.position_at_length(s, extend), curve.position(t, extend), atol=1e-10)
+            self.assertTrue((np.diff(s) > 0.0).all())
+        self.assertEqual(curve.length_at(9.0), curve.length())
+        np.testing.assert_array_equal(curve.derivative(9.0), curve.derivative(4.0))
+
     def test_split_elevate_reverse(self):
         curve = native.Bezier(S_CURVE)
         before, after = curve.split(0.3)
@@ -203,17 +222,58 @@ class Errors(unittest.TestCase):
             self.check(TypeError, name, method, "0.5")
             self.check(TypeError, name, method, 0.5j)
             self.check(TypeError, name, method, None)
-        for method in (curve.position, curve.t_at_length, curve.position_at_length):
+        for method in (curve.position, curve.derivative, curve.tangent, curve.curvature, curve.torsion, curve.length_at,
+                       curve.t_at_length, curve.position_at_length):
             self.check(ValueError, "extend", method, 0.5, extend="mirror")
+            for extend in (None, 3, b"clamp", ["clamp"]):
+                self.check(TypeError, "extend", method, 0.5, extend=extend)
         self.check(ValueError, "order", curve.derivative, 0.5, 4)
         self.check(ValueError, "order", curve.derivative, 0.5, order=0)
         self.check(ValueError, "t", curve.split, float("nan"))
         self.check(TypeError, "t", curve.split, "half")
         self.check(ValueError, "times", curve.elevate, -1)
         self.check(ValueError, "times", curve.elevate, 62)
+        self.check(ValueError, "times", curve.elevate, 2**40)
+        self.check(ValueError, "times", curve.elevate, -(2**80))
+        for wrong in ("x", None, 1.0, True, np.arange(2)):
+            self.check(TypeError, "times", curve.elevate, wrong)
+        for wrong in ("a", None, 1.5):
+            self.check(TypeError, "order", curve.derivative, 0.5, order=wrong)
+            self.check(TypeError, "order", native.BSpline, np.zeros((8, 3)), order=wrong)
         self.check(ValueError, "matrix", curve.transformed, np.eye(3))
         self.check(ValueError, "point", curve.nearest, (1.0, 2.0))
         self.check(ValueError, "point", curve.nearest, np.zeros((2, 2, 3)))
+
+
+    def test_flags(self):
+        points = np.arange(12.0).reshape(4, 3)
+        for make in (
+            lambda **flags: native.Spline(points, points, points, **flags),
+            lambda **flags: native.Chain(points.reshape(2, 2, 3), **flags),
+            lambda **flags: native.BSpline(points, **flags),
+            lambda **flags: native.PolyLine(points, **flags),
+        ):
+            self.assertTrue(make(cyclic=np.bool_(True)).cyclic)
+            self.assertFalse(make(cyclic=np.bool_(False)).cyclic)
+            for wrong in ("yes", None, 1, 0.0):
+                self.check(TypeError, "cyclic", make, cyclic=wrong)
+        for name in ("use_endpoint", "use_bezier"):
+            self.check(TypeError, name, native.BSpline, points, **{name: "yes"})
+
+    def test_a_message_is_one_sentence(self):
+        for call in (
+            lambda: native.Bezier(S_CURVE).position(0.5, extend=None),
+            lambda: native.Bezier(S_CURVE).elevate("x"),
+            lambda: native.frames(None, 0.0, "minimal"),
+        ):
+            with self.assertRaises(TypeError) as caught:
+                call()
+            self.assertRegex(str(caught.exception), r"^[a-z]+: must be [^\n.]+, not [A-Za-z]+$")
+
+    def test_numpy_integers_are_whole_numbers(self):
+        curve = native.Bezier(S_CURVE)
+        self.assertEqual(curve.elevate(np.int64(2)).degree, 5)
+        np.testing.assert_array_equal(curve.derivative(0.5, np.uint8(2)), curve.derivative(0.5, 2))
 
 
 class Documentation(unittest.TestCase):

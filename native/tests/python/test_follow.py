@@ -95,6 +95,13 @@ class FollowTest(unittest.TestCase):
         for error, name, failing in cases:
             with self.assertRaisesRegex(error, name):
                 failing()
+        for name in ("mode", "extend", "forward", "up", "lag_by", "rotate", "lag_rate", "time", "offsets", "locations"):
+            with self.assertRaisesRegex(TypeError, f"^{name}: "):
+                call(**{name: "no" if name in ("rotate", "lag_rate", "time", "offsets", "locations") else 3})()
+        with self.assertRaisesRegex(TypeError, "^curve: must be a Curve, not Timing$"):
+            native.follow(self.timing, self.timing, 1.0, 0.0, "minimal")
+        with self.assertRaisesRegex(TypeError, "^timing: must be a Timing, not NoneType$"):
+            native.follow(self.curve, None, 1.0, 0.0, "minimal")
         read_only = np.empty((1, 3))
         read_only.flags.writeable = False
         with self.assertRaisesRegex(TypeError, "locations"):

@@ -98,6 +98,11 @@ class FramesTest(unittest.TestCase):
             (ValueError, "gravity", lambda: native.frames(curve, 0.0, "banking", gravity=0.0)),
             (ValueError, "smoothing", lambda: native.frames(curve, 0.0, "curvature", smoothing=-1.0)),
             (TypeError, "outward", lambda: native.frames(curve, 0.0, "curvature", outward="no")),
+            (TypeError, "^curve: must be a Curve, not NoneType$", lambda: native.frames(None, 0.0, "minimal")),
+            (TypeError, "^curve: ", lambda: native.frames(np.zeros((4, 3)), 0.0, "minimal")),
+            (TypeError, "^lengths: ", lambda: native.frames(curve, None, "minimal")),
+            (TypeError, "^mode: ", lambda: native.frames(curve, 0.0, None)),
+            (TypeError, "^extend: ", lambda: native.frames(curve, 0.0, "minimal", extend=1)),
         )
         for error, name, call in cases:
             with self.assertRaisesRegex(error, name):

@@ -10,7 +10,7 @@ add-on.
 import ctypes
 
 import bpy
-import numpy as np
+from ..lazy import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native
