@@ -45,7 +45,7 @@ def _render_modes(file):
         _add_label(label, (x, -6.0, 1.0), 2.5, CHALK, tilt=math.radians(42))
     _add_floor((0.20, 0.34, 0.36, 1.0))
     _add_sun((math.radians(48), 0, math.radians(35)), 2.6)
-    _add_camera(scene, (0.0, -66.0, 66.0), (0.0, 30.0, 0.0), lens=30)
+    _add_camera(scene, (0.0, -66.0, 66.0), (0.0, 30.0, 0.0), lens=26)
     return _render(scene, file, (1280, 640))
 
 

@@ -7,13 +7,11 @@ it may read at any time because nothing moves it. The original mesh holds the ow
 add-on.
 """
 
-import ctypes
-
 import bpy
-from ..lazy import numpy as np
 from bpy.app.handlers import persistent
 
 from .. import native
+from ..lazy import numpy as np
 from ..system import Variable, of_owner, registered
 from . import drivers, outbox
 
@@ -99,6 +97,7 @@ def _store(mesh, locations, rotations):
     if not mesh.is_evaluated or mesh.original.library is None:
         data.foreach_set("value", matrices.ravel())
         return
+    import ctypes
     # On linked data foreach_set writes nothing (5.2). Assigning an item un-shares the array from the original.
     data[0].value = data[0].value
     ctypes.memmove(data[0].as_pointer(), matrices.ctypes.data, matrices.nbytes)

@@ -7,6 +7,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import native
+from ..lazy import numpy as np
 from ..system import Context, of_owner, registered
 from . import healing, outbox
 from .attribute_sink import ATTRIBUTE, store_own_poses, write
@@ -43,8 +44,6 @@ def motus_direct(self, name, slot, frame, depsgraph, *values):
 
 
 def _solve(system, carrier, out, frame, depsgraph, values):
-    import numpy as np
-
     if native.module is None:
         out[outbox.WEIGHT] = 0.0
         return
@@ -77,8 +76,6 @@ def _solve(system, carrier, out, frame, depsgraph, values):
 
 
 def _member_data(system, carrier, owner):
-    import numpy as np
-
     if system.member_data is None:
         return None
     if carrier == owner:
