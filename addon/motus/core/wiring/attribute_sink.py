@@ -14,6 +14,7 @@ from .. import native
 from ..lazy import numpy as np
 from ..system import Variable, of_owner, registered
 from . import drivers, outbox
+from .scratch import scratch
 
 ATTRIBUTE = "motus_transform"
 STILL_KEY = "motus_still"
@@ -92,7 +93,8 @@ def _slerp(start, end, shares):
 
 
 def _store(mesh, locations, rotations):
-    matrices = native.module.pack_matrices(locations, rotations)
+    matrices = scratch("matrices", (len(locations), 16), np.float32)
+    native.module.pack_matrices(locations, rotations, out=matrices)
     data = mesh.attributes[ATTRIBUTE].data
     if not mesh.is_evaluated or mesh.original.library is None:
         data.foreach_set("value", matrices.ravel())

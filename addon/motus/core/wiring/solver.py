@@ -11,6 +11,7 @@ from ..lazy import numpy as np
 from ..system import Context, of_owner, registered
 from . import healing, outbox
 from .attribute_sink import ATTRIBUTE, store_own_poses, write
+from .scratch import scratch
 
 log = logging.getLogger(__name__)
 
@@ -59,9 +60,10 @@ def _solve(system, carrier, out, frame, depsgraph, values):
     settings = of_owner(system, owner)
     context = Context(
         settings=settings, owner=owner, frame=frame, depsgraph=depsgraph,
-        locations=np.zeros((count, 3)), rotations=np.zeros((count, 4)),
+        locations=scratch("locations", (count, 3), float), rotations=scratch("rotations", (count, 4), float),
         outputs=box[outbox.FIRST_OUTPUT:base], member_data=_member_data(system, carrier, owner))
-    context.rotations[:, 0] = 1.0
+    context.locations[:] = 0.0
+    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
     inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
