@@ -27,7 +27,7 @@ PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONA
 # A second to_curve() on an object frees the first one's result, and drivers run in several threads.
 _temporary_curve = threading.Lock()
 _last_collection = {}
-"""Name of each curve that was followed in this session -> name of the collection it was last found in."""
+"""Name of each curve that was followed since Blender started -> name of the collection it was last found in."""
 
 
 class Unreadable(Exception):
@@ -73,7 +73,7 @@ def is_deleted(curve_object):
     """Whether the object stands in no collection any more; a pointer property keeps it in the file all the same.
 
     A curve that came along with an appended follower has never stood in one, and is followed. Nothing in a file tells it from
-    a deleted one, so a curve that was deleted before the file was saved counts as present when another session opens it.
+    a deleted one, so a curve that was deleted before the file was saved counts as present when the file is opened again.
     """
     original = curve_object.original
     if original.library:

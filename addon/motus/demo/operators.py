@@ -4,7 +4,7 @@ from importlib import import_module
 
 import bpy
 
-# Imported when one is built, and NumPy with it: most sessions build none.
+# Imported when one is built, and NumPy with it: most users build none.
 SCENES = {"PATH": "banked_flight"}
 
 

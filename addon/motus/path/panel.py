@@ -55,10 +55,10 @@ def draw_main(layout, context):
     column.prop(settings, "extend")
     _draw_readouts(layout, context, obj)
     ui.draw_bake(layout, system(), obj)
-    row = layout.row(align=True)
-    row.operator("motus.path_edit_views", text="Edit Views", icon='VIEW_ORTHO')
-    row.operator("motus.path_refresh", icon='FILE_REFRESH')
-    layout.operator("motus.path_follow_remove", text="Remove", icon='X').object = obj.name
+    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    column.operator("motus.path_edit_views", text="Edit Views", icon='VIEW_ORTHO')
+    column.operator("motus.path_refresh", icon='FILE_REFRESH')
+    column.operator("motus.path_follow_remove", text="Remove", icon='X').object = obj.name
 
 
 def _draw_wagon(layout, wagon, leader):
@@ -133,7 +133,7 @@ def draw_orientation(layout, context):
     """Which way the object looks, and what is up."""
     settings = context.object.motus.path
     column = _split(layout)
-    column.prop(settings, "orientation")
+    column.prop(settings, "orientation", text="Mode")
     if settings.orientation == 'NONE':
         return
     column.prop(settings, "forward_axis")

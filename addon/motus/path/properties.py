@@ -107,7 +107,7 @@ class FollowKeywords:
     ease_out: _number(
         "Ease Out", "Fraction of the time that is used to lose speed", 0.0, min=0.0, max=1.0, subtype='FACTOR',
         update=_push_ease_in)
-    extend: _choice("At the Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
+    extend: _choice("Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
     pins_by: _choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
 
     orientation: _choice("Orientation", "Which way the object's up axis points", ORIENTATIONS, 'WORLD_UP', _rewire)
@@ -126,7 +126,7 @@ class FollowKeywords:
     bank_limit: _number(
         "Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
     bank_smoothing: _number(
-        "Smoothing", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
+        "Smooth", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
     gravity: _number(
         "Gravity", "Acceleration that the bank is measured against", 9.81, min=1e-3, soft_max=30.0,
         unit='ACCELERATION')
