@@ -1,6 +1,7 @@
 """Disabling the add-on leaves nothing of it behind, however often it is enabled."""
 
 import unittest
+from unittest import mock
 
 import bpy
 import support
@@ -84,3 +85,35 @@ class EnableDisable(unittest.TestCase):
         for what in ("handlers", "properties", "classes", "operators", "menus"):
             self.assertNotEqual(enabled[what], disabled[what], what)
         self.assertEqual(disabled["classes"], [])
+
+    def test_every_draw_handler_is_removed(self):
+        """Blender has no list of its draw handlers, so the calls are recorded on their way to it."""
+        space = bpy.types.SpaceView3D
+        add, remove = space.draw_handler_add, space.draw_handler_remove
+        added, removed = [], []
+
+        def record_add(*arguments):
+            added.append(add(*arguments))
+            return added[-1]
+
+        def record_remove(handle, region):
+            removed.append(handle)
+            remove(handle, region)
+
+        support.disable()
+        with mock.patch.object(space, "draw_handler_add", record_add), \
+                mock.patch.object(space, "draw_handler_remove", record_remove):
+            for _ in range(3):
+                support.enable()
+                support.disable()
+        self.assertEqual(len(added), 3)
+        self.assertEqual(removed, added)
+
+    def test_translations_can_be_registered_again(self):
+        """Registering a second catalogue under the same name fails where the first was left behind."""
+        translations = support.addon("core.translations")
+        with self.assertRaises(ValueError):
+            translations.register()
+        support.disable()
+        translations.register()
+        translations.unregister()
