@@ -85,6 +85,17 @@ class SpanishTest(unittest.TestCase):
     def test_complete(self):
         self.assertEqual(sorted(english_texts() - self.known), [])
 
+    def test_no_sentence_is_put_together(self):
+        """An f-string has no entry to look up: sentences are templates, filled after their translation."""
+        folder = Path(support.addon().__file__).parent
+        for path in folder.rglob("*.py"):
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.Call):
+                    name = getattr(node.func, "attr", getattr(node.func, "id", ""))
+                    texts = node.args if name in SENTENCES | {"report"} else ()
+                    for text in texts:
+                        self.assertNotIsInstance(text, ast.JoinedStr, f"{path.name}:{node.lineno}")
+
     def test_nothing_stale(self):
         self.assertEqual(sorted(self.known - english_texts()), [])
 

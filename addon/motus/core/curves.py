@@ -19,9 +19,9 @@ CONTROL_POLYGON_KEY = "motus_bezier"
 NO_SPLINES = Problem("The curve has no splines")
 NO_SUCH_SPLINE = Problem("The curve has no spline of this index")
 TOO_FEW_POINTS = Problem("A spline needs two points at least")
-TOO_MANY_POINTS = Problem(f"A Bézier curve of more than {MAX_DEGREE + 1} control points is not supported")
+TOO_MANY_POINTS = Problem("A Bézier curve of more than 65 control points is not supported")
 RATIONAL = Problem("NURBS splines with different weights cannot be followed: make the weights equal")
-HIGH_ORDER = Problem(f"NURBS splines of an order above {MAX_ORDER} cannot be followed: lower the order")
+HIGH_ORDER = Problem("NURBS splines of an order above 6 cannot be followed: lower the order")
 PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONAL, HIGH_ORDER)
 
 # A second to_curve() on an object frees the first one's result, and drivers run in several threads.

@@ -6,6 +6,8 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
+from .translations import tr
+
 OK = 'OK'
 MISSING = 'MISSING'
 WRONG_ABI = 'WRONG_ABI'
@@ -16,10 +18,16 @@ PACKAGE_FOLDER = Path(__file__).resolve().parent.parent
 
 
 class Status(NamedTuple):
-    """What came of the import, and one sentence that tells the user what to do about it."""
+    """What came of the import, and what the user should do about it: a template and its values."""
 
     code: str
-    sentence: str
+    template: str
+    values: dict = {}
+
+    @property
+    def sentence(self):
+        """One sentence in the user's language."""
+        return tr(self.template).format(**self.values)
 
 
 def addon_version():
@@ -37,21 +45,24 @@ def _import_failure(error):
                                "remove the add-on and install it from a release zip")
     if not any(f"motus_native{suffix}" in files for suffix in importlib.machinery.EXTENSION_SUFFIXES):
         pythons = ", ".join(".".join(found) for found in re.findall(r"cpython-(\d)(\d+)", " ".join(files)))
-        return Status(WRONG_ABI, f"This copy of Motus is built for Python {pythons or 'on another system'}, but this Blender "
-                                 f"runs Python {this_python}: install a Motus release that contains it")
-    return Status(LOAD_ERROR, f"The native module could not be loaded ({error}): reinstall Motus, "
-                              "and report this line if that does not help")
+        return Status(WRONG_ABI, "This copy of Motus is built for Python {pythons}, but this Blender runs Python {python}: "
+                                 "install a Motus release that contains it",
+                      {"pythons": pythons or "?", "python": this_python})
+    return Status(LOAD_ERROR, "The native module could not be loaded ({error}): reinstall Motus, "
+                              "and report this line if that does not help", {"error": error})
 
 
 def _load():
     try:
         from .. import motus_native
     except (ImportError, OSError) as error:
-        return None, _import_failure(error)
-    if motus_native.__version__ != addon_version():
-        return None, Status(VERSION_MISMATCH, f"The native module is version {motus_native.__version__} but the add-on is "
-                                              f"{addon_version()}: restart Blender, and reinstall Motus if that does not help")
-    return motus_native, Status(OK, f"Native module {motus_native.__version__}")
+        return None, _import_failure(str(error))
+    found, wanted = motus_native.__version__, addon_version()
+    if found != wanted:
+        return None, Status(VERSION_MISMATCH, "The native module is version {found} but the add-on is {wanted}: "
+                                              "restart Blender, and reinstall Motus if that does not help",
+                            {"found": found, "wanted": wanted})
+    return motus_native, Status(OK, "Native module {found}", {"found": found})
 
 
 module, status = _load()

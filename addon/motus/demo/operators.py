@@ -4,6 +4,8 @@ from importlib import import_module
 
 import bpy
 
+from ..core.translations import tr
+
 # Imported when one is built, and NumPy with it: most users build none.
 SCENES = {"PATH": "banked_flight"}
 
@@ -35,9 +37,9 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
             scene = import_module(f"{__package__}.{SCENES[self.system]}").build(context)
         except RuntimeError as error:  # one of the operators it calls refused
             _discard(context.window, previous)
-            self.report({"ERROR"}, f"The demo scene could not be finished: {error}")
+            self.report({"ERROR"}, tr("The demo scene could not be finished: {error}").format(error=error))
             return {"CANCELLED"}
-        self.report({"INFO"}, f"Built {scene.name}")
+        self.report({"INFO"}, tr("Built {scene}").format(scene=scene.name))
         return {"FINISHED"}
 
 

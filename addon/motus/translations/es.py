@@ -24,6 +24,19 @@ _INTERFACE = {
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
     "Not evaluated: the add-on's driver functions are not available in this file yet":
         "Sin evaluar: las funciones de los controladores del complemento aún no están disponibles en este archivo",
+    "This copy of Motus is built for Python {pythons}, but this Blender runs Python {python}: install a Motus release that contains it":
+        "Esta copia de Motus está hecha para Python {pythons}, pero este Blender usa Python {python}: instala una versión de Motus que lo incluya",
+    "The native module could not be loaded ({error}): reinstall Motus, and report this line if that does not help":
+        "No se pudo cargar el módulo nativo ({error}): vuelve a instalar Motus y, si no ayuda, comunica esta línea",
+    "The native module is version {found} but the add-on is {wanted}: restart Blender, and reinstall Motus if that does not help":
+        "El módulo nativo es de la versión {found}, pero el complemento es de la {wanted}: reinicia Blender y, si no ayuda, vuelve a instalar Motus",
+    "A Bézier curve of more than 65 control points is not supported":
+        "No se admite una curva de Bézier de más de 65 puntos de control",
+    "NURBS splines of an order above 6 cannot be followed: lower the order":
+        "No se pueden seguir splines NURBS de orden superior a 6: reduce el orden",
+    "Native module {found}": "Módulo nativo {found}",
+    "The demo scene could not be finished: {error}": "No se pudo terminar la escena de demostración: {error}",
+    "Built {scene}": "Se creó {scene}",
     "The native module is missing from this copy of Motus: remove the add-on and install it from a release zip":
         "A esta copia de Motus le falta el módulo nativo: quita el complemento e instálalo desde un zip publicado",
     "{object} is linked from another file: make a library override of it first":
