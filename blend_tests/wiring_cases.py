@@ -55,15 +55,20 @@ KINDS = (build_object, build_bone, build_followers, build_followers_without_attr
          build_direct_object, build_direct_bone)
 
 
-def each_kind(test):
-    """Runs a test method, which takes the build function, for every kind in an empty scene."""
-    @functools.wraps(test)
-    def test_each(self):
-        for build in KINDS:
-            with self.subTest(build.__name__):
-                support.empty_scene()
-                test(self, build)
-    return test_each
+def each_of(kinds):
+    """Makes a decorator that runs a test method, which takes the build function, for every kind in an empty scene."""
+    def decorate(test):
+        @functools.wraps(test)
+        def test_each(self):
+            for build in kinds:
+                with self.subTest(build.__name__):
+                    support.empty_scene()
+                    test(self, build)
+        return test_each
+    return decorate
+
+
+each_kind = each_of(KINDS)
 
 
 class WiringTestCase(support.SceneTestCase):

@@ -1,7 +1,9 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import path
+from . import ik, look_at, path
 
 SYSTEMS = (
     path.SYSTEM,
+    ik.SYSTEM,
+    look_at.SYSTEM,
 )

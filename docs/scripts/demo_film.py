@@ -1,8 +1,8 @@
-"""Render the demo flight: three stills, then a short film. Run inside Blender with the add-on enabled:
+"""Render the demo scenes: stills, then a short film of each. Run inside Blender with the add-on enabled:
 
-    blender -b --python demo_film.py -- --output FOLDER [--quick]
+    blender -b --python demo_film.py -- --output FOLDER [--quick] [--only flight|reach]
 
-The film is made by EEVEE, which is free of noise at the few samples a frame can have here; it is cut short where the
+A film is made by EEVEE, which is free of noise at the few samples a frame can have here; it is cut short where the
 machine would not finish it in time. So are the stills, unless this Blender can denoise what Cycles makes.
 """
 
@@ -14,12 +14,32 @@ from pathlib import Path
 
 import bpy
 
-STILLS = (  # camera, seconds into the flight
-    ("Wide Camera", 1.05),
-    ("Fly-By Camera", 9.5),
-    ("Chase Camera", 6.2),
+
+
+@dataclass(frozen=True)
+class Show:
+    """A demo scene, and what is taken of it."""
+
+    name: str  # of the files
+    system: str  # that motus.demo_scene shows
+    stills: tuple  # camera, seconds into the scene
+    film_start: float  # seconds into the scene
+    film_end: float
+    ambience: float  # m up to which things darken each other
+
+
+SHOWS = (
+    Show(
+        # The markers cut between cameras on the way.
+        "flight", "PATH", (("Wide Camera", 1.05), ("Fly-By Camera", 9.5), ("Chase Camera", 6.2)),
+        film_start=5.9, film_end=9.8, ambience=3.0,
+    ),
+    Show(
+        "reach", "IK", (("Lookout Camera", 3.05), ("Lookout Camera", 4.4), ("Lookout Camera", 0.6)),
+        film_start=0.0, film_end=9.0, ambience=0.5,
+    ),
 )
-FILM_START, FILM_END = 5.9, 9.8  # seconds into the flight; the markers cut between cameras on the way
+FLIGHT, REACH = SHOWS
 
 
 @dataclass(frozen=True)
@@ -33,18 +53,26 @@ class Quality:
     film_width: int
     film_samples: int
     film_frames: int  # at most
-    seconds: float  # for everything: the film gets what the stills leave
+    seconds: float  # for a scene: its film gets what its stills leave
 
 
-FULL = Quality(1280, 8, 40, 60.0, 640, 4, 96, 400.0)
+FULL = Quality(1280, 8, 40, 60.0, 640, 4, 216, 300.0)
 QUICK = Quality(640, 4, 8, 15.0, 320, 2, 24, 90.0)
 
 
 class Progress:
-    """Prints lines with the time since the start."""
+    """Prints lines with the time since the start, and knows how long the present scene has taken."""
 
     def __init__(self):
-        self._start = time.monotonic()
+        self._start = self._begin = time.monotonic()
+
+    def begin(self):
+        """The next scene's time starts now."""
+        self._begin = time.monotonic()
+
+    def spent(self):
+        """Seconds that the present scene has taken."""
+        return time.monotonic() - self._begin
 
     def seconds(self):
         return time.monotonic() - self._start
@@ -55,27 +83,37 @@ class Progress:
 
 
 def main():
-    """Build the scene and render it."""
-    folder, quality = _arguments()
+    """Build the scenes and render them."""
+    folder, quality, shows = _arguments()
     folder.mkdir(parents=True, exist_ok=True)
     progress = Progress()
-    progress.say("Building the scene")
-    if bpy.ops.motus.demo_scene(system="PATH") != {"FINISHED"}:
-        sys.exit("The demo scene could not be built")
-    scene = bpy.context.window.scene
-    progress.say(f"{scene.name}: {len(scene.objects)} objects, {scene.frame_end} frames a lap")
-    render_stills(scene, folder, quality, progress)
-    render_film(scene, folder, quality, progress)
+    for show in shows:
+        progress.begin()
+        scene = build(show, progress)
+        render_stills(show, scene, folder, quality, progress)
+        render_film(show, scene, folder, quality, progress)
     progress.say(f"Done: {folder}")
 
 
+def build(show, progress):
+    """The scene of a show, in the window."""
+    progress.say(f"Building the scene of the {show.name}")
+    if bpy.ops.motus.demo_scene(system=show.system) != {"FINISHED"}:
+        sys.exit("The demo scene could not be built")
+    scene = bpy.context.window.scene
+    progress.say(f"{scene.name}: {len(scene.objects)} objects, {scene.frame_end} frames a lap")
+    return scene
+
+
 def _arguments():
-    parser = argparse.ArgumentParser(prog="demo_film.py", description="Render Motus's demo flight")
+    parser = argparse.ArgumentParser(prog="demo_film.py", description="Render Motus's demo scenes")
     parser.add_argument("--output", type=Path, required=True, help="folder for the pictures")
     parser.add_argument("--quick", action="store_true", help="small and rough, to see that everything works")
+    parser.add_argument("--only", choices=[show.name for show in SHOWS], help="render this scene and no other")
     own = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
     arguments = parser.parse_args(own)
-    return arguments.output.resolve(), QUICK if arguments.quick else FULL
+    shows = [show for show in SHOWS if arguments.only in (None, show.name)]
+    return arguments.output.resolve(), QUICK if arguments.quick else FULL, shows
 
 
 def _frame_at(scene, seconds):
@@ -90,20 +128,21 @@ def _set_size(scene, width):
 # --- stills ----------------------------------------------------------------------------------------------------------
 
 
-def render_stills(scene, folder, quality, progress, count=len(STILLS)):
-    """flight_01.png and so on, one for each of the first `count` cameras."""
+def render_stills(show, scene, folder, quality, progress, count=None):
+    """flight_01.png and so on: the first `count` stills of a show, or all of them."""
     if not _use_cycles(scene, quality):
-        _use_eevee(scene, quality.still_samples, reflections=True)
+        _use_eevee(show, scene, quality.still_samples, reflections=True)
     _set_size(scene, quality.still_width)
     _set_format(scene, "PNG")
     cuts = _suspend_cuts(scene)
-    for number, (camera, seconds) in enumerate(STILLS[:count], start=1):
+    stills = show.stills[:count]
+    for number, (camera, seconds) in enumerate(stills, start=1):
         scene.camera = scene.objects[camera]
         scene.frame_set(_frame_at(scene, seconds))
-        scene.render.filepath = str(folder / f"flight_{number:02d}.png")
+        scene.render.filepath = str(folder / f"{show.name}_{number:02d}.png")
         began = progress.seconds()
         bpy.ops.render.render(write_still=True)
-        progress.say(f"Still {number} of {count}: {camera}, {progress.seconds() - began:.0f} s")
+        progress.say(f"Still {number} of {len(stills)}: {camera}, {progress.seconds() - began:.0f} s")
     _resume_cuts(scene, cuts)
 
 
@@ -142,17 +181,17 @@ def _use_cycles(scene, quality):
 # --- film ------------------------------------------------------------------------------------------------------------
 
 
-def render_film(scene, folder, quality, progress):
-    """flight.mp4, or numbered pictures where this Blender cannot write films."""
-    _use_eevee(scene, quality.film_samples, reflections=False)
+def render_film(show, scene, folder, quality, progress):
+    """flight.mp4 and so on, or numbered pictures where this Blender cannot write films."""
+    _use_eevee(show, scene, quality.film_samples, reflections=False)
     _set_size(scene, quality.film_width)
-    last = _frame_at(scene, FILM_END)
-    frames = min(last - _frame_at(scene, FILM_START), quality.film_frames)
+    last = _frame_at(scene, show.film_end)
+    frames = min(last - _frame_at(scene, show.film_start), quality.film_frames)
     frames = min(frames, _affordable_frames(scene, folder, last, quality, progress))
     whole_lap = scene.frame_start, scene.frame_end
     # The end is the best of it: a shorter film starts later.
     scene.frame_start, scene.frame_end = last - frames + 1, last
-    film = _set_film_output(scene, folder)
+    film = _set_film_output(show, scene, folder)
     report = _frame_reporter(progress, frames)
     bpy.app.handlers.render_write.append(report)
     try:
@@ -174,17 +213,17 @@ def _affordable_frames(scene, folder, last, quality, progress):
         cost = max(progress.seconds() - began, 1e-3)
     Path(scene.render.filepath).unlink()
     progress.say(f"Film: {cost:.1f} s a frame")
-    return max(scene.render.fps, int((quality.seconds - progress.seconds()) / cost))
+    return max(scene.render.fps, int((quality.seconds - progress.spent()) / cost))
 
 
-def _use_eevee(scene, samples, reflections):
+def _use_eevee(show, scene, samples, reflections):
     engines = scene.render.bl_rna.properties["engine"].enum_items
     scene.render.engine = next(item.identifier for item in engines if "EEVEE" in item.identifier)
     wanted = {
         "taa_render_samples": samples,
         "use_ssr": reflections,  # the mountains in the lake
         "use_gtao": True,
-        "gtao_distance": 3.0,
+        "gtao_distance": show.ambience,
         "use_soft_shadows": True,
         "use_shadow_high_bitdepth": True,
         "shadow_cascade_size": "2048",
@@ -194,19 +233,19 @@ def _use_eevee(scene, samples, reflections):
             setattr(scene.eevee, name, value)
 
 
-def _set_film_output(scene, folder):
+def _set_film_output(show, scene, folder):
     """Write H.264 where this Blender has the encoder, numbered pictures where not; returns the path."""
     if not bpy.app.build_options.codec_ffmpeg:
         _set_format(scene, "PNG")
-        scene.render.filepath = str(folder / "film" / "flight_")
-        return folder / "film"
+        scene.render.filepath = str(folder / show.name / f"{show.name}_")
+        return folder / show.name
     _set_format(scene, "FFMPEG")
     settings = scene.render.ffmpeg
     settings.format, settings.codec = "MPEG4", "H264"
     settings.constant_rate_factor, settings.ffmpeg_preset = "HIGH", "GOOD"
     settings.audio_codec = "NONE"
-    scene.render.filepath = str(folder / "flight.mp4")
-    return folder / "flight.mp4"
+    scene.render.filepath = str(folder / f"{show.name}.mp4")
+    return folder / f"{show.name}.mp4"
 
 
 def _set_format(scene, file_format):

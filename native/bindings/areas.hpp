@@ -9,5 +9,9 @@ void bind_timing(pybind11::module_& m);
 void bind_frames(pybind11::module_& m);
 void bind_follow(pybind11::module_& m);
 void bind_pose(pybind11::module_& m);
+void bind_two_bone(pybind11::module_& m);
+void bind_chain(pybind11::module_& m);
+void bind_look_at(pybind11::module_& m);
+void bind_rig_ik(pybind11::module_& m);
 
 }  // namespace motus::bindings

@@ -6,7 +6,8 @@ curve's interval never raise: extend = "clamp" | "extrapolate" | "loop" | "ping_
 name is its manual.
 """
 
-from typing import Literal, Union, overload
+from enum import IntEnum
+from typing import Literal, Sequence, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -175,9 +176,191 @@ def euler_xyz(
     out: _Array | None = None,  # (m, 3) or (3,), C-contiguous, written into
 ) -> _Array: ...
 
-# 4 x 4 matrices of scale 1, column by column: (m, 16) float32 of (m, 3) and (m, 4).
+# 4 x 4 matrices, column by column: (m, 16) float32 of (m, 3), (m, 4) and (m, 3).
 def pack_matrices(
     locations: ArrayLike,
     rotations: ArrayLike,
     out: NDArray[np.float32] | None = None,  # (m, 16), C-contiguous, written into
+    scales: ArrayLike | None = None,  # None: 1
 ) -> NDArray[np.float32]: ...
+
+class Reason(IntEnum):
+    """What kept the end of a chain from its target."""
+
+    REACHED = 0  # the end is on the target, within the tolerance
+    TOO_FAR = 1  # the target is farther than the chain, or softness, reaches
+    TOO_NEAR = 2  # it is nearer to the root than the chain can fold
+    LIMIT = 3  # a joint limit is in the way
+    ITERATIONS = 4  # the iterations allowed were used up
+
+class TwoBoneSolution:
+    """Of one chain values, of m chains arrays with m rows."""
+
+    @property
+    def elbow(self) -> _Array: ...  # (3,) or (m, 3)
+    @property
+    def tip(self) -> _Array: ...  # (3,) or (m, 3)
+    @property
+    def normal(self) -> _Array: ...  # (3,) or (m, 3), unit; cross(normal, target - root) points to the elbow's side
+    @property
+    def scale(self) -> Union[float, _Array]: ...  # of both bones, > 1 where they are stretched
+    @property
+    def residual(self) -> Union[float, _Array]: ...  # distance from tip to target
+    @property
+    def reason(self) -> Union[Reason, NDArray[np.int64]]: ...  # REACHED, TOO_FAR or TOO_NEAR
+
+# Points (3,) or (m, 3), numbers one or (m,); what is given once counts for all chains.
+def solve_two_bone(
+    root: ArrayLike,
+    target: ArrayLike,
+    length1: ArrayLike,  # root to elbow, >= 0
+    length2: ArrayLike,  # elbow to tip, >= 0
+    pole: ArrayLike,  # point that the elbow bends towards, seen across root-target
+    bend: ArrayLike = 1,  # 1: towards the pole; -1: away
+    softness: ArrayLike = 0.0,  # length before the full reach at which the arm begins to slow
+    stretch: ArrayLike = 0.0,  # share, 0 to 1, of what lacks that both bones lengthen by
+    plane: ArrayLike | None = None,  # normal of the plane where the pole is near the line
+) -> TwoBoneSolution: ...
+
+class ChainSolution:
+    """Where the joints of a chain stand."""
+
+    @property
+    def joints(self) -> _Array: ...  # (n + 1, 3), the root first
+    @property
+    def rotations(self) -> _Array | None: ...  # (n, 4) relative to the given pose: what the limits hold for
+    @property
+    def residual(self) -> float: ...  # distance from tip to target
+    @property
+    def iterations(self) -> int: ...
+    @property
+    def reason(self) -> Reason: ...
+
+# A chain of n bones, 1 to 255, brought to a target from a given pose.
+def solve_chain(
+    joints: ArrayLike,  # (n + 1, 3), the root first
+    target: ArrayLike,  # (3,)
+    tolerance: float = 1e-6,  # > 0, a fraction of the chain's length
+    max_iterations: int = 100,
+    pole: ArrayLike | None = None,  # (3,), point that the chain bends towards, seen across root-target
+    limits: ArrayLike | None = None,  # (n, 6), min x, y, z, max x, y, z in rad, inf: free; x, z swing, y twist
+    plane: ArrayLike | None = None,  # (3,), normal of the plane that a straight pose bends in
+    frames: ArrayLike | None = None,  # (n, 4), what the limits are about: Y along each bone of the given pose
+) -> ChainSolution: ...
+
+# Where the tip stands whose target is at a distance: slope 1 up to reach - softness, reach from reach + 2 softness on.
+@overload
+def soft_reach(distance: _Number, reach: float, softness: float) -> float: ...
+@overload
+def soft_reach(distance: ArrayLike, reach: float, softness: float) -> _Array: ...
+
+# (body, head, eyes): quaternions (m, 4), or (4,) for one target, each on top of the one before.
+def look_at(
+    forward: ArrayLike,  # (3,), where the head looks before
+    targets: ArrayLike,  # (m, 3) or (3,), directions
+    chest: ArrayLike | None = None,  # (3,), where the chest faces; None: forward
+    up: ArrayLike = (0.0, 0.0, 1.0),  # of the chest
+    weight: float = 1.0,  # this and the next four in [0, 1]
+    body_weight: float = 0.3,
+    head_weight: float = 1.0,
+    eyes_weight: float = 0.0,
+    clamp: float = 0.5,  # 0 free, 0.5 90 degrees to each side, 1 no turn
+    body_limit: float = 3.141592653589793,  # rad, pi: none
+    head_limit: float = 3.141592653589793,
+    eyes_limit: float = 3.141592653589793,
+) -> tuple[_Array, _Array, _Array]: ...
+
+class LookAtPlan:
+    """Bones of one rig that look at targets, checked once."""
+
+    SETTINGS: tuple[str, ...]
+    REPORT: tuple[str, ...]
+
+    def __init__(
+        self,
+        parents: ArrayLike,  # (B,), -1 for none
+        bodies: Sequence[ArrayLike],  # for each entry (n,) bones from the lowest up
+        heads: ArrayLike,  # (C,)
+        eyes: Sequence[ArrayLike],  # for each entry (k,)
+    ) -> None: ...
+    @property
+    def rows(self) -> tuple[int, ...]: ...  # bones of the result's rows: body, head, eyes of each entry
+    # The report (C, 4), see REPORT.
+    def solve(
+        self,
+        rest: NDArray[np.float32],  # (B, 16), columns, as the next two
+        poses: NDArray[np.float32],
+        basis: NDArray[np.float32],
+        inheritance: NDArray[np.int32],  # (B,): inherit_scale | 8 use_inherit_rotation | 16 use_local_location
+        world: _Array,  # (16,), columns
+        settings: _Array,  # (C, 9), see SETTINGS
+        targets: _Array,  # (C, 3), world space
+        head_forward: _Array,  # (C, 3), axes of the bones
+        eyes_forward: _Array,  # (C, 3)
+        rotations: _Array | None = None,  # (rows, 4), C-contiguous, written into
+    ) -> _Array: ...
+
+_Inherit = Literal["FULL", "FIX_SHEAR", "ALIGNED", "AVERAGE", "NONE", "NONE_LEGACY"]
+
+class IkPlan:
+    """Chains of one rig's bones, solved together from their animated (FK) pose. Immutable."""
+
+    SETTINGS: tuple[str, ...]  # columns of the settings
+    REPORT: tuple[str, ...]  # columns of the report
+
+    def __init__(
+        self,
+        parents: ArrayLike,  # (b,), -1 for none
+        chains: list[ArrayLike],  # bones from root to tip
+        effectors: ArrayLike,  # (c,), a chain's last bone or a child of it
+        guards: ArrayLike,  # (g, 2): bone, chain
+    ) -> None: ...
+    @property
+    def rows(self) -> tuple[int, ...]: ...  # bone of each result row
+    @property
+    def absolute(self) -> tuple[bool, ...]: ...  # rows in pose space
+    def solve(
+        self,
+        rest: NDArray[np.float32],  # (b, 16), as poses and basis, column by column
+        poses: NDArray[np.float32],
+        basis: NDArray[np.float32],
+        lengths: NDArray[np.float32],  # (b,)
+        inheritance: NDArray[np.int32],  # (b,): mode of inherit_scale + 8 inherits rotation + 16 has local location
+        world: _Array,  # (16,), column by column
+        settings: _Array,  # (c, len(SETTINGS))
+        targets: _Array,  # (c, 16), world, column by column
+        poles: _Array,  # (c, 3), world; NaN: none
+        limits: _Array | None = None,  # (chain bones, 6), rad
+        rotations: _Array | None = None,  # (rows, 4), C-contiguous, written into
+        scales: _Array | None = None,  # (rows, 3), C-contiguous, written into
+    ) -> _Array: ...  # (c, len(REPORT))
+    def match(
+        self,
+        rest: NDArray[np.float32],
+        poses: NDArray[np.float32],
+        basis: NDArray[np.float32],
+        lengths: NDArray[np.float32],
+        inheritance: NDArray[np.int32],
+        world: _Array,
+        settings: _Array,
+    ) -> tuple[_Array, _Array]: ...  # targets (c, 16), poles (c, 3)
+
+# A bone's pose in armature space from its own transform, and back, by Blender's rules; (4, 4) in rows.
+def bone_to_pose(
+    rest: ArrayLike,
+    parent_rest: ArrayLike | None,  # None without a parent, as parent_pose
+    parent_pose: ArrayLike | None,
+    basis: ArrayLike,
+    inherit_scale: _Inherit = "FULL",
+    inherit_rotation: bool = True,
+    local_location: bool = True,
+) -> _Array: ...
+def pose_to_bone(
+    rest: ArrayLike,
+    parent_rest: ArrayLike | None,
+    parent_pose: ArrayLike | None,
+    pose: ArrayLike,
+    inherit_scale: _Inherit = "FULL",
+    inherit_rotation: bool = True,
+    local_location: bool = True,
+) -> _Array: ...

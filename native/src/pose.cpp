@@ -28,15 +28,18 @@ glm::dvec3 euler_xyz(const glm::dquat& rotation) {
 }
 
 void pack_matrices(std::span<const glm::dvec3> locations, std::span<const glm::dquat> rotations,
-                   std::span<float> out) {
+                   std::span<float> out, std::span<const glm::dvec3> scales) {
     if (rotations.size() != locations.size())
         throw std::invalid_argument("rotations: one per location is needed");
+    if (!scales.empty() && scales.size() != locations.size())
+        throw std::invalid_argument("scales: one per location is needed, or none");
     if (out.size() != 16 * locations.size())
         throw std::invalid_argument("out: 16 floats per location are needed");
     float* next = out.data();
     for (std::size_t i = 0; i < locations.size(); ++i) {
-        const glm::dmat3 m = glm::mat3_cast(rotations[i]);
+        glm::dmat3 m = glm::mat3_cast(rotations[i]);
         for (int column = 0; column < 3; ++column) {
+            if (!scales.empty()) m[column] *= scales[i][column];
             for (int row = 0; row < 3; ++row) *next++ = static_cast<float>(m[column][row]);
             *next++ = 0.0f;
         }

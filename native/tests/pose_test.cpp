@@ -80,3 +80,14 @@ TEST_CASE("matrices are packed column by column", "[pose]") {
     CHECK_THROWS_AS(pack_matrices(locations, {rotations.data(), 1}, out), std::invalid_argument);
     CHECK_THROWS_AS(pack_matrices(locations, rotations, {out.data(), 31}), std::invalid_argument);
 }
+
+TEST_CASE("matrices take scales along their axes", "[pose]") {
+    const std::vector<glm::dvec3> locations{{1, 2, 3}};
+    const std::vector<glm::dquat> rotations{glm::angleAxis(pi / 2.0, glm::dvec3(0, 0, 1))};
+    const std::vector<glm::dvec3> scales{{2, 3, -4}, {1, 1, 1}};
+    std::array<float, 16> out{};
+    pack_matrices(locations, rotations, out, {scales.data(), 1});
+    const std::array<float, 16> expected{0, 2, 0, 0, -3, 0, 0, 0, 0, 0, -4, 0, 1, 2, 3, 1};
+    for (std::size_t i = 0; i < out.size(); ++i) CHECK(out[i] == Approx(expected[i]).margin(1e-6));
+    CHECK_THROWS_AS(pack_matrices(locations, rotations, out, scales), std::invalid_argument);
+}

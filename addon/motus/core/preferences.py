@@ -16,6 +16,13 @@ class MOTUS_PG_scene(bpy.types.PropertyGroup):
         name="Frames", description="Draw the orientation at equal distances", default=True, options=set())
     show_speed: bpy.props.BoolProperty(
         name="Speed", description="Colour the curve by the follower's speed", default=True, options=set())
+    show_reach: bpy.props.BoolProperty(
+        name="Reach", description="Draw how far a chain reaches, and how near", default=True, options=set())
+    show_pole: bpy.props.BoolProperty(
+        name="Pole", description="Draw the line from the middle of a chain to its pole", default=True, options=set())
+    show_residual: bpy.props.BoolProperty(
+        name="Residual", description="Draw what is left between the end of a chain and its target", default=True,
+        options=set())
 
 
 classes = (MOTUS_PG_scene,)

@@ -20,11 +20,17 @@ OK = None
 
 @dataclass(frozen=True)
 class Variable:
-    """One single-property driver variable: whose property, and which."""
+    """One driver variable: whose property, and which; or the evaluated transform of an object or its bone."""
 
     id_type: str
     id: Any
-    data_path: str
+    data_path: str = ""
+    bone: str = ""
+
+    @property
+    def is_transform(self):
+        """Whether it waits for a transform and reads one number of it, which is cheaper than a whole matrix."""
+        return not self.data_path
 
 
 @dataclass(frozen=True)
@@ -97,6 +103,71 @@ class Deformed:
 
 
 @dataclass(frozen=True)
+class Transform:
+    """Waits for an object, or a bone of it, to stand where it is evaluated to stand. No argument of solve."""
+
+    object: Any
+    bone: str = ""
+
+    def variable(self):
+        """The driver variable that waits."""
+        return Variable('OBJECT', self.object, bone=self.bone)
+
+
+@dataclass(frozen=True)
+class BonesOwn:
+    """Waits for the drivers of a bone's own location, rotation and scale. No argument of solve."""
+
+    object: Any
+    bone: str
+
+    def variable(self):
+        """The driver variable that waits."""
+        return Variable('OBJECT', self.object, f'pose.bones["{bpy.utils.escape_identifier(self.bone)}"].location[0]')
+
+
+@dataclass(frozen=True)
+class Member:
+    """An Object or PoseBone that is driven, and how.
+
+    space: owner space of the sinks. is_relative: rotation and scale act on top of the thing's own transform, in its local
+    space; neutral values (no rotation, scale 1) leave it alone.
+    """
+
+    thing: Any
+    channels: frozenset = frozenset({"location", "rotation"})
+    space: str = 'WORLD'
+    is_relative: bool = False
+
+
+@dataclass(frozen=True)
+class Group:
+    """What one solver computes at once, where a system needs several on one owner.
+
+    key: letters and digits, "" for the first. inputs: Transform and BonesOwn that the solver waits for. outputs: names of
+    numbers. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
+    """
+
+    key: str = ""
+    members: tuple = ()
+    inputs: tuple = ()
+    outputs: tuple = ()
+    data: dict = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One of an owner's settings that drives bones of it, for the order among them (core/dependencies.py).
+
+    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones.
+    """
+
+    name: str
+    reads: tuple = ()
+    drives: tuple = ()
+
+
+@dataclass(frozen=True)
 class System:
     """One system; see docs/architecture.md."""
 
@@ -104,17 +175,21 @@ class System:
     label: str
     settings: type
     classes: tuple
-    inputs: tuple
     solve: Callable
     problems: tuple
+    inputs: tuple = ()
     outputs: tuple = ()
     channels: Callable = lambda settings: frozenset({"location", "rotation"})
     members: Callable = lambda owner: [owner]
     member_data: Optional[Callable] = None
     space: str = 'WORLD'
+    groups: Optional[Callable] = None
+    entries: Optional[Callable] = None
+    bone_renamed: Optional[Callable] = None
     overlay: Optional[Callable] = None
     add_menu: tuple = ()
     object_menu: tuple = ()
+    pose_menu: tuple = ()
 
 
 @dataclass
@@ -127,8 +202,11 @@ class Context:
     depsgraph: Any
     locations: Any
     rotations: Any
+    scales: Any = None
     outputs: Any = field(default_factory=list)
     member_data: Any = None
+    group: str = ""
+    data: Any = field(default_factory=dict)
 
     @property
     def fps(self):
@@ -138,6 +216,17 @@ class Context:
 
 registered = {}
 """The registered systems by name."""
+
+
+class MOTUS_PG_helper(bpy.types.PropertyGroup):
+    """A hidden object that the wiring has made."""
+
+    object: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Object", description="Hidden object that works for this one",
+        override={'LIBRARY_OVERRIDABLE'})
+
+
+classes = (MOTUS_PG_helper,)
 
 
 class SystemSettings:
@@ -150,7 +239,17 @@ class SystemSettings:
         name="Baked", description="The motion stands in keyframes and the live set-up is switched off", options=set(),
         override={'LIBRARY_OVERRIDABLE'})
     hub: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Hub", description="Hidden object that computes for all members")
+        type=bpy.types.Object, name="Hub", description="Hidden object that computes for all members",
+        override={'LIBRARY_OVERRIDABLE'})
+    more_hubs: bpy.props.CollectionProperty(
+        type=MOTUS_PG_helper, name="More Hubs", description="Hubs of the groups but the first, by the groups' keys",
+        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
+    targets: bpy.props.CollectionProperty(
+        type=MOTUS_PG_helper, name="Targets", description="Hidden objects that the constraints have as targets",
+        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
+    wired: bpy.props.StringProperty(
+        name="Wired", description="What was wired, to notice where it has changed since", options=set(),
+        override={'LIBRARY_OVERRIDABLE'})
     order_proxy: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Order Proxy",
         description="Hidden object that lets the curve's deformation be evaluated first")
@@ -163,21 +262,22 @@ class SystemSettings:
 
 
 def _system_of(settings):
-    return registered[settings.path_from_id().rpartition(".")[2]]
+    """The system of a group of settings, or of one within it, such as an entry of a list."""
+    return registered[settings.path_from_id().split(".")[1].partition("[")[0]]
 
 
 def rewire(settings, _context):
     """`update` of a property whose change needs other drivers or sinks (targets, members, channels)."""
     from . import wiring
-    if settings.is_active:
-        wiring.refresh(_system_of(settings), settings.id_data)
+    wiring.refresh(_system_of(settings), settings.id_data)
 
 
 def touch(settings, _context):
     """`update` of a property whose change only needs a new evaluation."""
     from . import wiring
-    if settings.is_active:
-        wiring.touch(_system_of(settings), settings.id_data)
+    system = _system_of(settings)
+    if wiring.is_attached(system, settings.id_data):
+        wiring.touch(system, settings.id_data)
 
 
 def of_owner(system, owner):
@@ -185,7 +285,16 @@ def of_owner(system, owner):
     return getattr(owner.motus, system.name)
 
 
+def groups_of(system, owner) -> tuple:
+    """The groups of members that the system drives for an owner: one, where the system declares none."""
+    if system.groups is not None:
+        return tuple(system.groups(owner))
+    channels = system.channels(of_owner(system, owner))
+    members = tuple(Member(thing, channels, system.space) for thing in system.members(owner))
+    return (Group(members=members, outputs=system.outputs),)
+
+
 def input_variables(system, owner) -> Iterable:
-    """(input, Variable or None) for each declared input."""
+    """(input, Variable or None) for each declared input that is an argument of solve."""
     settings = of_owner(system, owner)
     return [(declared, declared.variable(owner, settings)) for declared in system.inputs]

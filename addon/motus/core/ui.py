@@ -55,7 +55,8 @@ class MOTUS_PT_overlay(bpy.types.Panel):
         layout.use_property_decorate = False
         layout.active = settings.show_overlay
         column = layout.column(heading="Show")
-        for name in ("show_curve", "show_control_points", "show_tangents", "show_frames", "show_speed"):
+        for name in ("show_curve", "show_control_points", "show_tangents", "show_frames", "show_speed", "show_reach", "show_pole",
+                     "show_residual"):
             column.prop(settings, name)
 
 

@@ -7,7 +7,7 @@ import bpy
 from ..core.translations import tr
 
 # Imported when one is built, and NumPy with it: most users build none.
-SCENES = {"PATH": "banked_flight"}
+SCENES = {"PATH": "banked_flight", "IK": "reaching"}
 
 
 class MOTUS_OT_demo_scene(bpy.types.Operator):
@@ -20,7 +20,11 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
     system: bpy.props.EnumProperty(
         name="System",
         description="The system to show",
-        items=(("PATH", "Banked Flight", "An aeroplane on a curved course over a lake, with a chasing camera"),),
+        items=(
+            ("PATH", "Banked Flight", "An aeroplane on a curved course over a lake, with a chasing camera"),
+            ("IK", "Reaching Pilot", "A wooden figure whose hand and eyes follow a butterfly, while its feet and other "
+             "hand stay put"),
+        ),
         default="PATH",
     )
 

@@ -61,6 +61,12 @@ def lathe(profile, segments=32):
     return loft(sections)
 
 
+def upright(part, place=(0.0, 0.0, 0.0), depth=1.0):
+    """A lathe's vertices and faces, its axis turned from Y to Z and moved to a place; `depth` scales it along Y."""
+    vertices, faces = part
+    return vertices[:, (0, 2, 1)] * (1.0, -depth, 1.0) + np.asarray(place), faces
+
+
 def sphere(radius, centre=(0.0, 0.0, 0.0), scale=(1.0, 1.0, 1.0), segments=20, rings=12):
     """An ellipsoid about `centre`."""
     polar = np.linspace(1e-3, np.pi - 1e-3, rings)

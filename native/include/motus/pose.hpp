@@ -11,9 +11,10 @@ namespace motus {
 /// right angle.
 [[nodiscard]] glm::dvec3 euler_xyz(const glm::dquat& rotation);
 
-/// Transforms of scale 1 as matrices: 16 floats each, column by column. out.size() == 16 * locations.size(),
-/// and as many rotations (unit quaternions) as locations, else std::invalid_argument.
+/// Transforms as matrices: 16 floats each, column by column. out.size() == 16 * locations.size(), and as many
+/// rotations (unit quaternions) as locations, and scales (along the rotated axes) or none, which means 1;
+/// else std::invalid_argument.
 void pack_matrices(std::span<const glm::dvec3> locations, std::span<const glm::dquat> rotations,
-                   std::span<float> out);
+                   std::span<float> out, std::span<const glm::dvec3> scales = {});
 
 }  // namespace motus

@@ -33,6 +33,8 @@ def stub_members(body):
             name = node.name
         elif isinstance(node, ast.AnnAssign):
             name = node.target.id
+        elif isinstance(node, ast.Assign):
+            name = node.targets[0].id
         else:
             continue
         if not name.startswith("_") or name in ("__init__", "__version__"):
@@ -51,7 +53,11 @@ class StubTest(unittest.TestCase):
 
     def compare(self, path, nodes, real):
         for node in nodes:
-            if any(isinstance(d, ast.Name) and d.id == "property" for d in node.decorator_list):
+            if isinstance(node, ast.Assign):
+                self.assertEqual(ast.literal_eval(node.value), real, path)
+            elif isinstance(node, ast.AnnAssign):
+                self.assertFalse(callable(real), path)
+            elif any(isinstance(d, ast.Name) and d.id == "property" for d in node.decorator_list):
                 self.assertIsInstance(real, property, path)
             else:
                 self.assertEqual(signature(node), documented_signature(real), path)

@@ -83,7 +83,11 @@ def _is_baked_with(owner, thing):
 
 def objects_of(owner, systems):
     """The objects that the systems drive, themselves or their bones."""
-    return {member.id_data for one in systems for member in one.members(owner)}
+    return {member.thing.id_data for one in systems for member in _members(one, owner)}
+
+
+def _members(one, owner):
+    return [member for group in system.groups_of(one, owner) for member in group.members]
 
 
 def _sinks(owner, systems):
@@ -94,17 +98,17 @@ def _tracks(owner, systems):
     sinks = _sinks(owner, systems)
     channels = {}
     for one in systems:
-        for member in one.members(owner):
-            channels.setdefault(member, set()).update(one.channels(system.of_owner(one, owner)))
-    for member, names in channels.items():
-        if "location" in names and isinstance(member, bpy.types.PoseBone) and member.bone.use_connect:
+        for member in _members(one, owner):
+            channels.setdefault(member.thing, set()).update(member.channels)
+    for thing, names in channels.items():
+        if "location" in names and isinstance(thing, bpy.types.PoseBone) and thing.bone.use_connect:
             raise BakeError(tr("{bone} is connected to its parent, so keyframes cannot move it: disconnect it first").format(
-                bone=member.name))
+                bone=thing.name))
         # The user's constraints act on top of the result or below it: all of it is baked, and they are switched off.
         # A mirrored thing loses its negative scale in the sinks.
-        if keys.others(member, sinks) or is_mirrored(member.scale):
+        if keys.others(thing, sinks) or is_mirrored(thing.scale):
             names.update(("location", "rotation", "scale"))
-    return [Track(member, frozenset(names)) for member, names in channels.items()]
+    return [Track(thing, frozenset(names)) for thing, names in channels.items()]
 
 
 def _check(tracks, view_layer):

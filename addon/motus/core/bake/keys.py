@@ -6,6 +6,10 @@ import bpy
 
 from .. import actions
 
+PARKED_KEY = "motus_parked"
+"""Custom property that the drivers of baked channels are aimed at until they are wanted again."""
+LARGEST_CHANNEL = 4
+
 
 def write(id_data, tracks, frames):
     """Give an object an action with the tracks' keyframes beside its own other F-curves."""
@@ -56,8 +60,7 @@ def restore(id_data):
         actions.assign(id_data, state.previous_action, state.previous_slot)
     if baked and baked.users == 0:
         bpy.data.actions.remove(baked)
-    for path, index in kept["muted"]:
-        _set_muted(id_data, path, index, False)
+    _unmute(id_data, kept["muted"])
     for path, values in kept["values"].items():
         _set_values(id_data, path, values)
     id_data.motus.property_unset("bake")
@@ -65,16 +68,37 @@ def restore(id_data):
 
 
 def mute(id_data, tracks, sinks):
-    """Switch off whatever would still act on baked channels, but for the sinks; returns what it was, for restore()."""
-    muted = []
-    for track in tracks:
-        muted += [(f"{constraint.path_from_id()}.mute", -1) for constraint in others(track.thing, sinks)]
-        paths = {track.data_path(name) for name in track.values}
-        muted += [(curve.data_path, curve.array_index)
-                  for curve in _drivers(id_data) if curve.data_path in paths and not curve.mute]
-    for path, index in muted:
-        _set_muted(id_data, path, index, True)
-    return muted
+    """Switch off whatever would still act on baked channels, but for the sinks; returns what it was, for restore().
+
+    A driver is not only muted but aimed at another property: in Blender 5.2 the value of a key for a property that has a
+    muted driver sometimes arrives after the transform was computed (seen in about one frame of a hundred).
+    """
+    constraints = [f"{constraint.path_from_id()}.mute" for track in tracks for constraint in others(track.thing, sinks)]
+    baked = {track.data_path(name) for track in tracks for name in track.values}
+    parked = [curve for curve in _drivers(id_data) if curve.data_path in baked]
+    for path in constraints:
+        _set_muted(id_data, path, True)
+    kept = [(curve.data_path, curve.array_index, curve.mute) for curve in parked]
+    if parked:
+        id_data[PARKED_KEY] = [0.0] * LARGEST_CHANNEL
+    for curve in parked:
+        curve.mute = True
+        curve.data_path = f'["{PARKED_KEY}"]'
+    return {"constraints": constraints, "drivers": kept}
+
+
+def _unmute(id_data, kept):
+    for path in kept["constraints"]:
+        _set_muted(id_data, path, False)
+    waiting = list(kept["drivers"])
+    for curve in _drivers(id_data):
+        if curve.data_path == f'["{PARKED_KEY}"]':
+            # In the order of the datablock's drivers, but for those that the user has removed since.
+            place = next(place for place in waiting if place[1] == curve.array_index)
+            waiting.remove(place)
+            curve.data_path, curve.mute = place[0], place[2]
+    if PARKED_KEY in id_data:
+        del id_data[PARKED_KEY]
 
 
 def others(thing, sinks):
@@ -86,13 +110,8 @@ def _drivers(id_data):
     return id_data.animation_data.drivers if id_data.animation_data else ()
 
 
-def _set_muted(id_data, path, index, muted):
-    """path: of a constraint's `mute` (index -1), or of a property whose driver is meant."""
-    if index >= 0:
-        for curve in _drivers(id_data):
-            if (curve.data_path, curve.array_index) == (path, index):
-                curve.mute = muted
-        return
+def _set_muted(id_data, path, muted):
+    """path: of a constraint's `mute`."""
     try:
         constraint = id_data.path_resolve(path.removesuffix(".mute"))
     except ValueError:

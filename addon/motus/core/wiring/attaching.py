@@ -2,58 +2,82 @@
 
 import bpy
 
-from .. import capabilities
-from ..system import Setting, Variable, input_variables, of_owner
-from . import attribute_sink, drivers, healing, limit_sink, order, outbox
-from .sinks import led_by, remove, sinks
+from .. import actions
+from ..system import groups_of, of_owner, registered
+from . import anchor, attribute_sink, carriers, drivers, healing, limit_sink, order, outbox, proxy_sink, solver_driver
+from .sinks import led_by, remove, remove_orphans, renamed_bones, sinks
 
 
 def attach(system, owner):
-    """Wire `system` on `owner`: solver, outbox, and sinks on all its members. What was wired before is replaced."""
-    detach(system, owner)
+    """Wire `system` on `owner`: solvers, outboxes, and sinks on all members. What was wired before is replaced."""
+    _attach(system, owner)
+    refresh_others(system, owner)
+
+
+def _attach(system, owner):
+    _detach(system, owner)
     settings = of_owner(system, owner)
     settings.is_active = True
     settings.order_proxy = order.proxy_for(system, settings)
-    members = system.members(owner)
-    # An outbox on the owner goes along with its copies, so a hub is made only for members that are other objects.
-    own = all(member.id_data == owner for member in members)
-    carrier = owner if own else _make_hub(system, owner, settings)
-    uses_attribute = not own and capabilities.has_geometry_attribute_constraint()
+    groups = groups_of(system, owner)
+    for group, kind in zip(groups, carriers.kinds(system, owner, groups)):
+        _wire(system, owner, group, kind)
+    settings.wired = carriers.signature(system, owner, groups)
+    _tag(system, owner)
+
+
+def _wire(system, owner, group, kind):
+    carrier = owner if kind == carriers.OWN else carriers.make_hub(system, owner, group)
+    uses_attribute = kind == carriers.ATTRIBUTE
     if uses_attribute:
-        attribute_sink.prepare(carrier, members)
-    outbox.create(system, carrier, 0 if uses_attribute else len(members))
-    expression, variables = _call(system, owner, with_settings=not own)
-    drivers.add(carrier, outbox.out_path(system), f'motus_solve(self,"{system.name}",{expression}', variables,
-                index=outbox.STATUS, use_self=True)
-    direct = None
-    if own and (settings.use_direct_drivers or healing.has_driven_settings(owner, settings)):
-        expression, variables = _call(system, owner)
-        direct = (f'motus_direct(self,"{system.name}",{{slot}},{expression}', variables)
-    channels = system.channels(settings)
-    for index, member in enumerate(members):
+        attribute_sink.prepare(carrier, group)
+    outbox.create(system, carrier, group, 0 if uses_attribute else len(group.members))
+    solver_driver.add(system, owner, group, carrier)
+    settings = of_owner(system, owner)
+    direct = solver_driver.direct(system, owner, group) if carrier == owner else None
+    hub = outbox.hub_of(system, owner, group.key)
+    target = hub
+    if hub is None and any(member.is_relative for member in group.members):
+        target = anchor.of(settings)
+    driven = drivers.driven_bones(owner) if system.groups is not None and not direct else ()
+    for index, member in enumerate(group.members):
         if uses_attribute:
-            attribute_sink.add(system, member, settings.hub, index, channels)
+            attribute_sink.add(system, group, index, hub)
+        elif _needs_proxy(member, driven):
+            anchor.keep(settings, member.thing.name, proxy_sink.add(system, group, index, carrier))
         else:
-            limit_sink.add(system, member, carrier, index, channels, direct, settings.hub)
-        if member.id_data != owner:
-            of_owner(system, member.id_data).leader = owner
-    touch(system, owner)
+            limit_sink.add(system, group, index, carrier, target, direct)
+        if member.thing.id_data != owner:
+            of_owner(system, member.thing.id_data).leader = owner
+
+
+def _needs_proxy(member, driven):
+    return member.is_relative and member.thing.name in driven
 
 
 def detach(system, owner):
     """Remove everything attach() made; the owner's and members' own transforms, keys and constraints stay."""
+    _detach(system, owner)
+    refresh_others(system, owner)
+
+
+def _detach(system, owner):
     settings = of_owner(system, owner)
-    for member, constraint in sinks(system, owner):
-        remove(member, constraint)
+    remove(sinks(system, owner))
+    remove_orphans(system, owner)
     for other in led_by(system, owner):
         of_owner(system, other).leader = None
-    if outbox.owns_hub(system, owner):
-        bpy.data.meshes.remove(settings.hub.data)
+    for _, hub in outbox.hubs(system, owner):
+        if outbox.is_own_hub(hub, owner):
+            bpy.data.meshes.remove(hub.data)
     settings.hub = None
-    drivers.remove_under(owner, outbox.out_path(system))
+    settings.more_hubs.clear()
+    anchor.release(settings)
+    drivers.remove_where(owner, lambda path: path.startswith(f'["{outbox.out_key(system)}'))
     outbox.remove(system, owner)
     order.release(settings)
     settings.is_active = False
+    settings.wired = ""
     drivers.drop_empty_animation(owner)
     owner.update_tag()
 
@@ -62,14 +86,55 @@ def refresh(system, owner):
     """Wire again after a change of what is driven or read: targets, members, channels."""
     if not is_attached(system, owner):
         return
+    _refresh(system, owner)
+    refresh_others(system, owner)
+
+
+def _refresh(system, owner):
     before = _stacks(system, owner)
-    attach(system, owner)
-    for member, places in _stacks(system, owner).items():
-        old = before.get(member)
+    _attach(system, owner)
+    for thing, places in _stacks(system, owner).items():
+        old = before.get(thing)
         for offset, (index, _) in enumerate(places if old else ()):
-            constraint = member.constraints[index]
+            constraint = thing.constraints[index]
             constraint.mute = old[min(offset, len(old) - 1)][1]
-            member.constraints.move(index, old[0][0] + offset)
+            thing.constraints.move(index, old[0][0] + offset)
+
+
+def refresh_others(system, owner):
+    """Wire the owner's other systems again whose groups depend on what has changed in this one."""
+    if system.entries is None:
+        return
+    for other in registered.values():
+        if other is not system and other.entries is not None and is_attached(other, owner):
+            refresh_changed(other, owner)
+
+
+def refresh_changed(system, owner):
+    """Wire again where the groups are others than those wired; returns whether they were."""
+    if of_owner(system, owner).wired == carriers.signature(system, owner, groups_of(system, owner)):
+        return False
+    _refresh(system, owner)
+    return True
+
+
+def refresh_edited(system, owner):
+    """Tell the system of driven bones that have other names now, and wire again where that or more has changed."""
+    for old, new in renamed_bones(system, owner):
+        if system.bone_renamed:
+            system.bone_renamed(owner, old, new)
+            _rename_paths(system, owner, old, new)
+    refresh_changed(system, owner)
+
+
+def _rename_paths(system, owner, old, new):
+    """Let keys and drivers of the settings of an entry, which is named like a bone, go on to animate it."""
+    old, new = (f'["{bpy.utils.escape_identifier(name)}"]' for name in (old, new))
+    prefix = of_owner(system, owner).path_from_id() + "."
+    animation = owner.animation_data
+    for curve in (*actions.fcurves(owner), *(animation.drivers if animation else ())):
+        if curve.data_path.startswith(prefix) and old in curve.data_path:
+            curve.data_path = curve.data_path.replace(old, new)
 
 
 def is_attached(system, owner):
@@ -79,57 +144,31 @@ def is_attached(system, owner):
 
 def touch(system, owner):
     """Let Blender evaluate the system again after a change of settings from Python."""
-    owner.update_tag()
-    hub = of_owner(system, owner).hub
-    if hub is None:
-        return
-    if not outbox.owns_hub(system, owner):
+    if healing.has_strange_carriers(system, owner):
         refresh(system, owner)  # a copy, which was driven along with the first one until now
-        return
-    hub.data.update_tag()
-    if system.member_data:
+    elif not _tag(system, owner):
+        refresh(system, owner)  # a member was deleted since
+
+
+def _tag(system, owner):
+    """Let Blender evaluate the owner and its hubs again; returns whether there are as many members as were wired."""
+    owner.update_tag()
+    for _, hub in outbox.hubs(system, owner):
+        hub.data.update_tag()
+    hub = of_owner(system, owner).hub
+    if hub and system.member_data:
         # Reading a list of settings item by item in every solve would be dear where there are many members.
         data = [float(value) for value in system.member_data(owner)]
         if len(data) != len(hub.data.get(outbox.MEMBER_DATA_KEY, data)):
-            refresh(system, owner)  # a member was deleted since
-            return
+            return False
         hub.data[outbox.MEMBER_DATA_KEY] = data
+    return True
 
 
 def _stacks(system, owner):
     """For each driven Object or PoseBone, (place in its constraint stack, whether muted) of its sinks, in their order."""
     ours = {}
-    for member, constraint in sinks(system, owner):
-        ours.setdefault(member, []).append(constraint.name)
-    return {member: [(index, constraint.mute) for index, constraint in enumerate(member.constraints)
-                     if constraint.name in names] for member, names in ours.items()}
-
-
-def _make_hub(system, owner, settings):
-    mesh = bpy.data.meshes.new(f"Motus {system.label} {owner.name}")
-    hub = bpy.data.objects.new(mesh.name, mesh)
-    hub.hide_render = hub.hide_viewport = True
-    mesh[outbox.OWNER_KEY] = owner
-    settings.hub = hub
-    return mesh
-
-
-def _call(system, owner, with_settings=True):
-    """Argument list of a solver call, with its driver variables; what has no variable is passed as 0.
-
-    with_settings: whether the solver waits for the owner's settings. A driver on the owner's own custom property cannot:
-    to Blender's dependency graph all of an object's plain properties are one node, which waits for that driver in turn.
-    It still sees keyed and edited settings, for an object's animation comes before its drivers; where a setting is driven, the
-    sinks compute for themselves, since drivers of constraints can wait.
-    """
-    arguments, variables = ["frame", "depsgraph"], {}
-    for index, (declared, variable) in enumerate(input_variables(system, owner)):
-        if variable is None or (isinstance(declared, Setting) and not with_settings):
-            arguments.append("0")
-            continue
-        arguments.append(f"v{index}")
-        variables[f"v{index}"] = variable
-    if with_settings:
-        # Read by the solver itself; declared so that it comes first.
-        variables["influence"] = Variable('OBJECT', owner, f"{of_owner(system, owner).path_from_id()}.influence")
-    return ",".join(arguments) + ")", variables
+    for thing, constraint in sinks(system, owner):
+        ours.setdefault(thing, []).append(constraint.name)
+    return {thing: [(index, constraint.mute) for index, constraint in enumerate(thing.constraints)
+                    if constraint.name in names] for thing, names in ours.items()}

@@ -1,10 +1,10 @@
 """Sinks for many members where the Geometry Attribute constraint exists (Blender 5): one constraint a member.
 
 The solver writes one 4x4 matrix a member into an attribute of the evaluated hub mesh; each constraint samples its own. A
-driver on each constraint's influence would cost more than the constraint. So a member that *stands still* by itself (no
-parent, keys, drivers or constraints of its own) has none: the solver blends its row with the member's own transform, which
-it may read at any time because nothing moves it. The original mesh holds the own transforms too, for Blenders without the
-add-on.
+driver on each constraint's influence would cost more than the constraint. So two kinds of members have none. A relative
+member's row is the identity where nothing is to happen. For a member that *stands still* by itself (no parent, keys,
+drivers or constraints of its own) the solver blends its row with the member's own transform, which it may read at any time
+because nothing moves it. The original mesh holds the own transforms and identities too, for Blenders without the add-on.
 """
 
 import bpy
@@ -12,71 +12,97 @@ from bpy.app.handlers import persistent
 
 from .. import native
 from ..lazy import numpy as np
-from ..system import Variable, of_owner, registered
+from ..system import Variable, groups_of, registered
 from . import drivers, outbox
 from .scratch import scratch
 
 ATTRIBUTE = "motus_transform"
 STILL_KEY = "motus_still"
-"""Custom property of a hub's mesh: for each member whether it stands still by itself."""
+"""Custom property of a hub's mesh: for each member whether it MOVES by itself, is STILL, or is driven RELATIVE to that."""
+MOVES, STILL, RELATIVE = 0, 1, 2
 
 
-def prepare(mesh, members):
+def prepare(mesh, group):
     """Give a hub's mesh one point and one matrix a member. Called before the members have sinks."""
-    mesh.vertices.add(len(members))
+    mesh.vertices.add(len(group.members))
     mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
-    mesh[STILL_KEY] = [int(_stands_still(member)) for member in members]
-    _store(mesh, *own_poses(members))
+    mesh[STILL_KEY] = [_kind(member) for member in group.members]
+    _store(mesh, *own_poses(group.members))
 
 
-def add(system, target, hub, member, channels):
-    """Drive `target` (Object or PoseBone) by row `member` of the hub's attribute."""
-    constraint = target.constraints.new('GEOMETRY_ATTRIBUTE')
+def add(system, group, index, hub):
+    """Drive member `index` of the group by its row of the hub's attribute."""
+    member = group.members[index]
+    constraint = member.thing.constraints.new('GEOMETRY_ATTRIBUTE')
     constraint.name = f"Motus {system.label}"
     constraint.target = hub
     constraint.attribute_name = ATTRIBUTE
     constraint.data_type = 'FLOAT4X4'
-    constraint.sample_index = member
-    constraint.owner_space = system.space
+    constraint.sample_index = index
+    constraint.owner_space = 'LOCAL' if member.is_relative else member.space
     constraint.apply_target_transform = False
-    constraint.mix_loc = "location" in channels
-    constraint.mix_rot = "rotation" in channels
-    constraint.mix_scl = False
-    if not hub.data[STILL_KEY][member]:
-        weight = Variable('MESH', hub.data, outbox.out_path(system, outbox.WEIGHT))
+    constraint.mix_loc = "location" in member.channels
+    constraint.mix_rot = "rotation" in member.channels
+    constraint.mix_scl = "scale" in member.channels
+    if member.is_relative:
+        constraint.mix_mode = 'AFTER_SPLIT'
+    elif hub.data[STILL_KEY][index] == MOVES:
+        weight = Variable('MESH', hub.data, outbox.out_path(system, outbox.WEIGHT, group.key))
         drivers.copy_value(constraint, "influence", weight)
 
 
-def is_undriven(system, constraint):
-    """Whether this is the sink of a member that stands still; the others' are known by their drivers."""
-    if constraint.type != 'GEOMETRY_ATTRIBUTE' or constraint.target is None:
-        return False
+def undriven_key(system, constraint):
+    """Key of the system's group whose sink without a driver this is; None where it is none. Others have drivers."""
+    if constraint.type != 'GEOMETRY_ATTRIBUTE' or constraint.target is None or constraint.target.type != 'MESH':
+        return None
     mesh = constraint.target.data
-    return outbox.out_key(system) in mesh and bool(mesh[STILL_KEY][constraint.sample_index])
+    kinds = mesh.get(STILL_KEY)
+    if kinds is None or constraint.sample_index >= len(kinds) or kinds[constraint.sample_index] == MOVES:
+        return None
+    return outbox.key_on_hub(system, mesh)
 
 
-def write(mesh, members, locations, rotations, weight):
+def write(mesh, members, locations, rotations, scales, weight):
     """Fill the attribute of the evaluated mesh; `members()` are the evaluated members."""
     if weight < 1.0:
-        still = np.array(mesh[STILL_KEY], dtype=bool)
+        still = np.array(mesh[STILL_KEY]) == STILL
         if still.any():
             shares = np.where(still, weight, 1.0)[:, None]
-            own_locations, own_rotations = own_poses(members())
+            own_locations, own_rotations, _ = own_poses(members())
             locations = own_locations + shares * (locations - own_locations)
             rotations = _slerp(own_rotations, rotations, shares)
-    _store(mesh, locations, rotations)
+    _store(mesh, locations, rotations, scales)
+
+
+def write_neutral(mesh):
+    """Let the evaluated mesh's relative members be as they are by themselves."""
+    count = len(mesh.vertices)
+    rotations = np.zeros((count, 4))
+    rotations[:, 0] = 1.0
+    _store(mesh, np.zeros((count, 3)), rotations, None)
 
 
 def own_poses(members):
-    """Locations (n, 3) and quaternions (n, 4) that the members have without sinks, where they stand still."""
-    matrices = [member.matrix_basis for member in members]
-    return (np.array([matrix.translation for matrix in matrices], dtype=float),
-            np.array([matrix.to_quaternion() for matrix in matrices], dtype=float))
+    """Locations (n, 3), quaternions (n, 4) and scales (n, 3) of rows that do nothing.
+
+    Relative members' are neutral; others have their own transforms, which counts where they stand still.
+    """
+    count = len(members)
+    locations, rotations, scales = np.zeros((count, 3)), np.zeros((count, 4)), np.ones((count, 3))
+    rotations[:, 0] = 1.0
+    for index, member in enumerate(members):
+        if not member.is_relative:
+            locations[index] = member.thing.matrix_basis.translation
+            rotations[index] = member.thing.matrix_basis.to_quaternion()
+    return locations, rotations, scales
 
 
-def _stands_still(member):
-    return (isinstance(member, bpy.types.Object)
-            and not (member.parent or member.constraints or member.animation_data))
+def _kind(member):
+    if member.is_relative:
+        return RELATIVE
+    thing = member.thing
+    stands = isinstance(thing, bpy.types.Object) and not (thing.parent or thing.constraints or thing.animation_data)
+    return STILL if stands else MOVES
 
 
 def _slerp(start, end, shares):
@@ -92,9 +118,9 @@ def _slerp(start, end, shares):
     return mixed / np.linalg.norm(mixed, axis=1, keepdims=True)
 
 
-def _store(mesh, locations, rotations):
+def _store(mesh, locations, rotations, scales):
     matrices = scratch("matrices", (len(locations), 16), np.float32)
-    native.module.pack_matrices(locations, rotations, out=matrices)
+    native.module.pack_matrices(locations, rotations, out=matrices, scales=scales)
     data = mesh.attributes[ATTRIBUTE].data
     if not mesh.is_evaluated or mesh.original.library is None:
         data.foreach_set("value", matrices.ravel())
@@ -112,10 +138,10 @@ def store_own_poses(*_):
         return
     for mesh in bpy.data.meshes:
         owner = mesh.get(outbox.OWNER_KEY)
-        if owner is None or mesh.library or ATTRIBUTE not in mesh.attributes:
+        if owner is None or mesh.library or STILL not in list(mesh.get(STILL_KEY, ())):
             continue
         for system in registered.values():
-            hub = of_owner(system, owner).hub
-            members = system.members(owner)
-            if hub and hub.data == mesh and len(members) == len(mesh.vertices):
-                _store(mesh, *own_poses(members))
+            wired = [key for key, hub in outbox.hubs(system, owner) if hub.data == mesh]
+            for group in groups_of(system, owner) if wired else ():
+                if group.key == wired[0] and len(group.members) == len(mesh.vertices):
+                    _store(mesh, *own_poses(group.members))

@@ -1,5 +1,11 @@
 """Drivers: made, found and removed in one place."""
 
+import re
+
+import bpy
+
+_CHANNEL = re.compile(r'^pose\.bones\["(?P<bone>(?:[^"\\]|\\.)*)"\]\.(?:location|rotation_\w+|scale)$')
+
 
 def add(owner, path, expression, variables, index=None, use_self=False):
     """Drive one property by `expression` over `variables` (name -> Variable)."""
@@ -9,9 +15,9 @@ def add(owner, path, expression, variables, index=None, use_self=False):
     driver.expression = expression
 
 
-def copy_value(owner, path, source):
+def copy_value(owner, path, source, index=None):
     """Let one property have the value of another, without Python."""
-    _new(owner, path, None, {"v": source}).type = 'SUM'
+    _new(owner, path, index, {"v": source}).type = 'SUM'
 
 
 def _new(owner, path, index, variables):
@@ -26,20 +32,31 @@ def _new(owner, path, index, variables):
     for name, source in variables.items():
         variable = driver.variables.new()
         variable.name = name
+        if source.is_transform:
+            variable.type = 'TRANSFORMS'
         target = variable.targets[0]
         if source.id_type != 'OBJECT':
             target.id_type = source.id_type
         target.id = source.id
-        target.data_path = source.data_path
+        if source.is_transform:
+            target.bone_target = source.bone
+            target.transform_space = 'WORLD_SPACE'
+        else:
+            target.data_path = source.data_path
     return driver
 
 
 def remove_under(id_data, prefix):
     """Remove every driver of the datablock whose path begins with `prefix`."""
+    remove_where(id_data, lambda path: path.startswith(prefix))
+
+
+def remove_where(id_data, is_meant):
+    """Remove every driver of the datablock for whose path is_meant(path) is true."""
     animation = id_data.animation_data
     if animation is None:
         return
-    for curve in [c for c in animation.drivers if c.data_path.startswith(prefix)]:
+    for curve in [c for c in animation.drivers if is_meant(c.data_path)]:
         animation.drivers.remove(curve)
 
 
@@ -48,3 +65,10 @@ def drop_empty_animation(id_data):
     animation = id_data.animation_data
     if animation and not animation.action and not animation.drivers and not animation.nla_tracks:
         id_data.animation_data_clear()
+
+
+def driven_bones(obj):
+    """Names of the bones that have a driver on their own location, rotation or scale."""
+    animation = obj.animation_data
+    matches = (_CHANNEL.match(curve.data_path) for curve in (animation.drivers if animation else ()))
+    return {bpy.utils.unescape_identifier(match["bone"]) for match in matches if match}

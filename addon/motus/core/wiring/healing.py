@@ -1,57 +1,137 @@
-"""Wires an owner again when its settings have become driven.
+"""Wires owners again where somebody has changed what Motus cannot be told of.
 
-A solver on its owner sees keyed and edited settings, but cannot wait for driven ones (see attaching). Nobody tells an add-on
-that a driver was added, so the solver itself notices, and the owner is wired again as soon as Blender has finished the
-evaluation; Blender then evaluates once more. This happens once, and its result is the same whoever evaluates first.
+- Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
+- An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
+- The bones of an armature were renamed, removed, or given other parents.
+
+Solvers and Blender's handlers notice; the wiring is done when Blender has finished the evaluation, which it then does once
+more. Each happens once, and its result is the same whoever evaluates first.
 """
+
+import logging
 
 import bpy
 from bpy.app.handlers import persistent
 
 from ..system import of_owner, registered
+from . import outbox, proxy_sink
+
+log = logging.getLogger(__name__)
 
 _asked = set()
-
-CONSTRAINT_DRIVERS = 7  # of a Limit sink: six limits and the influence
+_driver_counts = {}
+"""(system, owner) -> how many drivers the owner had when it was last looked through."""
+_object_count = [-1]
+"""How many objects the file had when they were last looked through."""
+_given_up = set()
+"""(system, owner) that could not be given carriers of their own."""
 
 
 def check(system, owner):
-    """Called by the solver with the evaluated owner that carries it."""
-    all_drivers = owner.animation_data.drivers
-    if len(all_drivers) <= 1 + 2 * CONSTRAINT_DRIVERS:
-        return
-    if has_driven_settings(owner, of_owner(system, owner)) and not any(
-            curve.driver.expression.startswith("motus_direct(") for curve in all_drivers):
-        _asked.add((system.name, owner.name))
+    """Called by the solver with the evaluated owner."""
+    animation = owner.animation_data
+    place, count = (system.name, owner.name), len(animation.drivers) if animation else 0
+    if _driver_counts.get(place) != count:
+        _driver_counts[place] = count
+        _asked.add(place)
 
 
 def has_driven_settings(owner, settings):
     """Whether a driver of the owner sets one of the settings."""
     prefix = settings.path_from_id() + "."
-    return any(curve.data_path.startswith(prefix) for curve in owner.animation_data.drivers)
+    animation = owner.animation_data
+    return animation is not None and any(curve.data_path.startswith(prefix) for curve in animation.drivers)
+
+
+def has_strange_carriers(system, owner):
+    """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
+    return outbox.has_strange_hubs(system, owner) or (
+        system.groups is not None and proxy_sink.has_strange_proxies(owner))
 
 
 @persistent
-def _heal(*_):
-    from .attaching import refresh
+def _heal(_scene=None, depsgraph=None):
+    if bpy.app.is_job_running('RENDER'):
+        return
+    try:
+        _heal_driven()
+        _heal_copies()
+        if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
+            _heal_edited(depsgraph)
+    except Exception:
+        # A handler that raises would say so after every change.
+        log.exception("Motus: something that was copied or edited could not be wired again")
+
+
+def _heal_driven():
+    from . import attaching
     while _asked:
         name, owner_name = _asked.pop()
         owner = bpy.data.objects.get(owner_name)
-        if owner and owner.library is None and name in registered:
-            refresh(registered[name], owner)
+        system = registered.get(name)
+        # To ask an object for its settings gives it some.
+        if not owner or owner.library or not system or not owner.is_property_set("motus"):
+            continue
+        if not attaching.is_attached(system, owner):
+            continue
+        if system.groups is not None:
+            attaching.refresh_changed(system, owner)
+        elif has_driven_settings(owner, of_owner(system, owner)) and not _is_direct(owner):
+            attaching.refresh(system, owner)
+
+
+def _is_direct(owner):
+    return any(curve.driver.expression.startswith("motus_direct(") for curve in owner.animation_data.drivers)
+
+
+def _heal_copies():
+    count = len(bpy.data.objects)
+    if count == _object_count[0]:
+        return
+    from . import attaching
+    owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
+    for owner in owners:
+        for system in registered.values():
+            place = system.name, owner.name
+            if not attaching.is_attached(system, owner) or place in _given_up or not has_strange_carriers(system, owner):
+                continue
+            attaching.refresh(system, owner)
+            if has_strange_carriers(system, owner):
+                _given_up.add(place)
+    _object_count[0] = len(bpy.data.objects)
+
+
+def _heal_edited(depsgraph):
+    from . import attaching
+    edited = [update.id.original for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
+    edited = [armature for armature in edited if not armature.is_editmode]
+    for owner in [obj for obj in bpy.data.objects if edited and obj.data in edited and not obj.library]:
+        for system in registered.values():
+            if system.groups is not None and owner.is_property_set("motus") and attaching.is_attached(system, owner):
+                attaching.refresh_edited(system, owner)
+
+
+@persistent
+def _forget(*_):
+    _asked.clear()
+    _driver_counts.clear()
+    _given_up.clear()
+    _object_count[0] = -1
 
 
 _HANDLERS = (bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.frame_change_post)
 
 
 def register():
-    """Watch for what the solvers noticed."""
+    """Watch for what was noticed."""
     for handlers in _HANDLERS:
         handlers.append(_heal)
+    bpy.app.handlers.load_post.append(_forget)
 
 
 def unregister():
     """Stop watching."""
+    bpy.app.handlers.load_post.remove(_forget)
     for handlers in _HANDLERS:
         handlers.remove(_heal)
-    _asked.clear()
+    _forget()

@@ -1,17 +1,24 @@
 """The outbox: one float array property of a solver's carrier that holds all it computed.
 
-    [status, weight, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ...]
+    [status, weight, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ..., sx, sy, sz of member 0, ...]
 
-The solver driver sits on the first slot, status: to Blender's dependency graph the array is one property, so whoever
-reads any slot of it waits for the solver. status is 0 or the index + 1 of the system's problem (INTERNAL for an error of
-our own, SILENT before the first evaluation); weight is the influence of the sinks, and 0 where they may not act. On the
-original it stays zero for ever: without the add-on nothing acts.
+Scales are there where a member of the group has the channel. The solver driver sits on the first slot, status: to
+Blender's dependency graph the array is one property, so whoever reads any slot of it waits for the solver. status is 0 or
+the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation); weight is the
+influence of the sinks, and 0 where they may not act. On the original the weight stays zero and the scales one for ever:
+without the add-on nothing acts.
+
+A system with several groups has an outbox a group. Beside it lies, for such a system, what the group needs to know: the
+names of its outputs and of its members, and Group.data.
 """
+
+import re
 
 from ..system import Problem, of_owner
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
 POSE_SIZE = 6
+SCALE_SIZE = 3
 
 OWNER_KEY = "motus_owner"
 """Custom property of a hub's mesh: the object whose settings it computes."""
@@ -25,65 +32,158 @@ _MIRRORED_PROBLEM = Problem(
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
 
 
-def out_key(system):
-    """Name of the outbox property."""
-    return f"motus_{system.name}_out"
+def out_key(system, group=""):
+    """Name of a group's outbox property."""
+    return f"motus_{system.name}_out_{group}" if group else f"motus_{system.name}_out"
 
 
-def out_path(system, index=None):
+def info_key(system, group=""):
+    """Name of the property beside it."""
+    return f"motus_{system.name}_info_{group}" if group else f"motus_{system.name}_info"
+
+
+def out_path(system, index=None, group=""):
     """Data path of the outbox on its carrier, or of one slot of it."""
-    path = f'["{out_key(system)}"]'
+    path = f'["{out_key(system, group)}"]'
     return path if index is None else f"{path}[{index}]"
 
 
-def pose_base(system, member):
+def slot_pattern(system):
+    """Matches data paths of slots of any of the system's outboxes: group "key" is the group's, "slot" the index."""
+    return re.compile(rf'\["motus_{system.name}_out(?:_(?P<key>\w+))?"\]\[(?P<slot>\d+)\]$')
+
+
+def pose_base(group):
+    """First slot of the poses."""
+    return FIRST_OUTPUT + len(group.outputs)
+
+
+def pose_slot(group, member):
     """First slot of a member's location and rotation."""
-    return FIRST_OUTPUT + len(system.outputs) + POSE_SIZE * member
+    return pose_base(group) + POSE_SIZE * member
 
 
-def create(system, carrier, members):
-    """Give `carrier` an empty outbox for so many members."""
-    carrier[out_key(system)] = [float(SILENT)] + [0.0] * (pose_base(system, members) - 1)
+def scale_slot(group, member):
+    """First slot of a member's scale."""
+    return pose_slot(group, len(group.members)) + SCALE_SIZE * member
+
+
+def has_scales(group):
+    """Whether the outbox holds scales."""
+    return any("scale" in member.channels for member in group.members)
+
+
+def create(system, carrier, group, members):
+    """Give `carrier` an empty outbox with room for so many members (0 where their poses go elsewhere)."""
+    slots = [float(SILENT)] + [0.0] * (pose_slot(group, members) - 1)
+    if members and has_scales(group):
+        slots += [1.0] * (SCALE_SIZE * members)
+    carrier[out_key(system, group.key)] = slots
+    if system.groups is not None:
+        carrier[info_key(system, group.key)] = {
+            "outputs": "\n".join(group.outputs), "output_count": len(group.outputs), "data": dict(group.data),
+            "members": "\n".join(member.thing.name for member in group.members), "member_count": len(group.members),
+            "has_scales": int(has_scales(group)),
+            "is_relative": int(any(member.is_relative for member in group.members))}
 
 
 def remove(system, carrier):
-    """Take the outbox away."""
-    if out_key(system) in carrier:
-        del carrier[out_key(system)]
+    """Take the outboxes of all groups away."""
+    for key in [key for key in carrier.keys() if _is_ours(system, key)]:
+        del carrier[key]
 
 
-def carrier_of(system, owner):
-    """The datablock that carries solver and outbox: the owner, or its hub's mesh."""
-    hub = of_owner(system, owner).hub
+def _is_ours(system, key):
+    return any(key == own or key.startswith(f"{own}_") for own in (out_key(system), info_key(system)))
+
+
+def hub_of(system, owner, group=""):
+    """The hub object of a group; None where the owner carries it itself."""
+    settings = of_owner(system, owner)
+    if not group:
+        return settings.hub
+    entry = settings.more_hubs.get(group)
+    return entry.object if entry else None
+
+
+def hubs(system, owner):
+    """(group's key, hub object) of all groups that have one, whether it is the owner's own or not."""
+    settings = of_owner(system, owner)
+    found = [("", settings.hub)] if settings.hub else []
+    return found + [(entry.name, entry.object) for entry in settings.more_hubs if entry.object]
+
+
+def carriers(system, owner):
+    """(group's key, carrier) of everything that is wired: the owner itself or a hub's mesh."""
+    return [(key, hub.data) for key, hub in hubs(system, owner)] + _on(system, owner)
+
+
+def _on(system, carrier):
+    prefix = out_key(system)
+    return [(key[len(prefix) + 1:], carrier) for key in carrier.keys()
+            if key == prefix or key.startswith(prefix + "_")]
+
+
+def carrier_of(system, owner, group=""):
+    """The datablock that carries a group's solver and outbox: the owner, or its hub's mesh."""
+    hub = hub_of(system, owner, group)
     return hub.data if hub else owner
 
 
-def owns_hub(system, owner):
-    """Whether the owner has a hub of its own; a copy shares the hub of the object it was copied from."""
-    hub = of_owner(system, owner).hub
-    return hub is not None and hub.data.get(OWNER_KEY) == owner
+def is_own_hub(hub, owner):
+    """Whether a hub computes for this owner; a copy shares the hubs of the object it was copied from."""
+    return hub.data.get(OWNER_KEY) == owner
 
 
-def output_path(system, name):
-    """Data path, on the carrier, of an output for users' own drivers."""
-    return out_path(system, FIRST_OUTPUT + system.outputs.index(name))
+def has_strange_hubs(system, owner):
+    """Whether the owner was copied from another one and still hangs on its hubs."""
+    return any(not is_own_hub(hub, owner) for _, hub in hubs(system, owner))
 
 
-def output(system, owner, name, depsgraph):
+def key_on_hub(system, mesh):
+    """Key of the system's group that a hub's mesh serves; None where it serves none."""
+    return next((key for key, _ in _on(system, mesh)), None)
+
+
+def info(system, carrier, group=""):
+    """What create() noted beside the outbox, by name; None where the system declares no groups."""
+    return carrier.get(info_key(system, group))
+
+
+def output_names(system, carrier, group=""):
+    """Names of a group's outputs."""
+    known = info(system, carrier, group)
+    return system.outputs if known is None else tuple(known["outputs"].split("\n")) if known["outputs"] else ()
+
+
+def output_path(system, name, owner=None, group=""):
+    """Data path, on the carrier, of an output for users' own drivers. owner: needed where the system declares groups."""
+    names = system.outputs if owner is None else output_names(system, carrier_of(system, owner, group), group)
+    return out_path(system, FIRST_OUTPUT + names.index(name), group)
+
+
+def output(system, owner, name, depsgraph, group=""):
     """Value of an output as last evaluated; None where nothing was."""
-    out = carrier_of(system, owner).evaluated_get(depsgraph).get(out_key(system))
-    return None if out is None else out[FIRST_OUTPUT + system.outputs.index(name)]
+    carrier = carrier_of(system, owner, group).evaluated_get(depsgraph)
+    out, names = carrier.get(out_key(system, group)), output_names(system, carrier, group)
+    return None if out is None or name not in names else out[FIRST_OUTPUT + names.index(name)]
 
 
 def problem(system, owner, depsgraph):
-    """The Problem the solver reported, or None."""
-    out = carrier_of(system, owner).evaluated_get(depsgraph).get(out_key(system))
+    """The Problem that the solvers of the owner reported, a blocking one first; or None."""
+    outs = [carrier.evaluated_get(depsgraph).get(out_key(system, key)) for key, carrier in carriers(system, owner)]
+    found = sorted(filter(None, (_problem_of(system, out) for out in outs)), key=lambda one: not one.blocking)
+    if found or not outs:
+        return found[0] if found else None
+    if system.groups is not None or not owner.matrix_basis.is_negative:
+        return None
+    return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
+
+
+def _problem_of(system, out):
     if out is None:
         return None
     code = int(out[STATUS])
     if code < 0:
         return _INTERNAL_PROBLEM if code == INTERNAL else _SILENT_PROBLEM
-    if code:
-        return system.problems[code - 1]
-    turns = "rotation" in system.channels(of_owner(system, owner))
-    return _MIRRORED_PROBLEM if turns and owner.matrix_basis.is_negative else None
+    return system.problems[code - 1] if code else None

@@ -2,55 +2,100 @@
 
 import bpy
 
-from ..system import of_owner
-from . import attribute_sink, drivers, outbox
+from ..system import groups_of, of_owner
+from . import attribute_sink, drivers, outbox, proxy_sink
+
+_DRIVEN = (".influence", ".to_min_x_rot", ".to_min_x_scale")
+"""A sink is known by the driver of one of these: the influence, or what a relative one has instead."""
 
 
 def on_object(system, obj):
-    """(Object or PoseBone, constraint, carrier) of every sink of the system on an object, whoever drives it."""
-    found = [(obj, constraint, constraint.target.data) for constraint in obj.constraints
-             if attribute_sink.is_undriven(system, constraint)]
-    animation = obj.animation_data
+    """Yields (Object or PoseBone, constraint, carrier, group's key) of every sink of the system, whoever drives it."""
+    pattern = outbox.slot_pattern(system)
+    for thing in (obj, *(obj.pose.bones if obj.pose else ())):
+        for constraint in thing.constraints:
+            key = attribute_sink.undriven_key(system, constraint)
+            if key is not None:
+                yield thing, constraint, constraint.target.data, key
+            proxy = proxy_sink.proxy_of(constraint)
+            read = proxy and _read_first(system, pattern, proxy)
+            if read:
+                # The copy of a rig hangs on the first one's proxies, but the sinks are its own.
+                yield thing, constraint, outbox.carrier_of(system, obj, read[1]), read[1]
+    animation, seen = obj.animation_data, set()
     for curve in animation.drivers if animation else ():
-        if curve.data_path.endswith(".influence"):
-            carrier = _carrier_read(system, curve.driver, obj)
-            constraint = carrier and _resolve(obj, curve.data_path.removesuffix(".influence"))
-            if constraint:
-                found.append((_holder(obj, curve.data_path), constraint, carrier))
-    return found
+        path = curve.data_path
+        if not path.endswith(_DRIVEN):
+            continue
+        path = path.rpartition(".")[0]
+        read = path not in seen and _read_by_sink(system, pattern, curve, obj)
+        constraint = _resolve(obj, path) if read else None
+        if constraint:
+            seen.add(path)
+            yield _holder(obj, path), constraint, *read
 
 
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
-    carrier = outbox.carrier_of(system, owner)
-    return [(member, constraint) for obj in _driven_objects(system, owner)
-            for member, constraint, read in on_object(system, obj) if read == carrier]
+    carriers = {carrier for _, carrier in outbox.carriers(system, owner)}
+    return [(thing, constraint) for obj in _driven_objects(system, owner)
+            for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
 
 def has_sinks(system, obj):
     """Whether an object carries sinks of the system: its own, its leader's, or those it was copied with."""
-    return bool(on_object(system, obj))
+    return any(True for _ in on_object(system, obj))
+
+
+def renamed_bones(system, owner):
+    """(old name, new name) of the driven bones of an owner that were renamed since they were wired."""
+    old_names = {}
+    for key, carrier in outbox.carriers(system, owner):
+        known = outbox.info(system, carrier, key)
+        if known is not None:
+            old_names[carrier, key] = known["members"].split("\n"), outbox.FIRST_OUTPUT + known["output_count"]
+    found = {}
+    for thing, constraint, carrier, key in on_object(system, owner):
+        names, base = old_names.get((carrier, key), ((), 0))
+        index = _member_index(system, owner, constraint, base, len(names))
+        if index is not None and names[index] != thing.name and names[index] not in owner.pose.bones:
+            found[names[index]] = thing.name
+    return list(found.items())
 
 
 def release(system, obj):
     """Free one object of all sinks of the system, whoever drives it. An owner of its own is detached instead."""
-    carriers = set()
-    for member, constraint, carrier in on_object(system, obj):
-        remove(member, constraint)
-        carriers.add(carrier)
+    found = list(on_object(system, obj))
+    remove([(thing, constraint) for thing, constraint, _, _ in found])
     of_owner(system, obj).leader = None
-    for mesh in carriers:
+    for mesh in {carrier for _, _, carrier, _ in found}:
         if isinstance(mesh, bpy.types.Mesh) and mesh.get(outbox.OWNER_KEY) is None and not _is_read(system, mesh):
             bpy.data.meshes.remove(mesh)
 
 
-def remove(member, constraint):
-    """Remove a sink with its drivers."""
-    owner = member.id_data
-    drivers.remove_under(owner, constraint.path_from_id() + ".")
-    member.constraints.remove(constraint)
-    drivers.drop_empty_animation(owner)
-    owner.update_tag()
+def remove(found):
+    """Remove sinks, given as (Object or PoseBone, constraint), with their drivers."""
+    by_object = {}
+    for thing, constraint in found:
+        by_object.setdefault(thing.id_data, []).append((thing, constraint))
+    for obj, ours in by_object.items():
+        paths = {constraint.path_from_id() for _, constraint in ours}
+        drivers.remove_where(obj, lambda path, paths=paths: path.rpartition(".")[0] in paths)
+        for thing, constraint in ours:
+            thing.constraints.remove(constraint)
+        drivers.drop_empty_animation(obj)
+        obj.update_tag()
+
+
+def remove_orphans(system, owner):
+    """Remove drivers of sinks that went with the bones they sat on."""
+    pattern = outbox.slot_pattern(system)
+    animation = owner.animation_data
+    gone = {curve.data_path for curve in (animation.drivers if animation else ())
+            if curve.data_path.startswith("pose.bones[") and _read(system, pattern, curve.driver, owner)
+            and _resolve(owner, curve.data_path) is None}
+    if gone:
+        drivers.remove_where(owner, gone.__contains__)
 
 
 def set_muted(system, owner, muted):
@@ -61,29 +106,77 @@ def set_muted(system, owner, muted):
 
 def led_by(system, owner):
     """Objects whose leader the owner is."""
-    if of_owner(system, owner).hub is None:
+    if not outbox.hubs(system, owner):
         return []
     return [other for other in bpy.data.objects if of_owner(system, other).leader == owner]
 
 
 def _driven_objects(system, owner):
     objects = {owner, *led_by(system, owner)}
-    if outbox.owns_hub(system, owner):
-        objects.update(member.id_data for member in system.members(owner) if member)
+    if any(outbox.is_own_hub(hub, owner) for _, hub in outbox.hubs(system, owner)):
+        objects.update(member.thing.id_data for group in groups_of(system, owner) for member in group.members
+                       if member.thing)
     return objects
 
 
-def _carrier_read(system, driver, obj):
-    """The datablock whose outbox a driver takes its weight from; None for any other driver."""
-    if driver.expression.startswith(f'motus_direct(self,"{system.name}",{outbox.WEIGHT},'):
-        return obj
-    weight = outbox.out_path(system, outbox.WEIGHT)
-    targets = [target for variable in driver.variables for target in variable.targets]
-    return next((target.id for target in targets if target.data_path == weight), None)
+def _read(system, pattern, driver, obj):
+    """(carrier, group's key) of the outbox that a driver reads; None for any other driver."""
+    if driver.expression.startswith("motus_direct(self,"):
+        name, _, key = driver.expression.split('"', 2)[1].partition(".")
+        return (obj, key) if name == system.name else None
+    for variable in driver.variables:
+        target = variable.targets[0]
+        slot = pattern.match(target.data_path)
+        if slot and target.id:
+            return target.id, slot["key"] or ""
+    return None
+
+
+def _member_index(system, owner, constraint, base, count):
+    """Place of a sink's member in its group; None where that cannot be told."""
+    if constraint.type == 'GEOMETRY_ATTRIBUTE':
+        return constraint.sample_index if constraint.sample_index < count else None
+    proxy = proxy_sink.proxy_of(constraint)
+    holder, pattern = proxy or owner, outbox.slot_pattern(system)
+    prefix = "" if proxy else constraint.path_from_id() + "."
+    for curve in holder.animation_data.drivers if holder.animation_data else ():
+        if not curve.data_path.startswith(prefix) or curve.data_path.endswith(".influence"):
+            continue
+        if not _read(system, pattern, curve.driver, owner):
+            continue
+        offset = _slot(pattern, curve.driver) - base
+        poses = outbox.POSE_SIZE * count
+        index = offset // outbox.POSE_SIZE if offset < poses else (offset - poses) // outbox.SCALE_SIZE
+        return index if 0 <= index < count else None
+    return None
+
+
+def _read_first(system, pattern, proxy):
+    animation = proxy.animation_data
+    return _read(system, pattern, animation.drivers[0].driver, proxy) if animation and animation.drivers else None
+
+
+def _read_by_sink(system, pattern, curve, obj):
+    """The same where the driver is that of a sink, not one by which the user reads an output."""
+    read = _read(system, pattern, curve.driver, obj)
+    if not read:
+        return None
+    slot = _slot(pattern, curve.driver)
+    if curve.data_path.endswith(".influence"):
+        return read if slot == outbox.WEIGHT else None
+    return read if slot >= outbox.FIRST_OUTPUT + len(outbox.output_names(system, *read)) else None
+
+
+def _slot(pattern, driver):
+    """Which slot of the outbox a driver is known to read."""
+    if driver.expression.startswith("motus_direct("):
+        return int(driver.expression.split(",", 3)[2])
+    paths = [variable.targets[0].data_path for variable in driver.variables]
+    return next(int(match["slot"]) for match in map(pattern.match, paths) if match)
 
 
 def _is_read(system, mesh):
-    return any(carrier == mesh for obj in bpy.data.objects for _, _, carrier in on_object(system, obj))
+    return any(carrier == mesh for obj in bpy.data.objects for _, _, carrier, _ in on_object(system, obj))
 
 
 def _resolve(owner, path):
@@ -94,6 +187,6 @@ def _resolve(owner, path):
 
 
 def _holder(owner, path):
-    """The Object or PoseBone whose constraint a driver path names."""
+    """The Object or PoseBone whose constraint a path names."""
     bone, separator, _ = path.rpartition(".constraints[")
-    return owner.path_resolve(bone) if separator else owner
+    return owner.path_resolve(bone) if separator and bone else owner

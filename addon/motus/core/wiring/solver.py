@@ -2,79 +2,134 @@
 
 import logging
 from array import array
+from typing import NamedTuple
 
 import bpy
 from bpy.app.handlers import persistent
 
 from .. import native
 from ..lazy import numpy as np
-from ..system import Context, of_owner, registered
+from ..system import Context, groups_of, of_owner, registered
 from . import healing, outbox
-from .attribute_sink import ATTRIBUTE, store_own_poses, write
+from .attribute_sink import ATTRIBUTE, store_own_poses, write, write_neutral
 from .scratch import scratch
 
 log = logging.getLogger(__name__)
 
 
 def motus_solve(self, name, frame, depsgraph, *values):
-    """Solve one system into the outbox of the evaluated carrier `self`. Never raises. Returns the first slot, status."""
+    """Solve one group of a system into the outbox of the evaluated carrier `self`. Never raises. Returns status.
+
+    name: of the system, with the group's key after a dot where it has one.
+    """
+    name, _, key = name.partition(".")
     try:
         system = registered[name]
-        out = self[outbox.out_key(system)]
-        _solve(system, self, memoryview(out), frame, depsgraph, values)
-        if isinstance(self, bpy.types.Object):
-            healing.check(system, self)
+        out = self[outbox.out_key(system, key)]
+        _solve(system, key, self, memoryview(out), frame, depsgraph, values)
+        if system.groups is not None or isinstance(self, bpy.types.Object):
+            healing.check(system, self.get(outbox.OWNER_KEY) or self)
     except Exception:
         # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
         log.exception("Motus: %s could not be computed on %s", name, self.name)
-        return _fail(self, name)
+        return _fail(self, name, key)
     return out[outbox.STATUS]
 
 
 def motus_direct(self, name, slot, frame, depsgraph, *values):
     """Value of one outbox slot, for sinks that are driven without an outbox. Never raises."""
+    name, _, key = name.partition(".")
+    out = None
     try:
         system = registered[name]
         carrier = self.id_data
-        out = array('d', carrier[outbox.out_key(system)])
-        _solve(system, carrier, memoryview(out), frame, depsgraph, values)
+        out = array('d', carrier[outbox.out_key(system, key)])
+        _solve(system, key, carrier, memoryview(out), frame, depsgraph, values)
         return out[slot]
     except Exception:
         log.exception("Motus: %s could not be computed on %s", name, self.id_data.name)
-        return 0.0
+        return _neutral(system, carrier, key, slot) if out else 0.0
 
 
-def _solve(system, carrier, out, frame, depsgraph, values):
-    if native.module is None:
-        out[outbox.WEIGHT] = 0.0
-        return
-    is_hub = isinstance(carrier, bpy.types.Mesh)
-    owner = carrier.get(outbox.OWNER_KEY) if is_hub else carrier
-    if owner is None:  # the owner of a hub was removed from the file
-        out[outbox.WEIGHT] = 0.0
-        return
-    base = outbox.pose_base(system, 0)
-    has_attribute = is_hub and ATTRIBUTE in carrier.attributes
-    count = len(carrier.vertices) if has_attribute else (len(out) - base) // outbox.POSE_SIZE
+class _Layout(NamedTuple):
+    """What lies where in an outbox."""
+
+    base: int
+    members: int
+    has_scales: bool
+    is_relative: bool
+    has_attribute: bool
+
+
+def _layout(system, key, carrier, size):
+    info = outbox.info(system, carrier, key)
+    has_attribute = isinstance(carrier, bpy.types.Mesh) and ATTRIBUTE in carrier.attributes
+    if info is not None:
+        return _Layout(outbox.FIRST_OUTPUT + info["output_count"], info["member_count"], bool(info["has_scales"]),
+                       bool(info["is_relative"]), has_attribute)
+    base = outbox.FIRST_OUTPUT + len(system.outputs)
+    members = len(carrier.vertices) if has_attribute else (size - base) // outbox.POSE_SIZE
+    return _Layout(base, members, False, False, has_attribute)
+
+
+def _solve(system, key, carrier, out, frame, depsgraph, values):
+    layout = _layout(system, key, carrier, len(out))
     box = np.frombuffer(out)
+    owner = carrier.get(outbox.OWNER_KEY) if isinstance(carrier, bpy.types.Mesh) else carrier
+    if native.module is None or owner is None:  # owner: of a hub, removed from the file
+        _do_nothing(box, layout)
+        return
+    count = layout.members
     settings = of_owner(system, owner)
     context = Context(
         settings=settings, owner=owner, frame=frame, depsgraph=depsgraph,
         locations=scratch("locations", (count, 3), float), rotations=scratch("rotations", (count, 4), float),
-        outputs=box[outbox.FIRST_OUTPUT:base], member_data=_member_data(system, carrier, owner))
-    context.locations[:] = 0.0
-    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
+        scales=scratch("scales", (count, 3), float), outputs=box[outbox.FIRST_OUTPUT:layout.base],
+        member_data=_member_data(system, carrier, owner), group=key, data=_data(system, carrier, key))
+    _reset(context)
     inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
-    weight = 0.0 if problem is not None and problem.blocking else settings.influence
+    is_blocked = problem is not None and problem.blocking
+    # Where members are relative the solver applies the influence, and then to the absolute ones among them too.
+    weight = 0.0 if is_blocked else 1.0 if layout.is_relative else settings.influence
     box[outbox.WEIGHT] = weight
-    if has_attribute:
-        write(carrier, lambda: system.members(owner), context.locations, context.rotations, weight)
-    elif weight > 0.0:
-        poses = box[base:].reshape(count, outbox.POSE_SIZE)
-        poses[:, :3] = context.locations
-        poses[:, 3:] = native.module.euler_xyz(context.rotations)
+    if is_blocked:
+        _reset(context)
+    if layout.has_attribute:
+        write(carrier, lambda: groups_of(system, owner)[0].members, context.locations, context.rotations,
+              context.scales if layout.has_scales else None, weight)
+    elif weight > 0.0 or layout.is_relative:
+        _pack(box, layout, context)
+
+
+def _reset(context):
+    context.locations[:] = 0.0
+    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
+    context.scales[:] = 1.0
+
+
+def _pack(box, layout, context):
+    end = layout.base + outbox.POSE_SIZE * layout.members
+    poses = box[layout.base:end].reshape(layout.members, outbox.POSE_SIZE)
+    poses[:, :3] = context.locations
+    poses[:, 3:] = native.module.euler_xyz(context.rotations)
+    if layout.has_scales:
+        box[end:] = context.scales.ravel()
+
+
+def _do_nothing(box, layout):
+    """Values that leave the members where they stand by themselves."""
+    box[outbox.WEIGHT] = 0.0
+    if layout.is_relative and not layout.has_attribute:
+        end = layout.base + outbox.POSE_SIZE * layout.members
+        box[layout.base:end] = 0.0
+        box[end:] = 1.0
+
+
+def _data(system, carrier, key):
+    info = outbox.info(system, carrier, key)
+    return {} if info is None else info["data"]
 
 
 def _member_data(system, carrier, owner):
@@ -85,10 +140,18 @@ def _member_data(system, carrier, owner):
     return np.frombuffer(memoryview(carrier[outbox.MEMBER_DATA_KEY]))
 
 
-def _fail(carrier, name):
-    out = carrier.get(outbox.out_key(registered[name])) if name in registered else None
+def _neutral(system, carrier, key, slot):
+    layout = _layout(system, key, carrier, len(carrier[outbox.out_key(system, key)]))
+    return 1.0 if slot >= layout.base + outbox.POSE_SIZE * layout.members else 0.0
+
+
+def _fail(carrier, name, key):
+    out = carrier.get(outbox.out_key(registered[name], key)) if name in registered else None
     if out is not None:
-        out[outbox.WEIGHT] = 0.0
+        layout = _layout(registered[name], key, carrier, len(out))
+        _do_nothing(np.frombuffer(memoryview(out)), layout)
+        if layout.has_attribute and layout.is_relative:
+            write_neutral(carrier)
     return float(outbox.INTERNAL)
 
 

@@ -1,6 +1,6 @@
-"""Spanish."""
+"""Spanish: what all systems share, Follow Path and the demos."""
 
-_INTERFACE = {
+INTERFACE = {
     # Machinery
     "Active": "Activo",
     "This system drives the object": "Este sistema mueve el objeto",
@@ -326,7 +326,7 @@ _INTERFACE = {
         "Un avión en un recorrido curvo sobre un lago, con una cámara que lo persigue",
 }
 
-_OPERATORS = {
+OPERATORS = {
     "Add Follow Path Preset": "Añadir preajuste de seguir trayectoria",
     "Add Pin": "Añadir cita",
     "Add Wagons": "Añadir vagones",
@@ -348,5 +348,3 @@ _OPERATORS = {
     "Take Out": "Sacar",
     "Unbake": "Deshacer captura",
 }
-
-CONTEXTS = {"*": _INTERFACE, "Operator": _OPERATORS}

@@ -1,0 +1,176 @@
+"""What solvers of bones read of a rig, as arrays; and plans that are made once and used for many frames.
+
+A row is a bone, in the order of the rig's pose.
+"""
+
+import threading
+import zlib
+from collections import OrderedDict
+from typing import Any, NamedTuple
+
+from .lazy import numpy as np
+from .wiring.scratch import scratch
+
+_INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
+"""Bone.inherit_scale as motus::InheritScale; Blender's own numbers are others."""
+INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
+LARGEST_CACHE = 64
+
+_plans = threading.local()
+# Objects, by name, that were seen in a collection. Names, not references: undo invalidates those.
+_seen = set()
+# How many objects a scene had when they were last counted: only for the faster of two ways to the same answer.
+_scene_sizes = {}
+LARGE_SCENE = 8  # objects for each target
+
+
+class Still(NamedTuple):
+    """What of a rig only an edit of its armature changes; a new fingerprint comes with that."""
+
+    names: tuple
+    places: Any       # for each row the place in Bone order, None where they are the same
+    inheritance: Any  # (B,) int32: motus::InheritScale | INHERITS_ROTATION | HAS_LOCAL_LOCATION
+
+
+class Arrays(NamedTuple):
+    """One rig at one moment, in armature space; valid until the thread reads the next rig."""
+
+    names: tuple
+    rest: Any         # (B, 16) float32, column by column: Bone.matrix_local
+    poses: Any        # (B, 16) float32: PoseBone.matrix, right for bones that stand already
+    basis: Any        # (B, 16) float32: PoseBone.matrix_basis, the animated transform
+    lengths: Any      # (B,) float32
+    inheritance: Any  # as in Still
+    world: Any        # (16,) float64, column by column: the rig's matrix_world
+
+
+def names_of(rig):
+    """Names of the bones, row by row."""
+    return tuple(rig.pose.bones.keys())
+
+
+def still(rig, names):
+    """The Still of a rig."""
+    bones = rig.data.bones
+    order = bones.keys()
+    places = None
+    if list(names) != order:  # bones that were added later stand at the end of the pose
+        rows = {name: row for row, name in enumerate(order)}
+        places = np.array([rows[name] for name in names])
+    inheritance = np.array([_inheritance(bones[name]) for name in names], np.int32)
+    return Still(names, places, inheritance)
+
+
+def _inheritance(bone):
+    return (_INHERIT_SCALE[bone.inherit_scale] | INHERITS_ROTATION * bone.use_inherit_rotation
+            | HAS_LOCAL_LOCATION * bone.use_local_location)
+
+
+def read(rig, known=None):
+    """Arrays of an evaluated rig. known: its Still, where that is kept with a plan."""
+    known = known or still(rig, names_of(rig))
+    pose, bones, count = rig.pose.bones, rig.data.bones, len(known.names)
+    poses = _matrices("poses", pose, "matrix", count)
+    basis = _matrices("basis", pose, "matrix_basis", count)
+    rest = _matrices("rest", bones, "matrix_local", count)
+    lengths = scratch("rig_lengths", (count,), np.float32)
+    bones.foreach_get("length", lengths)
+    if known.places is not None:
+        rest, lengths = rest[known.places], lengths[known.places]
+    return Arrays(known.names, rest, poses, basis, lengths, known.inheritance, columns(rig.matrix_world))
+
+
+def columns(matrix):
+    """(16,) float64 of a mathutils.Matrix, column by column."""
+    return np.array([*matrix.col[0], *matrix.col[1], *matrix.col[2], *matrix.col[3]])
+
+
+def parents(rig, names):
+    """Row of each bone's parent, -1 for none."""
+    rows = {name: row for row, name in enumerate(names)}
+    bones = rig.data.bones
+    return [rows[bones[name].parent.name] if bones[name].parent else -1 for name in names]
+
+
+def fingerprint(rig):
+    """A number that changes when a bone is given another parent or inherits otherwise."""
+    lines = [f"{bone.name}\t{bone.parent.name if bone.parent else ''}\t{_inheritance(bone)}" for bone in rig.data.bones]
+    return zlib.crc32("\n".join(lines).encode())
+
+
+def plan(rig, names, key, make):
+    """What `make(rig, rows)` gives, kept for the same `key` and bones. rows: name -> row.
+
+    key: a string that says all that the plan is made of, the rig's fingerprint included. Kept by each thread for
+    itself: a plan is not shared between threads.
+    """
+    kept = getattr(_plans, "kept", None)
+    if kept is None:
+        kept = _plans.kept = OrderedDict()
+    found = kept.get((key, names))
+    if found is None:
+        found = kept[key, names] = make(rig, {name: row for row, name in enumerate(names)})
+        if len(kept) > LARGEST_CACHE:
+            kept.popitem(last=False)
+    else:
+        kept.move_to_end((key, names))
+    return found
+
+
+class Presence:
+    """Which targets were taken out of all collections; a pointer property keeps them in the file all the same.
+
+    A target that came along with an appended rig has never stood in a collection, and counts as present. So does what
+    is merely hidden or excluded, as for Blender's own constraints. Made anew for each solve; with `scene` it is faster
+    for many targets.
+    """
+
+    def __init__(self, view_layer, scene=None):
+        self._view_layer = view_layer
+        self._scene = scene
+        self._in_scene = None
+
+    def deleted(self, targets):
+        """Indices of those of the objects that were deleted."""
+        names = [target.name for target in targets]
+        present = self._names_in_scene(len(targets))
+        unseen = self._not_in_view(targets) if present is None else [
+            index for index, name in enumerate(names) if name not in present]
+        if not unseen:
+            _seen.update(names)
+            return unseen
+        gone = [index for index in unseen if not self._is_somewhere(targets[index].original)]
+        found = [index for index in gone if names[index] in _seen]
+        _seen.update(name for index, name in enumerate(names) if index not in gone)
+        return found
+
+    def _names_in_scene(self, count):
+        """The names of all objects in the scene, where so many targets are worth it, else None."""
+        if self._in_scene is None and self._scene and _scene_sizes.get(self._scene.name, 0) <= LARGE_SCENE * count:
+            self._in_scene = set(self._scene.objects.keys())
+            _scene_sizes[self._scene.name] = len(self._in_scene)
+        return self._in_scene
+
+    def _not_in_view(self, targets):
+        # What can be seen is there.
+        layer = self._view_layer
+        return [index for index, target in enumerate(targets) if not target.original.visible_get(view_layer=layer)]
+
+    def is_deleted(self, target):
+        """The same for one object."""
+        return bool(self.deleted([target]))
+
+    @staticmethod
+    def _is_somewhere(original):
+        return original.library is not None or bool(original.users_collection)
+
+
+def is_deleted(target, view_layer):
+    """Whether a target was deleted; see Presence."""
+    return Presence(view_layer).is_deleted(target)
+
+
+def _matrices(name, collection, attribute, count):
+    found = scratch("rig_" + name, (count, 16), np.float32)
+    collection.foreach_get(attribute, found.ravel())
+    return found

@@ -1,0 +1,65 @@
+"""The driver that calls the solver, and the variables by which it waits for what it reads."""
+
+from ..system import BonesOwn, Setting, Variable, input_variables, of_owner
+from . import drivers, healing, outbox
+
+
+def add(system, owner, group, carrier):
+    """Give the carrier the driver on its outbox."""
+    expression, variables = _call(system, owner, group, with_settings=carrier != owner)
+    drivers.add(carrier, outbox.out_path(system, group=group.key),
+                f'motus_solve(self,"{_name(system, group)}",{expression}', variables, index=outbox.STATUS, use_self=True)
+
+
+def direct(system, owner, group):
+    """(expression with {slot}, variables) where the sinks of an owner are to compute for themselves; else None."""
+    settings = of_owner(system, owner)
+    if not settings.use_direct_drivers and (system.groups or not healing.has_driven_settings(owner, settings)):
+        return None
+    expression, variables = _call(system, owner, group)
+    return f'motus_direct(self,"{_name(system, group)}",{{slot}},{expression}', variables
+
+
+def _awaited(group):
+    """The inputs that there is anything to wait for.
+
+    To Blender a bone's channels and its constraints' values are one thing: a solver cannot wait for a bone that its own
+    sinks set a value of, as they do where they are absolute. Others let it (see proxy_sink and attribute_sink).
+    """
+    kept = {member.thing for member in group.members if not member.is_relative}
+    driven = {}
+    for declared in group.inputs:
+        if isinstance(declared, BonesOwn):
+            rig, bone = declared.object, declared.bone
+            if rig not in driven:
+                driven[rig] = drivers.driven_bones(rig)
+            if bone not in driven[rig] or rig.pose.bones[bone] in kept:
+                continue
+        yield declared
+
+
+def _name(system, group):
+    return f"{system.name}.{group.key}" if group.key else system.name
+
+
+def _call(system, owner, group, with_settings=True):
+    """Argument list of a solver call, with its driver variables; what has no variable is passed as 0.
+
+    with_settings: whether the solver waits for the owner's settings. A driver on the owner's own custom property cannot:
+    to Blender's dependency graph all of an object's plain properties are one node, which waits for that driver in turn.
+    It still sees keyed and edited settings, for an object's animation comes before its drivers. Where a setting is driven,
+    a hub carries the solver, which can wait, or the sinks compute for themselves, since drivers of constraints can wait.
+    """
+    arguments, variables = ["frame", "depsgraph"], {}
+    for index, (declared, variable) in enumerate(input_variables(system, owner)):
+        if variable is None or (isinstance(declared, Setting) and not with_settings):
+            arguments.append("0")
+            continue
+        arguments.append(f"v{index}")
+        variables[f"v{index}"] = variable
+    for index, variable in enumerate(dict.fromkeys(declared.variable() for declared in _awaited(group))):
+        variables[f"w{index}"] = variable
+    if with_settings:
+        # Read by the solver itself; declared so that it comes first.
+        variables["influence"] = Variable('OBJECT', owner, f"{of_owner(system, owner).path_from_id()}.influence")
+    return ",".join(arguments) + ")", variables

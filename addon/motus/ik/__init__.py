@@ -1,0 +1,28 @@
+"""Inverse kinematics: chains of bones that reach for targets, with weights, poles, limits, softness and stretch."""
+
+from ..core.system import System
+from . import check, drag, groups, matching, operators, overlay, panel, presets, properties, solve, switching
+from . import tools_panel
+
+SYSTEM = System(
+    name="ik",
+    label="Inverse Kinematics",
+    settings=properties.MOTUS_PG_ik,
+    classes=(
+        # Groups before the group that holds them.
+        *properties.classes, *operators.classes,
+        *presets.classes, *panel.classes,
+        *matching.classes, *switching.classes, *drag.classes, *check.classes,
+        *tools_panel.classes,  # sub-panels
+    ),
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    groups=groups.groups,
+    entries=groups.entries,
+    bone_renamed=groups.bone_renamed,
+    overlay=overlay.overlay,
+    object_menu=("motus.ik_add", "motus.ik_remove"),
+    pose_menu=(
+        "motus.ik_add", "motus.ik_remove", "motus.ik_drag", None, "motus.ik_match_fk", "motus.fk_match_ik",
+        "motus.ik_switch_target", "motus.ik_check", None),
+)

@@ -1,0 +1,146 @@
+"""Blend driven from one target to the next by a number that passes a value: plain functions behind the operator.
+
+The driver's expression is a sum with a term for each switch, made of functions that Blender evaluates without Python.
+"""
+
+import re
+
+from ..core import dependencies, wiring
+from ..core.system import of_owner, registered
+from ..core.translations import tr
+from . import blend_keys, chains, setup
+from .targets import Refused
+
+LONGEST_EXPRESSION = 255
+TERMS = {
+    'BEZIER': "smoothstep({start},{end},{value})",
+    'LINEAR': "clamp(({value}-{start})/({end}-{start}))",
+    'CONSTANT': "({value}{sign}{start})",
+}
+_TERM = re.compile(r"smoothstep\([^()]*\)|clamp\(\([^()]*\)/\([^()]*\)\)|\([^()]*[<>]=[^()]*\)")
+_SUM = re.compile(rf"(\d+)((?:\+(?:{_TERM.pattern}))*)$")
+
+
+def output_source(owner, system_name, output):
+    """(kind of datablock, datablock, data path) of a number that a system computes for an object."""
+    system = registered.get(system_name)
+    if system is None:
+        raise Refused(tr("There is no system {system}").format(system=system_name))
+    if not of_owner(system, owner).is_active:
+        raise Refused(tr("{object} is not driven by {system}").format(object=owner.name, system=tr(system.label)))
+    settings = of_owner(system, owner)
+    hubs = {"": settings.hub, **{one.name: one.object for one in settings.more_hubs}}
+    for level in ("", *map(str, range(1, _entry_count(owner)))):
+        try:
+            path = wiring.output_path(system, output, owner, level)
+        except ValueError:
+            continue
+        hub = hubs.get(level)
+        return ('MESH', hub.data, path) if hub else ('OBJECT', owner, path)
+    raise Refused(tr("{system} of {object} has no output {output}").format(
+        system=tr(system.label), object=owner.name, output=output))
+
+
+def _entry_count(owner):
+    """How many entries wait for one another at most."""
+    return len(dependencies.levels(owner)) if owner.type == 'ARMATURE' else 0
+
+
+def property_source(owner, path):
+    """The same of a property of an object, by its data path."""
+    try:
+        value = owner.path_resolve(path)
+    except ValueError:
+        value = None
+    if not isinstance(value, (bool, int, float)):
+        raise Refused(tr("{path} of {object} is no number").format(path=path, object=owner.name))
+    return 'OBJECT', owner, path
+
+
+def switch(rig, entry, goal, source, start, end, interpolation):
+    """Let Blend pass from the last target that there is a way to, to `goal`, while the source goes from start to end.
+
+    source: as output_source() gives it, or None for the frame. Returns the number of the target that it leaves.
+    """
+    if blend_keys.curve_of(rig, entry):
+        raise Refused(tr("Blend of {bone} is keyed: remove the keys, or give frames instead of a trigger").format(
+            bone=entry.name))
+    driver = driver_of(rig, entry)
+    number, expression = _so_far(entry, driver)
+    blend_keys.check_other(entry, number, goal)
+    name = f"v{len(driver.driver.variables) if driver else 0}" if source else "frame"
+    longer = f"{expression}+" + TERMS[interpolation].format(
+        start=f"{start:.9g}", end=f"{end:.9g}", value=name, sign=">=" if end > start else "<=")
+    if len(longer) > LONGEST_EXPRESSION:
+        raise Refused(tr("{bone} passes on too many times for one driver").format(bone=entry.name))
+    loops, count = _loops(rig), len(entry.extra_targets)
+    with setup.at_once(rig):
+        blend_keys.place_next(entry, number, goal)
+        curve = driver or _new_driver(
+            rig, chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))[0] + "target_blend")
+        if source:
+            _add_variable(curve.driver, name, source)
+        curve.driver.expression = longer
+    if _loops(rig) - loops:
+        added = number if len(entry.extra_targets) > count else -1
+        _take_back(rig, entry, added, expression if driver else "", name)
+        raise Refused(tr("What triggers {bone} moves with the chain itself: choose another trigger").format(
+            bone=entry.name))
+    return number
+
+
+def driver_of(rig, entry):
+    """The driver of an entry's Blend, or None."""
+    paths = {prefix + "target_blend" for prefix in chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))}
+    animation = rig.animation_data
+    return next((curve for curve in (animation.drivers if animation else ()) if curve.data_path in paths), None)
+
+
+def _so_far(entry, driver):
+    """(number of the last target that there is a way to, expression) of a driver that switch() made, or of none."""
+    if driver is None:
+        number = min(round(entry.target_blend), len(entry.extra_targets))
+        return number, str(number)
+    found = _SUM.match(driver.driver.expression)
+    if found is None or driver.driver.type != 'SCRIPTED':
+        raise Refused(tr("Blend of {bone} has a driver of its own").format(bone=entry.name))
+    return int(found[1]) + len(_TERM.findall(found[2])), driver.driver.expression
+
+
+def _new_driver(rig, path):
+    curve = rig.driver_add(path)
+    # A bare curve passes the driver's value on as it is.
+    while curve.modifiers:
+        curve.modifiers.remove(curve.modifiers[0])
+    for key in reversed(curve.keyframe_points):
+        curve.keyframe_points.remove(key)
+    curve.driver.type = 'SCRIPTED'
+    return curve
+
+
+def _add_variable(driver, name, source):
+    variable = driver.variables.new()
+    variable.name = name
+    target = variable.targets[0]
+    if source[0] != 'OBJECT':
+        target.id_type = source[0]
+    target.id, target.data_path = source[1:]
+
+
+def _loops(rig):
+    return {address for address, level in dependencies.levels(rig).items() if level is None}
+
+
+def _take_back(rig, entry, added, expression, name):
+    with setup.at_once(rig):
+        if added >= 0:
+            entry.extra_targets.remove(added)
+        curve = driver_of(rig, entry)
+        if not expression:
+            rig.animation_data.drivers.remove(curve)
+            if not (rig.animation_data.drivers or rig.animation_data.action or rig.animation_data.nla_tracks):
+                rig.animation_data_clear()
+            return
+        curve.driver.expression = expression
+        if name in curve.driver.variables:
+            curve.driver.variables.remove(curve.driver.variables[name])

@@ -1,0 +1,76 @@
+"""Which bones an entry drives, by the rig as it is now."""
+
+from typing import NamedTuple
+
+import bpy
+
+from ..core import actions
+from ..core.system import registered
+
+
+class Chain(NamedTuple):
+    """Names of bones. bones: from the root to the last one. effector: the bone that the entry is named after."""
+
+    bones: tuple
+    effector: str
+    use_tail: bool
+
+    @property
+    def driven(self):
+        """The chain's bones, and the effector where that is not one of them."""
+        return self.bones if self.use_tail else (*self.bones, self.effector)
+
+
+def find(rig, entry):
+    """The chain of an entry; None where the rig has no such bones."""
+    return of_bone(rig, entry.name, entry.chain_length, entry.use_tail)
+
+
+def of_bone(rig, name, chain_length, use_tail):
+    """The chain of `chain_length` bones, as far as there are so many, that ends with a bone or with its parent."""
+    effector = rig.data.bones.get(name)
+    bone = effector if use_tail or effector is None else effector.parent
+    if bone is None:
+        return None
+    bones = [bone, *bone.parent_recursive]
+    if chain_length:
+        bones = bones[:chain_length]
+    return Chain(tuple(found.name for found in reversed(bones)), name, use_tail)
+
+
+def entry_with(rig, name):
+    """Index of the entry that drives a bone, its own first; -1 where none does."""
+    entries = rig.motus.ik.entries
+    if name in entries:
+        return entries.find(name)
+    bone = rig.data.bones[name]
+    for below in bone.children_recursive if entries else ():
+        entry = entries.get(below.name)
+        chain = find(rig, entry) if entry else None
+        if chain and name in chain.bones:
+            return entries.find(below.name)
+    return -1
+
+
+def curves(rig):
+    """F-curves and drivers of the rig."""
+    animation = rig.animation_data
+    return [*actions.fcurves(rig), *(animation.drivers if animation else ())]
+
+
+def animated_paths(rig, name):
+    """Data paths of keys and drivers of a setting of any entry."""
+    paths = {curve.data_path for curve in curves(rig)}
+    return {path for path in paths if path.startswith("motus.ik.entries[") and path.endswith("." + name)}
+
+
+def prefixes(rig, index):
+    """How data paths of an entry's settings begin: Blender's own have the index, scripts may use the name."""
+    name = bpy.utils.escape_identifier(rig.motus.ik.entries[index].name)
+    return f"motus.ik.entries[{index}].", f'motus.ik.entries["{name}"].'
+
+
+def driven_elsewhere(rig, name):
+    """bone -> (label of the system, entry) of all bones that Motus drives, but for those of the IK entry `name`."""
+    return {bone: (system.label, entry.name) for system in registered.values() if system.entries
+            for entry in system.entries(rig) if (system.name, entry.name) != ("ik", name) for bone in entry.drives}

@@ -1,0 +1,67 @@
+"""What checking a chain over a range of frames found: kept with its entry, and said in words."""
+
+import bpy
+
+from ..core.translations import tr
+
+WHY = (
+    ('NONE', "Nothing", "Every target is reached"),
+    ('FAR', "Too Far", "The target is farther than the chain reaches"),
+    ('NEAR', "Too Near", "The target is nearer than the chain can fold"),
+    ('LIMIT', "Limit", "A joint limit is in the way"),
+    ('ITERATIONS', "Iterations", "The iterations were used up"),
+)
+OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
+
+
+class CheckResults:
+    """Mixin for an entry: the last result of motus.ik_check."""
+
+    check_range: bpy.props.StringProperty(
+        name="Checked", description="First and last frame that were checked; empty before any check", options=set(),
+        override=OVERRIDABLE)
+    check_frames: bpy.props.StringProperty(
+        name="Frames", description="Frames on which the chain does not come to its target, such as 12-40, 77",
+        options=set(), override=OVERRIDABLE)
+    check_worst: bpy.props.FloatProperty(
+        name="Short By", description="The largest distance that is left to the target", subtype='DISTANCE', min=0.0,
+        options=set(), override=OVERRIDABLE)
+    check_reason: bpy.props.EnumProperty(
+        name="Reason", description="Why, on the frame where most is left", items=WHY, options=set(),
+        override=OVERRIDABLE)
+
+
+def store(entry, checked, frames, worst, reason):
+    """Keep a result. checked: (first, last) frame and step. frames: those with a residual. reason: of WHY."""
+    first, last, _ = checked
+    entry.check_range = f"{first:g}" if first == last else f"{first:g}-{last:g}"
+    entry.check_frames = ranges(frames, checked[2])
+    entry.check_worst = worst
+    entry.check_reason = reason
+
+
+def ranges(frames, step):
+    """Frames as text: those that follow one another by a step make a range."""
+    runs = []
+    for frame in frames:
+        if runs and abs(frame - runs[-1][1] - step) < 1e-6:
+            runs[-1][1] = frame
+        else:
+            runs.append([frame, frame])
+    return ", ".join(f"{first:g}" if first == last else f"{first:g}-{last:g}" for first, last in runs)
+
+
+def sentence(entry, length):
+    """The result in the user's language; "" before any check. length: how a number of world units is written."""
+    if not entry.check_range:
+        return ""
+    if not entry.check_frames:
+        return tr("Reaches its target on all frames {range}").format(range=entry.check_range)
+    templates = {
+        'FAR': tr("Out of reach on frames {frames}, at most {length} short (checked {range})"),
+        'NEAR': tr("Too near on frames {frames}, at most {length} (checked {range})"),
+        'LIMIT': tr("Held by joint limits on frames {frames}, at most {length} short (checked {range})"),
+        'ITERATIONS': tr("Iterations used up on frames {frames}, at most {length} short (checked {range})"),
+    }
+    return templates[entry.check_reason].format(
+        frames=entry.check_frames, length=length(entry.check_worst), range=entry.check_range)

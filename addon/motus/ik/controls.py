@@ -1,0 +1,121 @@
+"""Targets and poles as things that can be moved: an object, or a bone of one."""
+
+from typing import Any, NamedTuple
+
+from ..core.bake.sampling import rotation_path
+from ..core.translations import tr
+from . import reading
+from .groups import goals
+from .targets import Refused
+
+STANDS = 1e-4
+"""A Blend this near to a whole number stands on one target."""
+
+
+class Control(NamedTuple):
+    """bone: "" for the object itself."""
+
+    object: Any
+    bone: str
+
+    @property
+    def thing(self):
+        """The Object or PoseBone that has the channels."""
+        return self.object.pose.bones[self.bone] if self.bone else self.object
+
+    @property
+    def label(self):
+        return f"{self.object.name}: {self.bone}" if self.bone else self.object.name
+
+
+def _control(obj, bone):
+    return Control(obj, bone if obj.pose and bone in obj.pose.bones else "")
+
+
+def station(entry, blend):
+    """The Control that the chain goes to at a value of Blend; None between two of them."""
+    whole = round(blend)
+    if abs(blend - whole) > STANDS:
+        return None
+    whole = min(whole, len(entry.extra_targets))
+    obj, bone = (entry.target, entry.target_bone) if whole == 0 else (
+        entry.extra_targets[whole - 1].object, entry.extra_targets[whole - 1].bone)
+    if obj is None:
+        raise Refused(tr("{bone} has no target: choose one").format(bone=entry.name))
+    return _control(obj, bone)
+
+
+def pole(entry):
+    """The pole's Control, or None."""
+    return _control(entry.pole, entry.pole_bone) if entry.pole else None
+
+
+def check_movable(control, channels):
+    """Refuse a control whose own channels do not say where it stands. channels: "location", "rotation"."""
+    obj, thing = control.object, control.thing
+    if obj.library:
+        raise Refused(
+            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
+    check_no_tweak_mode(obj)
+    for constraint in thing.constraints:
+        if not constraint.mute and constraint.influence > 0.0:
+            raise Refused(tr("{target} has a constraint, so it cannot be moved: {constraint}").format(
+                target=control.label, constraint=constraint.name))
+    if control.bone and "location" in channels and thing.bone.use_connect:
+        raise Refused(tr("{target} is connected to its parent, so it cannot be moved").format(target=control.label))
+    check_undriven(thing, channels, control.label)
+
+
+def check_undriven(thing, channels, label):
+    """Refuse an Object or PoseBone with a driver on one of the channels."""
+    animation = thing.id_data.animation_data
+    paths = {thing.path_from_id(name) for name in channel_names(thing, channels)}
+    if animation and any(curve.data_path in paths and not curve.mute for curve in animation.drivers):
+        raise Refused(tr("{target} is moved by a driver").format(target=label))
+
+
+def check_no_tweak_mode(obj):
+    """Refuse an object whose keys would go into a strip of the NLA editor."""
+    if obj.animation_data and obj.animation_data.use_tweak_mode:
+        raise Refused(tr("{object} is in the tweak mode of the NLA editor: leave it first").format(object=obj.name))
+
+
+def channel_names(thing, channels):
+    """Names of the properties that hold these channels."""
+    names = {"location": "location", "rotation": rotation_path(thing), "scale": "scale"}
+    return [names[channel] for channel in channels]
+
+
+def world_matrix(control, depsgraph):
+    """Evaluated world matrix of a control."""
+    return reading.world_matrix(control.object.evaluated_get(depsgraph), control.bone).copy()
+
+
+def basis_for(control, depsgraph, matrix):
+    """Transform relative to what the parents do, for which the control stands at a world matrix."""
+    evaluated = control.object.evaluated_get(depsgraph)
+    if not control.bone:
+        parents = evaluated.matrix_world @ evaluated.matrix_basis.inverted_safe()
+        return parents.inverted_safe() @ matrix
+    bone = evaluated.pose.bones[control.bone]
+    return evaluated.convert_space(pose_bone=bone, matrix=evaluated.matrix_world.inverted_safe() @ matrix,
+                                   from_space='POSE', to_space='LOCAL')
+
+
+def moves_with(control, other):
+    """Whether a control hangs on another one by parents."""
+    if control.bone and other.object == control.object:
+        return any(bone.name == other.bone for bone in control.thing.parent_recursive) or not other.bone
+    ancestor, bone = control.object, control.bone
+    while ancestor:
+        if ancestor == other.object and ancestor != control.object:
+            return not other.bone or bone == other.bone or any(
+                one.name == other.bone for one in ancestor.pose.bones[bone].parent_recursive if bone)
+        bone = ancestor.parent_bone if ancestor.parent_type == 'BONE' else ""
+        ancestor = ancestor.parent
+    return False
+
+
+def animated_with(rig, entries):
+    """The rig and all that its entries go to or bend towards: objects whose frames matter to each other."""
+    return dict.fromkeys([rig, *(goal for entry in entries for goal, _ in goals(entry))])

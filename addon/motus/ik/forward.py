@@ -1,0 +1,95 @@
+"""Where a chain's bones stand with the turns that a solver gives, without asking Blender to evaluate them."""
+
+import json
+from typing import NamedTuple
+
+from mathutils import Matrix, Quaternion, Vector
+
+from ..core.lazy import numpy as np
+from . import groups, reading
+
+
+COPIED = ("rest", "poses", "basis", "lengths", "inheritance")
+
+
+class ChainRows(NamedTuple):
+    """A chain in the rows of a group's results. bones: names, and the effector's where it is none of the chain's."""
+
+    name: str
+    index: int
+    bones: tuple
+    rows: tuple
+    is_effector_absolute: bool
+
+
+def chain_rows(group):
+    """{entry: ChainRows} of a group of the rig."""
+    known = json.loads(group.data[groups.PLAN])["chains"]
+    first, free = 0, sum(len(chain["bones"]) for chain in known)
+    found = {}
+    for index, chain in enumerate(known):
+        bones, rows = list(chain["bones"]), list(range(first, first + len(chain["bones"])))
+        first += len(rows)
+        is_free = chain["effector"] not in bones
+        if is_free:
+            bones.append(chain["effector"])
+            rows.append(free)
+            free += 1
+        is_absolute = is_free and chain["stretches"]
+        found[chain["name"]] = ChainRows(chain["name"], index, tuple(bones), tuple(rows), is_absolute)
+    return found
+
+
+class Solver:
+    """One group's solution for other targets, weights or lengths than the evaluated ones."""
+
+    def __init__(self, evaluated, group, depsgraph):
+        found = reading.gather(evaluated, group.data[groups.PLAN], depsgraph)
+        # The arrays hold only until the next rig is read.
+        self._rig = found.rig._replace(**{
+            name: np.array(getattr(found.rig, name)) for name in COPIED})
+        self._plan, self._limits, self._poles = found.wired.plan, found.limits, found.poles
+        self.settings, self.targets = np.array(found.settings), np.array(found.targets)
+        self.columns = {name: column for column, name in enumerate(self._plan.SETTINGS)}
+        self.world = Matrix(found.rig.world.reshape(4, 4).T.tolist())
+        self._rows = {name: row for row, name in enumerate(found.rig.names)}
+        self._bones = evaluated.original.data.bones
+        self.rotations = np.zeros((len(self._plan.rows), 4))
+        self.scales = np.ones((len(self._plan.rows), 3))
+
+    def solve(self):
+        """Solve with settings and targets as they are now."""
+        rig = self._rig
+        return self._plan.solve(
+            rig.rest, rig.poses, rig.basis, rig.lengths, rig.inheritance, rig.world, self.settings, self.targets,
+            self._poles, limits=self._limits, rotations=self.rotations, scales=self.scales)
+
+    def poses(self, chain):
+        """World matrices of a chain's bones, by ChainRows, as it was solved last."""
+        first = self._bones[chain.bones[0]]
+        above = self._matrix(self._rig.poses, first.parent.name) if first.parent else None
+        found = []
+        for name, row in zip(chain.bones, chain.rows):
+            bone = self._bones[name]
+            location, rotation, scale = self._matrix(self._rig.basis, name).decompose()
+            turn, stretch = Quaternion(self.rotations[row]), Vector(self.scales[row])
+            is_absolute = chain.is_effector_absolute and name == chain.bones[-1]
+            if not is_absolute:
+                rotation, scale = rotation @ turn, scale * stretch
+            posed = in_pose(bone, Matrix.LocRotScale(location, rotation, scale), above)
+            if is_absolute:
+                posed = Matrix.LocRotScale(posed.translation, turn, stretch)
+            above = posed
+            found.append(self.world @ posed)
+        return found
+
+    def _matrix(self, array, name):
+        return Matrix(array[self._rows[name]].reshape(4, 4).T.tolist())
+
+
+def in_pose(bone, basis, above):
+    """Pose matrix of a bone from its own transform and its parent's pose matrix (None without a parent)."""
+    if above is None:
+        return bone.convert_local_to_pose(basis, bone.matrix_local)
+    return bone.convert_local_to_pose(
+        basis, bone.matrix_local, parent_matrix=above, parent_matrix_local=bone.parent.matrix_local)

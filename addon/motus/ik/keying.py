@@ -1,0 +1,173 @@
+"""Keyframes of transform channels: values for a wanted transform, written fast, beside the keys of other frames."""
+
+import math
+
+import bpy
+from mathutils import Euler, Quaternion, Vector
+
+from ..core import actions
+from ..core.bake.sampling import rotation_path
+from ..core.lazy import numpy as np
+
+SAME_FRAME = 1e-3
+_KEY = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing", "back",
+        "amplitude", "period", "type")
+
+
+def rotation_values(thing, rotation, last):
+    """A quaternion as values of the thing's own rotation channel, next to the values `last`."""
+    if thing.rotation_mode == 'QUATERNION':
+        return -rotation if rotation.dot(Quaternion(last)) < 0.0 else rotation
+    if thing.rotation_mode == 'AXIS_ANGLE':
+        # Quaternion.to_axis_angle() goes by an arc cosine, which is off by up to 5e-4 rad where the angle is small.
+        axis = Vector((rotation.x, rotation.y, rotation.z))
+        angle = 2.0 * math.atan2(axis.length, rotation.w)
+        axis = axis.normalized() if axis.length > 0.0 else Vector(last[1:])
+        if axis.dot(Vector(last[1:])) < 0.0:
+            axis, angle = -axis, -angle
+        return (angle + math.tau * round((last[0] - angle) / math.tau), *axis)
+    return rotation.to_euler(thing.rotation_mode, Euler(last, thing.rotation_mode))
+
+
+class Channels:
+    """Values over the frames of channels of an Object or PoseBone: of "location", "rotation", "scale"."""
+
+    def __init__(self, thing, channels):
+        self.thing = thing
+        paths = {"location": "location", "rotation": rotation_path(thing), "scale": "scale"}
+        self.values = {paths[channel]: [] for channel in channels}
+        self._last = None
+
+    def add(self, basis):
+        """Append the values that give a transform relative to what the parents do."""
+        location, rotation, scale = basis.decompose()
+        if isinstance(self.thing, bpy.types.Object):
+            location, rotation, scale = _without_deltas(self.thing, location, rotation, scale)
+        for path, rows in self.values.items():
+            if path == "location":
+                rows.append(tuple(location))
+            elif path == "scale":
+                rows.append(tuple(scale))
+            else:
+                # At the first frame, next to what is there already.
+                last = getattr(self.thing, path) if self._last is None else self._last
+                self._last = tuple(rotation_values(self.thing, rotation, tuple(last)))
+                rows.append(self._last)
+
+
+def _without_deltas(obj, location, rotation, scale):
+    """What an object's channels hold, below its delta transform."""
+    if obj.rotation_mode == 'QUATERNION':
+        rotation = obj.delta_rotation_quaternion.normalized().inverted() @ rotation
+    elif obj.rotation_mode != 'AXIS_ANGLE':
+        rotation = obj.delta_rotation_euler.to_quaternion().inverted() @ rotation
+    scale = [value / delta if delta else own for value, delta, own in zip(scale, obj.delta_scale, obj.scale)]
+    return location - obj.delta_location, rotation, scale
+
+
+class KeyWriter:
+    """Writes keys into ranges of F-curves, keeps those outside, and can take all of it back."""
+
+    def __init__(self):
+        self._before = {}
+        self._done = []
+        self.written = set()
+
+    def write(self, holder, name, frames, rows, interpolation='BEZIER', group="", instead_of=""):
+        """Key a property of an Object, PoseBone or group of settings.
+
+        Keys from the first to the last frame are replaced. rows: a number or a sequence of numbers a frame. instead_of:
+        another data path by which it may be keyed already.
+        """
+        owner = holder.id_data
+        path = instead_of if instead_of and actions.find(owner, instead_of) else holder.path_from_id(name)
+        self._remember(owner)
+        self.written.add((owner, path))
+        value = getattr(holder, name)
+        is_array = not isinstance(value, (bool, int, float))
+        self._done.append((holder, name, tuple(value) if is_array else value, None))
+        for index, column in enumerate(zip(*rows) if is_array else [rows]):
+            curve = actions.find(owner, path, index)
+            is_new = curve is None
+            if is_new:
+                # Blender knows best where an action of this version keeps its curves.
+                holder.keyframe_insert(name, index=index if is_array else -1, frame=frames[0], group=group or "Motus")
+                curve = actions.find(owner, path, index)
+            kept = None if is_new else _keys(_between(curve, frames))
+            self._done.append((owner, path, index, (kept, frames)))
+            _replace(curve, frames, column, interpolation)
+
+    def set(self, holder, name, value):
+        """Set a property that is not animated."""
+        self._done.append((holder, name, getattr(holder, name), None))
+        setattr(holder, name, value)
+
+    def take_back(self):
+        """Put back the keys and values as they were before all write() and set()."""
+        self.written.clear()
+        for holder, path, index, written in reversed(self._done):
+            if written is None:
+                setattr(holder, path, index)
+                continue
+            curve = actions.find(holder, path, index)
+            kept, frames = written
+            if kept is None:
+                actions.fcurves(holder).remove(curve)
+            else:
+                _put_back(curve, frames, kept)
+        for owner, (had_animation, had_action) in self._before.items():
+            action = owner.animation_data.action if owner.animation_data else None
+            if action and not had_action:
+                owner.animation_data.action = None
+                bpy.data.actions.remove(action)
+            if not had_animation:
+                owner.animation_data_clear()
+
+    def _remember(self, owner):
+        animation = owner.animation_data
+        self._before.setdefault(owner, (animation is not None, bool(animation and animation.action)))
+
+
+def _between(curve, frames):
+    first, last = frames[0] - SAME_FRAME, frames[-1] + SAME_FRAME
+    return [point for point in curve.keyframe_points if first <= point.co.x <= last]
+
+
+def _keys(points):
+    """All that makes keys what they are, by attribute."""
+    return [{name: value if isinstance(value, (str, float)) else tuple(value)
+             for name, value in ((name, getattr(point, name)) for name in _KEY)} for point in points]
+
+
+def _clear(curve, frames):
+    points = curve.keyframe_points
+    first, last = frames[0] - SAME_FRAME, frames[-1] + SAME_FRAME
+    for index in range(len(points) - 1, -1, -1):
+        if first <= points[index].co.x <= last:
+            points.remove(points[index], fast=True)
+
+
+def _replace(curve, frames, values, interpolation):
+    _clear(curve, frames)
+    points = curve.keyframe_points
+    before = len(points)
+    points.add(len(frames))
+    places = np.empty(2 * len(points), np.float32)
+    points.foreach_get("co", places)
+    places[2 * before::2], places[2 * before + 1::2] = frames, values
+    points.foreach_set("co", places)
+    for point in points[before:]:
+        point.interpolation = interpolation
+        point.handle_left_type = point.handle_right_type = 'AUTO_CLAMPED'
+    curve.update()
+
+
+def _put_back(curve, frames, keys):
+    _clear(curve, frames)
+    points = curve.keyframe_points
+    before = len(points)
+    points.add(len(keys))
+    for point, key in zip(points[before:], keys):
+        for name in ("handle_left_type", "handle_right_type", *_KEY):  # handles of some types move with others
+            setattr(point, name, key[name])
+    curve.update()

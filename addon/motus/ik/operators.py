@@ -1,0 +1,251 @@
+"""Operators that add inverse kinematics to bones, and take it back."""
+
+import bpy
+
+from ..core import wiring
+from ..core.translations import tr
+from . import placing, setup, status, targets
+from .properties import KEYWORDS, IkKeywords
+
+
+def in_a_mode_of_objects(cls, context):
+    """poll: in the other modes Blender refuses changes of constraints, and an armature's bones are being edited."""
+    if context.mode in {'OBJECT', 'POSE'}:
+        return True
+    cls.poll_message_set(tr("Go to Object Mode or Pose Mode first"))
+    return False
+
+
+def rig_of(operator, context):
+    """The rig that the operator names, or the active one; None, reported, where it has no inverse kinematics."""
+    rig = bpy.data.objects.get(operator.object) if operator.object else context.object
+    if rig is None or not rig.motus.ik.is_active:
+        operator.report({'ERROR'}, tr("Nothing here has inverse kinematics"))
+        return None
+    return rig
+
+
+def refused(operator, refusal):
+    """Report why nothing was done."""
+    operator.report({'ERROR'}, str(refusal))
+    return {'CANCELLED'}
+
+
+class OfARig:
+    """The keyword that all these operators have."""
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
+
+
+class OfABone(OfARig):
+    """And the one that those of one chain have."""
+
+    bone: bpy.props.StringProperty(
+        name="Bone", description="Name of the last bone of the chain; empty takes the active one",
+        options={'SKIP_SAVE'})
+
+
+class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
+    bl_idname = "motus.ik_add"
+    bl_label = "Inverse Kinematics"
+    bl_description = "Let a chain of bones reach for a target"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    target: bpy.props.StringProperty(
+        name="Target", description="Name of the object that the chain reaches for; empty takes what is selected along "
+        "with the bone, and else makes an empty at the end of the chain", options={'SKIP_SAVE'})
+    target_bone: bpy.props.StringProperty(
+        name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
+    pole: bpy.props.StringProperty(
+        name="Pole", description="Name of the object that the chain bends towards", options={'SKIP_SAVE'})
+    pole_bone: bpy.props.StringProperty(
+        name="Pole Bone", description="Name of a bone of the pole", options={'SKIP_SAVE'})
+    make_pole: bpy.props.BoolProperty(
+        name="Make a Pole", description="Make an empty at the side that the chain bends to", default=False,
+        options={'SKIP_SAVE'})
+    keep_rotation: bpy.props.BoolProperty(
+        name="Keep Rotation", description="Set the rotation offset so that the target's orientation means that of the "
+        "bone as it stands now", default=True, options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        try:
+            rig, entry, chain = self._add(context)
+        except targets.Refused as refusal:
+            return refused(self, refusal)
+        target = f"{entry.target.name}: {entry.target_bone}" if entry.target_bone else entry.target.name
+        self.report({'INFO'}, tr("{bone} of {object} reaches for {target}").format(
+            bone=entry.name, object=rig.name, target=target))
+        context.view_layer.update()
+        for sentence in targets.warnings(rig, chain, entry.chain_length) + status.warnings(context, rig, entry):
+            self.report({'WARNING'}, sentence)
+        return {'FINISHED'}
+
+    def _add(self, context):
+        rig = targets.rig_for(context, self.object)
+        bone = targets.bone_for(context, rig, self.bone)
+        targets.check_editable(rig)
+        changes = {name: getattr(self, name) for name in KEYWORDS if self._is_given(name)}
+        targets.check_finite(self, changes)
+        before = rig.motus.ik.entries.get(bone)
+        chain = targets.chain_for(rig, bone, *(
+            changes.get(name, getattr(before or self, name)) for name in ("chain_length", "use_tail")))
+        targets.check_free(rig, chain)
+        target, pole = self._goals(context, rig, before)
+        wanted = {name: changes[name] for name in ("chain_length", "use_tail") if name in changes}
+        for goal, name in ((target, "target"), (pole, "pole")):
+            wanted[name], wanted[name + "_bone"] = goal or (None, "")
+            targets.check_no_loop(rig, bone, wanted, goal)
+        context.view_layer.update()
+        evaluated = rig.evaluated_get(context.view_layer.depsgraph)
+        if before is None and "hinge_angle" not in changes:
+            place = pole and placing.goal_matrix(context, *pole).translation
+            changes["hinge_angle"] = placing.hinge_angle(rig, evaluated, chain, place)
+        if target and target != (before and (before.target, before.target_bone)) and self._keeps_rotation(changes):
+            changes["rotation_offset"] = placing.rotation_offset(context, evaluated, chain, *target)
+        if target is None:
+            target = (placing.new_target(context, evaluated, chain), "")
+        if self.make_pole and pole is None:
+            hinge, bend = (changes.get(name, getattr(before or self, name)) for name in ("hinge_angle", "bend"))
+            pole = (placing.new_pole(context, evaluated, chain, hinge, bend), "")
+        changes["target"], changes["target_bone"] = target
+        changes["pole"], changes["pole_bone"] = pole or (None, "")
+        with setup.at_once(rig):
+            setup.add(rig, bone, changes)
+        return rig, rig.motus.ik.entries[bone], chain
+
+    def _is_given(self, name):
+        return self.properties.is_property_set(name)
+
+    def _keeps_rotation(self, changes):
+        return self.keep_rotation and "rotation_offset" not in changes
+
+    def _goals(self, context, rig, before):
+        """Target and pole, each (object, bone) or None: as they are given, selected, or were before."""
+        from_selection = None if self.object or self.bone else rig
+        target = targets.goal_for(context, self.target, self.target_bone, from_selection)
+        if target is None and before and before.target:
+            target = before.target, before.target_bone
+        pole = targets.goal_for(context, self.pole, self.pole_bone)
+        if pole is None and before and before.pole and not self._is_given("pole"):
+            pole = before.pole, before.pole_bone
+        return target, pole
+
+
+class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
+    bl_idname = "motus.ik_remove"
+    bl_label = "Remove Inverse Kinematics"
+    bl_description = "Leave chains to their own animation again"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    bone: bpy.props.StringProperty(
+        name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object",
+        options={'SKIP_SAVE'})
+    remove_controls: bpy.props.BoolProperty(
+        name="Remove Controls", description="Delete the targets and poles too that were made along with the chains",
+        default=False, options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        rig = rig_of(self, context)
+        if rig is None:
+            return {'CANCELLED'}
+        try:
+            targets.check_editable(rig)
+            indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
+        except targets.Refused as refusal:
+            return refused(self, refusal)
+        names = [rig.motus.ik.entries[index].name for index in indices]
+        setup.remove(rig, indices, self.remove_controls)
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(names)))
+        return {'FINISHED'}
+
+
+class MOTUS_OT_ik_refresh(OfARig, bpy.types.Operator):
+    bl_idname = "motus.ik_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the rig again, after its bones or what moves the targets were changed"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        rig = rig_of(self, context)
+        if rig is None:
+            return {'CANCELLED'}
+        wiring.refresh(setup.system(), rig)
+        return {'FINISHED'}
+
+
+class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
+    bl_idname = "motus.ik_target_add"
+    bl_label = "Add Target"
+    bl_description = "Give the chain a further target, which Blend passes to"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    target: bpy.props.StringProperty(
+        name="Target", description="Name of the object; empty takes what is selected along with the bone",
+        options={'SKIP_SAVE'})
+    target_bone: bpy.props.StringProperty(
+        name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        rig = rig_of(self, context)
+        if rig is None:
+            return {'CANCELLED'}
+        try:
+            targets.check_editable(rig)
+            entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
+            goal = targets.goal_for(context, self.target, self.target_bone, rig)
+            if goal:
+                changes = {"target": goal[0], "target_bone": goal[1]}
+                targets.check_no_loop(rig, entry.name, changes, goal)
+        except targets.Refused as refusal:
+            return refused(self, refusal)
+        with setup.at_once(rig):
+            extra = entry.extra_targets.add()
+            if goal:  # else the user chooses it in the list
+                extra.object, extra.bone = goal
+            entry.active_extra_target = len(entry.extra_targets) - 1
+        return {'FINISHED'}
+
+
+class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
+    bl_idname = "motus.ik_target_remove"
+    bl_label = "Remove Target"
+    bl_description = "Take a further target off the chain"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    index: bpy.props.IntProperty(
+        name="Index", description="Which of the further targets; -1 is the active one", default=-1, min=-1,
+        options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        rig = rig_of(self, context)
+        if rig is None:
+            return {'CANCELLED'}
+        try:
+            targets.check_editable(rig)
+            entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
+        except targets.Refused as refusal:
+            return refused(self, refusal)
+        index = entry.active_extra_target if self.index < 0 else self.index
+        if index >= len(entry.extra_targets):
+            self.report({'ERROR'}, tr("There is no such target"))
+            return {'CANCELLED'}
+        with setup.at_once(rig):
+            entry.extra_targets.remove(index)
+            entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))
+        return {'FINISHED'}
+
+
+classes = (
+    MOTUS_OT_ik_add, MOTUS_OT_ik_remove, MOTUS_OT_ik_refresh, MOTUS_OT_ik_target_add, MOTUS_OT_ik_target_remove,
+)

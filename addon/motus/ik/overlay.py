@@ -1,0 +1,83 @@
+"""What the viewport shows of a rig's chains: how far they reach, their poles, and what is left to their targets."""
+
+import math
+
+from mathutils import Quaternion
+
+from ..core import rigs
+from ..core.lazy import numpy as np
+from ..core.overlay import Batch
+from . import chains, placing, reading
+
+STEPS = 64  # of a circle
+LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn
+
+REACH_COLOR = (0.98, 0.80, 0.25, 0.7)
+NEAR_COLOR = (0.98, 0.80, 0.25, 0.35)
+POLE_COLOR = (0.30, 0.75, 1.0, 0.8)
+RESIDUAL_COLOR = (0.95, 0.25, 0.30, 1.0)
+
+
+def overlay(context, owner):
+    """Batches for the chains of a rig; the circles only for the one that the panel shows."""
+    if owner.type != 'ARMATURE' or not owner.motus.ik.is_active:
+        return []
+    shown = context.scene.motus
+    depsgraph = context.evaluated_depsgraph_get()
+    rig = owner.evaluated_get(depsgraph)
+    active = owner.motus.ik.active_entry
+    presence = rigs.Presence(depsgraph.view_layer, depsgraph.scene)
+    found, poles, residuals = [], [], []
+    for index, entry in enumerate(rig.motus.ik.entries):
+        chain = chains.find(rig, entry)
+        if chain is None or entry.is_muted:
+            continue
+        joints = placing.posed_joints(rig, chain)
+        if shown.show_reach and index == active:
+            found += _circles(rig, chain, entry, joints)
+        pole = _place(entry.pole, entry.pole_bone, presence)
+        if pole:
+            poles += [_middle(joints), pole]
+        # Between further targets it is under way, and what is left means nothing.
+        target = _place(entry.target, entry.target_bone, presence) if entry.target_blend == 0.0 else None
+        if target and (target - joints[-1]).length > LEAST_RESIDUAL * placing.length(joints):
+            residuals += [joints[-1], target]
+    if shown.show_pole and poles:
+        found.append(_lines(poles, POLE_COLOR, 1.5))
+    if shown.show_residual and residuals:
+        found.append(_lines(residuals, RESIDUAL_COLOR, 2.0))
+    return found
+
+
+def _place(goal, bone, presence):
+    if goal is None or presence.is_deleted(goal):
+        return None
+    matrix = reading.world_matrix(goal, bone)
+    return matrix.translation.copy() if matrix else None
+
+
+def _middle(joints):
+    """The joint that is farthest from the line between root and tip."""
+    along = joints[-1] - joints[0]
+    return max(joints[1:-1] or joints[:1], key=lambda joint: (joint - joints[0]).cross(along).length)
+
+
+def _circles(rig, chain, entry, joints):
+    """The farthest and the nearest place that the tip can come to, in the plane of the bend."""
+    normal = placing.bend_normal(joints) or placing.hinge_normal(rig, chain, entry.hinge_angle)
+    links = [(end - start).length for start, end in zip(joints, joints[1:])]
+    found = [_circle(joints[0], normal, sum(links), REACH_COLOR, 1.5)]
+    nearest = 2.0 * max(links) - sum(links)
+    if nearest > 1e-6 * sum(links):
+        found.append(_circle(joints[0], normal, nearest, NEAR_COLOR, 1.0))
+    return found
+
+
+def _circle(centre, normal, radius, color, width):
+    side = normal.orthogonal().normalized() * radius
+    points = [centre + Quaternion(normal, math.tau * step / STEPS) @ side for step in range(STEPS + 1)]
+    return Batch('LINE_STRIP', np.array(points, dtype=np.float32), color, width)
+
+
+def _lines(points, color, width):
+    return Batch('LINES', np.array(points, dtype=np.float32), color, width)

@@ -1,0 +1,136 @@
+"""Where a chain's target and pole have to stand so that the pose stays as it is, and about which axis it bends."""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+from . import reading
+
+CONTROL_KEY = "motus_ik_control"
+"""Custom property of the empties that are made along with an entry."""
+
+BENT = math.radians(0.5)  # a rest pose that is bent by less counts as straight
+POLE_DISTANCE = 1.0  # of the chain's length, from the line between root and tip
+TARGET_SIZE, POLE_SIZE = 0.08, 0.05  # of the chain's length
+DEFAULT_LENGTH = 1.0  # m, of a chain without length
+
+
+def rest_joints(rig, chain):
+    """Places of the chain's joints at rest, from the root to the tip, in armature space."""
+    bones = rig.data.bones
+    last = bones[chain.effector]
+    return [bones[name].head_local.copy() for name in chain.bones] + [
+        (last.tail_local if chain.use_tail else last.head_local).copy()]
+
+
+def posed_joints(rig, chain):
+    """The same as the evaluated rig stands, in world space."""
+    bones = rig.pose.bones
+    last = bones[chain.effector]
+    places = [bones[name].head for name in chain.bones] + [last.tail if chain.use_tail else last.head]
+    return [rig.matrix_world @ place for place in places]
+
+
+def length(joints):
+    """Length of a chain of joints."""
+    return sum((end - start).length for start, end in zip(joints, joints[1:]))
+
+
+def bend_normal(joints, least=BENT):
+    """Unit normal of the plane that the joints bend in (normal x (tip - root) points to the bend's side).
+
+    None where they bend by less than `least`, rad.
+    """
+    links = [end - start for start, end in zip(joints, joints[1:])]
+    angles = [start.angle(end, 0.0) for start, end in zip(links, links[1:])]
+    along = joints[-1] - joints[0]
+    normal = sum((along.cross(joint - joints[0]) for joint in joints[1:-1]), Vector())
+    if not angles or max(angles) < least or normal.length_squared == 0.0:
+        return None
+    return normal.normalized()
+
+
+def hinge_angle(rig, evaluated, chain, pole=None):
+    """Bend Axis of a new entry: the joint's own at rest; else such that the pole (a place) turns nothing; else 0."""
+    normal = bend_normal(rest_joints(rig, chain))
+    if normal:
+        return _about(rig.data.bones[chain.bones[0]].matrix_local, normal)
+    if pole is not None:
+        joints = posed_joints(evaluated, chain)
+        normal = (joints[-1] - joints[0]).cross(pole - joints[0])
+        if normal.length > 1e-6 * length(joints) ** 2:
+            return _about(evaluated.matrix_world @ evaluated.pose.bones[chain.bones[0]].matrix, normal)
+    return 0.0
+
+
+def _about(matrix, normal):
+    """Angle about a bone's Y from its X axis to the direction of the normal."""
+    local = matrix.to_3x3().inverted_safe() @ normal
+    return math.atan2(-local.z, local.x)
+
+
+def hinge_normal(evaluated, chain, angle):
+    """World direction of the first bone's Bend Axis."""
+    local = Vector((math.cos(angle), 0.0, -math.sin(angle)))
+    return ((evaluated.matrix_world @ evaluated.pose.bones[chain.bones[0]].matrix).to_3x3() @ local).normalized()
+
+
+def effector_orientation(evaluated, chain):
+    """World orientation of the bone that the entry is named after."""
+    return (evaluated.matrix_world @ evaluated.pose.bones[chain.effector].matrix).to_quaternion()
+
+
+def goal_matrix(context, target, bone):
+    """World matrix of a target or pole as it is evaluated."""
+    return reading.world_matrix(target.evaluated_get(context.view_layer.depsgraph), bone)
+
+
+def rotation_offset(context, evaluated, chain, target, bone):
+    """The turn, in the target's own space, that makes its orientation that of the chain's last bone now."""
+    orientation = goal_matrix(context, target, bone).to_quaternion()
+    return (orientation.inverted() @ effector_orientation(evaluated, chain)).to_euler('XYZ')
+
+
+def pole_place(evaluated, chain, angle, bend):
+    """Where a pole leaves the pose as it is. angle: the Bend Axis, for a pose that is straight."""
+    joints = posed_joints(evaluated, chain)
+    along = joints[-1] - joints[0]
+    normal = bend_normal(joints) or hinge_normal(evaluated, chain, angle)
+    if along.length == 0.0:  # folded onto itself
+        side = max((joint - joints[0] for joint in joints[1:]), key=lambda link: link.length)
+    else:
+        side = normal.cross(along)
+    sign = 1.0 if bend == 'TOWARDS' else -1.0
+    distance = POLE_DISTANCE * (length(joints) or DEFAULT_LENGTH)
+    middle = max(joints[1:-1] or [joints[0] + along / 2.0], key=lambda joint: (joint - joints[0]).cross(along).length)
+    foot = joints[0] + (middle - joints[0]).project(along) if along.length else joints[0]
+    return foot + sign * distance * side.normalized()
+
+
+def new_target(context, evaluated, chain):
+    """An empty on the chain's tip, turned as its last bone is."""
+    joints = posed_joints(evaluated, chain)
+    empty = _empty(context, evaluated, f"{evaluated.name} {chain.effector} Target", 'CUBE')
+    empty.empty_display_size = TARGET_SIZE * (length(joints) or DEFAULT_LENGTH)
+    matrix = effector_orientation(evaluated, chain).to_matrix().to_4x4()
+    matrix.translation = joints[-1]
+    empty.matrix_world = matrix
+    return empty
+
+
+def new_pole(context, evaluated, chain, angle, bend):
+    """An empty at the side that the chain bends to."""
+    empty = _empty(context, evaluated, f"{evaluated.name} {chain.effector} Pole", 'SPHERE')
+    empty.empty_display_size = POLE_SIZE * (length(posed_joints(evaluated, chain)) or DEFAULT_LENGTH)
+    empty.location = pole_place(evaluated, chain, angle, bend)
+    return empty
+
+
+def _empty(context, evaluated, name, shape):
+    empty = bpy.data.objects.new(name, None)
+    empty.empty_display_type = shape
+    empty[CONTROL_KEY] = True
+    collections = evaluated.original.users_collection or (context.scene.collection,)
+    collections[0].objects.link(empty)
+    return empty

@@ -1,0 +1,164 @@
+"""Settings of inverse kinematics: Object.motus.ik, with an entry for each chain."""
+
+import math
+from contextlib import contextmanager
+
+import bpy
+
+from ..core import system
+from ..core.system import SystemSettings
+from . import chains, check_results
+
+ANIMATED = {'ANIMATABLE'}
+OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
+EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+LONGEST_CHAIN = 255
+
+BENDS = (
+    ('TOWARDS', "Towards", "The middle of the chain bends towards the pole"),
+    ('AWAY', "Away", "The middle of the chain bends away from the pole"),
+)
+
+
+def _touch(item, context):
+    # Operators have the same properties, and nothing to evaluate.
+    if isinstance(item, bpy.types.PropertyGroup):
+        system.touch(item.id_data.motus.ik, context)
+
+
+def _rewire(item, context):
+    if isinstance(item, bpy.types.PropertyGroup):
+        system.rewire(item.id_data.motus.ik, context)
+
+
+def _change_stretch(item, context):
+    # A chain that cannot stretch needs fewer drivers, so the step from 0 wires the rig again.
+    if isinstance(item, bpy.types.PropertyGroup) and item.is_elastic != (item.stretch > 0.0):
+        item.is_elastic = item.stretch > 0.0
+        _rewire(item, context)
+    _touch(item, context)
+
+
+def _number(name, description, default, **options):
+    options.setdefault("update", _touch)
+    return bpy.props.FloatProperty(
+        name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
+
+
+def _factor(name, description, default, **options):
+    return _number(name, description, default, min=0.0, max=1.0, subtype='FACTOR', **options)
+
+
+def _angle(name, description):
+    return _number(name, description, 0.0, soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
+
+
+def _object(name, description):
+    return bpy.props.PointerProperty(
+        type=bpy.types.Object, name=name, description=description, update=_rewire, override=OVERRIDABLE)
+
+
+def _bone(description):
+    return bpy.props.StringProperty(
+        name="Bone", description=description, update=_rewire, options=set(), override=OVERRIDABLE)
+
+
+class IkKeywords:
+    """What both the entries and the operator have: the names are the keywords of scripts."""
+
+    chain_length: bpy.props.IntProperty(
+        name="Chain Length", description="Bones in the chain, counted upwards; 0 takes all of them up to the root",
+        default=2, min=0, max=LONGEST_CHAIN, update=_rewire, options=set(), override=OVERRIDABLE)
+    use_tail: bpy.props.BoolProperty(
+        name="Use Tail", description="The bone's tail goes to the target; off, its head does, and the chain ends with "
+        "the bone above it", default=True, update=_rewire, options=set(), override=OVERRIDABLE)
+    bend: bpy.props.EnumProperty(
+        name="Bend", description="Which side of the line from root to target the chain bends to", items=BENDS,
+        default='TOWARDS', update=_touch, options=ANIMATED, override=OVERRIDABLE)
+    pole_angle: _angle("Pole Angle", "Turns the chain about the line from its root to the target")
+    hinge_angle: _angle(
+        "Bend Axis", "Direction about the first bone's length, from its X axis, about which the chain bends where the "
+        "animated pose is straight")
+    softness: _factor(
+        "Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
+    stretch: _factor("Stretch", "How much of what is missing the bones lengthen by", 0.0, update=_change_stretch)
+    use_limits: bpy.props.BoolProperty(
+        name="Use Limits", description="Keep the limits that the bones have for inverse kinematics", default=False,
+        update=_touch, options=ANIMATED, override=OVERRIDABLE)
+    position_weight: _factor(
+        "Position", "From the animated pose (0) to the one that reaches the target (1)", 1.0)
+    rotation_weight: _factor(
+        "Rotation", "How far the last bone takes the target's orientation; the rest of the chain still reaches", 0.0)
+    rotation_offset: bpy.props.FloatVectorProperty(
+        name="Offset", description="Turns the orientation that is taken, in the target's own space", size=3,
+        subtype='EULER', update=_touch, options=ANIMATED, override=OVERRIDABLE)
+    target_blend: _number(
+        "Blend", "0 is the target, 1 the first of the further targets, and between them the way from one to the other",
+        0.0, min=0.0, soft_max=4.0)
+    tolerance: _number(
+        "Tolerance", "Distance from the target that counts as reached, as a fraction of the chain's length", 1e-6,
+        min=1e-12, max=1.0, soft_min=1e-7, soft_max=0.01, precision=7)
+    iterations: bpy.props.IntProperty(
+        name="Iterations", description="When the search of a chain of more than two bones gives up", default=100, min=1,
+        max=10000, soft_max=500, update=_touch, options=ANIMATED, override=OVERRIDABLE)
+    is_muted: bpy.props.BoolProperty(
+        name="Mute", description="Leave this chain to its animation", default=False, update=_touch, options=ANIMATED,
+        override=OVERRIDABLE)
+
+
+KEYWORDS = tuple(IkKeywords.__annotations__)
+
+
+class MOTUS_PG_ik_target(bpy.types.PropertyGroup):
+    object: _object("Object", "Object that the chain can go to as well")
+    bone: _bone("Bone of the object; empty takes its origin")
+
+
+class MOTUS_PG_ik_entry(IkKeywords, check_results.CheckResults, bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(
+        name="Bone", description="Bone at the end of the chain", update=_rewire, override=OVERRIDABLE)
+    target: _object("Target", "What the end of the chain goes to")
+    target_bone: _bone("Bone of the target; empty takes its origin")
+    extra_targets: bpy.props.CollectionProperty(
+        type=MOTUS_PG_ik_target, name="Further Targets", override=EXTENDABLE)
+    active_extra_target: bpy.props.IntProperty(name="Active Further Target", options=set())
+    pole: _object("Pole", "What the middle of the chain bends towards; without one it keeps the animated pose's plane")
+    pole_bone: _bone("Bone of the pole; empty takes its origin")
+    is_elastic: bpy.props.BoolProperty(
+        name="Elastic", description="Stretch is not 0", options={'HIDDEN'}, override=OVERRIDABLE)
+
+
+def _get_active(settings):
+    """In Pose Mode the entry of the active bone's chain, else the one chosen last."""
+    rig = settings.id_data
+    active = rig.data.bones.active if rig.mode == 'POSE' else None
+    index = chains.entry_with(rig, active.name) if active else -1
+    return min(settings.chosen_entry if index < 0 else index, len(settings.entries) - 1)
+
+
+def _set_active(settings, index):
+    settings.chosen_entry = index
+    rig = settings.id_data
+    if rig.mode == 'POSE' and index < len(settings.entries):
+        rig.data.bones.active = rig.data.bones.get(settings.entries[index].name)
+
+
+class MOTUS_PG_ik(SystemSettings, bpy.types.PropertyGroup):
+    influence: bpy.props.FloatProperty(
+        name="Influence", description="How much all chains of the rig act; 0 leaves it to its animation", default=1.0,
+        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=_touch)
+    entries: bpy.props.CollectionProperty(type=MOTUS_PG_ik_entry, name="Chains", override=EXTENDABLE)
+    chosen_entry: bpy.props.IntProperty(name="Chosen Chain", options={'HIDDEN'})
+    active_entry: bpy.props.IntProperty(name="Active Chain", options=set(), get=_get_active, set=_set_active)
+
+    @contextmanager
+    def unwired(self):
+        """Changes within do not wire the rig again, each by itself."""
+        was_active, self.is_active = self.is_active, False
+        try:
+            yield self
+        finally:
+            self.is_active = was_active
+
+
+classes = (MOTUS_PG_ik_target, MOTUS_PG_ik_entry, MOTUS_PG_ik)

@@ -1,0 +1,136 @@
+"""Setting chains up and taking them back: plain functions behind the operators."""
+
+from contextlib import contextmanager
+
+import bpy
+
+from ..core import actions, dependencies, wiring
+from ..core.system import registered
+from . import chains
+from .groups import goals
+from .placing import CONTROL_KEY
+
+
+def system():
+    """The registered System: the package's __init__ imports this module, not the other way round."""
+    return registered["ik"]
+
+
+@contextmanager
+def at_once(rig):
+    """Wire once at the end, instead of at every change of a setting within."""
+    with rig.motus.ik.unwired() as settings:
+        yield settings
+    wire(rig)
+
+
+def wire(rig):
+    """Wire the rig as its entries are now; one without entries is left as if there had never been any."""
+    settings = rig.motus.ik
+    if not settings.entries:
+        if settings.is_active:
+            wiring.detach(system(), rig)
+        _reset(rig)
+    elif settings.is_active:
+        wiring.refresh(system(), rig)
+    else:
+        wiring.attach(system(), rig)
+
+
+def add(rig, bone, changes):
+    """An entry for a bone, new or as it was, with these settings by name. Wires nothing: see at_once()."""
+    entries = rig.motus.ik.entries
+    entry = entries.get(bone)
+    if entry is None:
+        entry = entries.add()
+        entry.name = bone
+    for name, value in changes.items():
+        setattr(entry, name, value)
+    rig.motus.ik.chosen_entry = entries.find(bone)
+    return entry
+
+
+def would_wait_for_itself(rig, bone, changes):
+    """Whether the entry with these settings would depend on what it drives. Leaves everything as it was."""
+    with rig.motus.ik.unwired() as settings:
+        before = settings.entries.get(bone)
+        kept = {name: getattr(before, name) for name in changes} if before else {}
+        chosen = settings.chosen_entry
+        add(rig, bone, changes)
+        level = dependencies.levels(rig).get(("ik", bone), 0)
+        if before:
+            add(rig, bone, kept)
+        else:
+            settings.entries.remove(settings.entries.find(bone))
+        settings.chosen_entry = chosen
+    if not settings.entries:
+        _reset(rig)
+    return level is None
+
+
+def remove(rig, indices, with_controls=False):
+    """Take entries back: wiring, keys and drivers of their settings; with the last one the settings themselves."""
+    controls = []
+    with at_once(rig) as settings:
+        for index in sorted(indices, reverse=True):
+            entry = settings.entries[index]
+            controls += [goal for goal in (entry.target, entry.pole) if goal and CONTROL_KEY in goal]
+            _forget_animation(rig, index)
+            settings.entries.remove(index)
+        settings.chosen_entry = max(0, min(settings.chosen_entry, len(settings.entries) - 1))
+        if not settings.entries:
+            _remove_animation(rig, ("motus.ik.",))
+    if with_controls:
+        for control in dict.fromkeys(controls):
+            if not _is_used(control):
+                bpy.data.objects.remove(control)
+
+
+def _is_used(control):
+    # To ask an object for its settings gives it some.
+    rigs = [found for found in bpy.data.objects if found.type == 'ARMATURE' and found.is_property_set("motus")]
+    return any(control == goal for rig in rigs for entry in rig.motus.ik.entries for goal, _ in goals(entry))
+
+
+def _reset(rig):
+    """Forget the settings, so that the file holds nothing of them."""
+    rig.motus.property_unset("ik")
+    if not any(getattr(rig.motus, name).is_active or getattr(rig.motus, name).leader for name in registered):
+        rig.property_unset("motus")
+
+
+def _forget_animation(rig, index):
+    """Remove keys and drivers of an entry's settings; those of the entries behind it move up with them."""
+    animation = rig.animation_data
+    if animation is None:
+        return
+    _own_action(rig)
+    _remove_animation(rig, chains.prefixes(rig, index))
+    for later in range(index + 1, len(rig.motus.ik.entries)):
+        old = f"motus.ik.entries[{later}]."
+        for curve in chains.curves(rig):
+            if curve.data_path.startswith(old):
+                curve.data_path = f"motus.ik.entries[{later - 1}].{curve.data_path[len(old):]}"
+
+
+def _own_action(rig):
+    """Give the rig its action for itself where others use it too: they have chains of their own."""
+    action = rig.animation_data.action
+    if action and action.users > 1 and any(curve.data_path.startswith("motus.ik.") for curve in actions.fcurves(rig)):
+        actions.assign_copy(rig, action.name)
+
+
+def _remove_animation(rig, paths):
+    animation = rig.animation_data
+    if animation is None:
+        return
+    for curve in [curve for curve in animation.drivers if curve.data_path.startswith(paths)]:
+        animation.drivers.remove(curve)
+    curves = actions.fcurves(rig)
+    ours = [curve for curve in curves if curve.data_path.startswith(paths)]
+    for curve in ours:
+        curves.remove(curve)
+    if ours and not curves:
+        animation.action = None
+    if not animation.action and not animation.drivers and not animation.nla_tracks:
+        rig.animation_data_clear()

@@ -1,0 +1,108 @@
+"""What an entry's solver said of it, in words."""
+
+import math
+from typing import NamedTuple
+
+import bpy
+
+from ..core import dependencies, native, wiring
+from ..core.translations import tr
+from . import chains, reading
+from .groups import OUTPUTS
+from .setup import system
+
+MOST_LEVELS = 16
+"""Entries that wait for one another, looked for."""
+
+
+class Report(NamedTuple):
+    """Outputs of one entry; m and rad."""
+
+    residual: float
+    angle: float
+    reason: float
+    distance: float
+    reach: float
+
+
+def report(owner, name, depsgraph):
+    """The Report of the entry of this name; None where it was not solved."""
+    for level in range(MOST_LEVELS):
+        group = str(level) if level else ""
+        values = [wiring.output(system(), owner, f"{name}.{output}", depsgraph, group) for output in OUTPUTS]
+        if None not in values:
+            # Blender 5 may copy the rig anew without solving again (a change of mode): zeros for a while.
+            return Report(*values) if any(values) else None
+    return None
+
+
+def sentence(context, owner, entry):
+    """(icon, sentence in the user's language) of why an entry does not reach; the sentence is "" where all is well."""
+    found = report(owner, entry.name, context.view_layer.depsgraph)
+    if found is None:
+        return 'ERROR', _unwired(owner, entry)
+    if found.reason in reading.UNWANTED:
+        return 'ERROR', _unwanted(entry, found.reason)
+    is_animated = entry.position_weight * owner.motus.ik.influence == 0.0
+    return 'INFO', "" if is_animated else _unreached(context, found)
+
+
+def _unwired(owner, entry):
+    chain = chains.find(owner, entry)
+    if chain is None:
+        return tr("{object} has no bone {bone}").format(object=owner.name, bone=entry.name)
+    others = chains.driven_elsewhere(owner, entry.name)
+    shared = [name for name in chain.driven if name in others]
+    if shared:
+        label, other = others[shared[0]]
+        return tr("{bone} is driven by {system} of {other} already: shorten the chain").format(
+            bone=shared[0], system=tr(label), other=other)
+    if ("ik", entry.name) in dependencies.levels(owner):
+        return tr("The target moves with the chain itself: choose another one")
+    return ""
+
+
+def _unwanted(entry, reason):
+    if reason == reading.NO_TARGET:
+        return tr("{bone} has no target: choose one").format(bone=entry.name)
+    if reason == reading.TARGET_DELETED:
+        return tr("{target} is in no collection any more: choose another target").format(target=entry.target.name)
+    if reason == reading.NO_TARGET_BONE:
+        return tr("{object} has no bone {bone}").format(object=entry.target.name, bone=entry.target_bone)
+    return tr("A number of this chain is not finite")
+
+
+def _unreached(context, found):
+    reasons = native.module.Reason
+    if found.reason == int(reasons.TOO_FAR):
+        if found.distance > found.reach:
+            missing = length(context, found.distance - found.reach)
+            return tr("The target is {length} too far away").format(length=missing)
+        return tr("Softness keeps the chain {length} from the target").format(length=length(context, found.residual))
+    if found.reason == int(reasons.TOO_NEAR):
+        return tr("The target is {length} too near").format(length=length(context, found.residual))
+    if found.reason == int(reasons.LIMIT):
+        return tr("A joint limit is in the way: {length} are left").format(length=length(context, found.residual))
+    if found.reason == int(reasons.ITERATIONS):
+        return tr("The iterations were used up: {length} are left").format(length=length(context, found.residual))
+    return ""
+
+
+def warnings(context, owner, entry):
+    """Sentences for the report of an operator."""
+    if not owner.evaluated_get(context.view_layer.depsgraph).is_evaluated:
+        return []
+    _, text = sentence(context, owner, entry)
+    return [text] if text else []
+
+
+def length(context, value):
+    """A length in the scene's units."""
+    units = context.scene.unit_settings
+    name = 'METRIC' if units.system == 'NONE' else units.system
+    return bpy.utils.units.to_string(name, 'LENGTH', value * units.scale_length, precision=4)
+
+
+def angle(value):
+    """An angle in degrees."""
+    return f"{math.degrees(value):.3g}°"

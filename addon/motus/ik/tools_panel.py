@@ -1,0 +1,57 @@
+"""The sub-panel with the tools of inverse kinematics, in the sidebar and in the bone's constraint properties."""
+
+import bpy
+
+from ..core import ui
+from . import check_results, status
+from .panel import shown_entry
+
+
+def draw(layout, context):
+    """Buttons for the chain that the panels are about, and what checking it found."""
+    rig, entry = context.object, shown_entry(context)
+    column = layout.column(align=True)
+    column.operator("motus.ik_drag", icon='VIEW_PAN').object = rig.name
+    _of_chain(column.operator("motus.ik_switch_target", icon='UV_SYNC_SELECT'), rig, entry)
+    column = layout.column(align=True)
+    for name, icon in (("motus.ik_match_fk", 'CON_KINEMATIC'), ("motus.fk_match_ik", 'BONE_DATA')):
+        row = column.split(factor=0.75, align=True)
+        _of_chain(row.operator(name, icon=icon), rig, entry).use_range = True
+        _of_chain(row.operator(name, text="Frame"), rig, entry).use_range = False
+    _of_chain(layout.operator("motus.ik_check", icon='VIEWZOOM'), rig, entry)
+    sentence = check_results.sentence(entry, lambda value: status.length(context, value))
+    if sentence:
+        ui.draw_message(layout, sentence, 'ERROR' if entry.check_frames else 'CHECKMARK', width=36)
+
+
+def _of_chain(button, rig, entry):
+    button.object, button.bone = rig.name, entry.name
+    return button
+
+
+class _Tools:
+    bl_label = "Tools"
+
+    @classmethod
+    def poll(cls, context):
+        return shown_entry(context) is not None
+
+    def draw(self, context):
+        draw(self.layout, context)
+
+
+class MOTUS_PT_ik_tools(_Tools, bpy.types.Panel):
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'UI'
+    bl_category = ui.TAB
+    bl_parent_id = "MOTUS_PT_ik"
+
+
+class MOTUS_PT_ik_constraint_tools(_Tools, bpy.types.Panel):
+    bl_space_type = 'PROPERTIES'
+    bl_region_type = 'WINDOW'
+    bl_context = "bone_constraint"
+    bl_parent_id = "MOTUS_PT_ik_constraint"
+
+
+classes = (MOTUS_PT_ik_tools, MOTUS_PT_ik_constraint_tools)

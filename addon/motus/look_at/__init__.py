@@ -1,0 +1,24 @@
+"""Look At: spine, head and eyes of a rig share the turn to a target, each by its weight and within its limits."""
+
+from ..core.system import System
+from . import groups, operators, overlay, panel, properties, solve
+
+SYSTEM = System(
+    name="look_at",
+    label="Look At",
+    settings=properties.MOTUS_PG_look_at,
+    classes=(
+        # Groups before the group that holds them.
+        properties.MOTUS_PG_look_at_eye, properties.MOTUS_PG_look_at_entry, properties.MOTUS_PG_look_at,
+        *operators.classes, *panel.classes,
+    ),
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    members=groups.members,
+    groups=groups.groups,
+    entries=groups.entries,
+    bone_renamed=groups.bone_renamed,
+    overlay=overlay.overlay,
+    object_menu=("motus.look_at_add", "motus.look_at_remove"),
+    pose_menu=("motus.look_at_add", "motus.look_at_remove"),
+)

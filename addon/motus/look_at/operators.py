@@ -1,0 +1,239 @@
+"""Operators that let heads look, and take it back."""
+
+import bpy
+
+from ..core import wiring
+from ..core.translations import tr
+from . import anatomy, setup, targets
+from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
+
+
+def in_a_mode_of_objects(cls, context):
+    """poll: in the other modes Blender refuses changes of constraints, and an armature's bones are being edited."""
+    if context.mode in {'OBJECT', 'POSE'}:
+        return True
+    cls.poll_message_set(tr("Go to Object Mode or Pose Mode first"))
+    return False
+
+
+def looking_rig(operator, context):
+    """The rig that the operator names, or the active one; None, reported, where nothing of it looks."""
+    rig = bpy.data.objects.get(operator.object) if operator.object else context.object
+    if rig is None or not rig.motus.look_at.is_active:
+        operator.report({'ERROR'}, tr("Nothing here looks at a target"))
+        return None
+    return rig
+
+
+class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
+    bl_idname = "motus.look_at_add"
+    bl_label = "Look At"
+    bl_description = "Let head, spine and eyes turn to a target"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(
+        name="Head", description="Name of the head bone; empty takes the active one, or the one that is called head",
+        options={'SKIP_SAVE'})
+    target: bpy.props.StringProperty(
+        name="Target", description="Name of the object to look at; empty makes one in front of the head",
+        options={'SKIP_SAVE'})
+    target_bone: bpy.props.StringProperty(
+        name="Target Bone", description="Name of the target's bone to look at, where the target is an armature",
+        options={'SKIP_SAVE'})
+    body_length: bpy.props.IntProperty(
+        name="Spine Bones",
+        description="How many bones below the head turn along, the neck among them; -1 finds the spine",
+        default=ANY_BODY_LENGTH, min=ANY_BODY_LENGTH, max=255, options={'SKIP_SAVE'})
+    eyes: bpy.props.StringProperty(
+        name="Eyes",
+        description="Names of the eye bones with commas between; not given, bones below the head called eye",
+        options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        try:
+            rig, head, target = self._add(context)
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
+            head=head, object=rig.name, target=target.name))
+        self._report_problem(context, rig)
+        return {'FINISHED'}
+
+    def _add(self, context):
+        rig = targets.rig_for(context, self.object)
+        head = targets.head_for(context, rig, self.bone)
+        targets.check_editable(rig)
+        changes = {name: getattr(self, name) for name in KEYWORDS if self._is_given(name)}
+        targets.check_finite(self, changes)
+        before = rig.motus.look_at.entries.get(head)
+        eyes = self._eyes(rig, head, before)
+        length = before.body_length if before and not self._is_given("body_length") else targets.spine_for(
+            rig, head, self.body_length)
+        target = targets.target_for(context, self, rig)
+        targets.check_target(target or (before and before.target), self.target_bone)
+        target_bone = self.target_bone
+        if target is None and before and before.target:
+            target = before.target
+            target_bone = self.target_bone if self._is_given("target_bone") else before.target_bone
+        present_eyes = [eye.name for eye in before.eyes] if eyes is None else eyes
+        driven = [*anatomy.below(rig, head, length), head, *present_eyes]
+        targets.check_free(rig, head, driven)
+        targets.check_loop(rig, head, driven, target, target_bone)
+        if target is None:
+            choice = changes.get("head_forward", before.head_forward if before else 'AUTO')
+            target = setup.new_target(context, rig, head, anatomy.head_forward(rig, head, choice))
+        changes.update(target=target, target_bone=target_bone, body_length=length)
+        setup.add(rig, head, changes, eyes)
+        return rig, head, target
+
+    def _is_given(self, name):
+        return self.properties.is_property_set(name)
+
+    def _eyes(self, rig, head, before):
+        """Names of the eyes; None where the entry keeps those it has."""
+        if self._is_given("eyes"):
+            eyes = [name.strip() for name in self.eyes.split(",") if name.strip()]
+            targets.check_eyes(rig, head, eyes)
+            return eyes
+        return None if before else anatomy.eyes_of(rig, head)
+
+    def _report_problem(self, context, rig):
+        context.view_layer.update()
+        depsgraph = context.view_layer.depsgraph
+        problem = wiring.problem(setup.system(), rig, depsgraph)
+        if problem and rig.evaluated_get(depsgraph).is_evaluated:
+            self.report({'WARNING'}, tr(problem.sentence))
+
+
+class MOTUS_OT_look_at_remove(bpy.types.Operator):
+    bl_idname = "motus.look_at_remove"
+    bl_label = "Remove Look At"
+    bl_description = "Leave the head to its own animation again; a target that was made stays"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(
+        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        rig = looking_rig(self, context)
+        if rig is None:
+            return {'CANCELLED'}
+        try:
+            targets.check_editable(rig)
+            index = targets.entry_for(context, rig, self.bone)
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        head = rig.motus.look_at.entries[index].name
+        setup.remove(rig, index)
+        self.report({'INFO'}, tr("{bone} of {object} looks at nothing").format(bone=head, object=rig.name))
+        return {'FINISHED'}
+
+
+class MOTUS_OT_look_at_refresh(bpy.types.Operator):
+    bl_idname = "motus.look_at_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the rig again, after its bones or what moves the target were changed"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        rig = looking_rig(self, context)
+        if rig is None:
+            return {'CANCELLED'}
+        wiring.refresh(setup.system(), rig)
+        return {'FINISHED'}
+
+
+class MOTUS_OT_look_at_eye_add(bpy.types.Operator):
+    bl_idname = "motus.look_at_eye_add"
+    bl_label = "Add Eye"
+    bl_description = "Let another bone below the head turn as an eye"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(
+        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
+    eye: bpy.props.StringProperty(
+        name="Eye", description="Name of the eye bone; empty takes the selected bones below the head",
+        options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        return change_eyes(self, context, self._added)
+
+    def _added(self, context, rig, entry, eyes):
+        if self.eye:
+            return [*eyes, self.eye]
+        below = rig.data.bones[entry.name].children_recursive if entry.name in rig.data.bones else ()
+        chosen = {bone.name for bone in context.selected_pose_bones or ()} - set(eyes)
+        found = [bone.name for bone in below if bone.name in chosen]
+        if not found:
+            raise targets.Refused(tr("Select the bones of the eyes in Pose Mode"))
+        return [*eyes, *found]
+
+
+class MOTUS_OT_look_at_eye_remove(bpy.types.Operator):
+    bl_idname = "motus.look_at_eye_remove"
+    bl_label = "Remove Eye"
+    bl_description = "Leave an eye to its own animation again"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(
+        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
+    eye: bpy.props.StringProperty(name="Eye", description="Name of the eye bone", options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        return change_eyes(self, context, self._removed)
+
+    def _removed(self, _context, _rig, entry, eyes):
+        if self.eye not in eyes:
+            raise targets.Refused(tr("{bone} is no eye of {head}").format(bone=self.eye, head=entry.name))
+        return [eye for eye in eyes if eye != self.eye]
+
+
+def change_eyes(operator, context, change):
+    """Give an entry other eyes: those that `change` makes of the present ones."""
+    rig = looking_rig(operator, context)
+    if rig is None:
+        return {'CANCELLED'}
+    try:
+        targets.check_editable(rig)
+        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, operator.bone)]
+        head, before = entry.name, [eye.name for eye in entry.eyes]
+        wanted = change(context, rig, entry, before)
+        added = [eye for eye in wanted if eye not in before]
+        if added:
+            targets.check_bone(rig, head)
+            targets.check_eyes(rig, head, wanted)
+            targets.check_free(rig, head, added)
+    except targets.Refused as refusal:
+        operator.report({'ERROR'}, str(refusal))
+        return {'CANCELLED'}
+    setup.add(rig, head, {}, wanted)
+    return {'FINISHED'}
+
+
+classes = (
+    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_refresh, MOTUS_OT_look_at_eye_add,
+    MOTUS_OT_look_at_eye_remove,
+)

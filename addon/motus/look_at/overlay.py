@@ -1,0 +1,69 @@
+"""What the viewport shows of a look: the gaze of head and eyes, and the line to the target, red where they part."""
+
+from mathutils import Vector
+
+from ..core.lazy import numpy as np
+from ..core.overlay import Batch
+from . import anatomy, panel, reasons
+
+GAZE_COLOR = (0.25, 0.85, 0.45, 0.9)
+OFF_COLOR = (0.95, 0.25, 0.30, 0.9)
+ON_THE_WAY_COLOR = (0.95, 0.75, 0.25, 0.9)  # the head's, where the eyes go the rest of the way
+TARGET_COLOR = (0.75, 0.75, 0.80, 0.6)
+GAZE_WIDTH, TARGET_WIDTH = 2.5, 1.0  # pixels
+EYES_REACH = 0.6  # of the distance to the target: so that the eyes' lines end before the head's
+POINT_SIZE = 6.0
+
+
+def overlay(context, owner):
+    """Batches for a rig whose heads look; none for other objects."""
+    if owner.type != 'ARMATURE' or not owner.motus.look_at.is_active:
+        return []
+    depsgraph = context.evaluated_depsgraph_get()
+    rig = owner.evaluated_get(depsgraph)
+    found = []
+    for entry in rig.motus.look_at.entries:
+        told = panel.outputs_of(context, owner, entry.name)
+        point = _target_of(entry)
+        if told is None or point is None or told["reason"] < reasons.REACHED or entry.name not in rig.pose.bones:
+            continue
+        found += _batches(rig, entry, point)
+    return found
+
+
+def _batches(rig, entry, point):
+    names = [eye.name for eye in entry.eyes if eye.name in rig.pose.bones] if entry.eyes_weight > 0.0 else []
+    forward = anatomy.eyes_forward(rig, names, entry.eyes_forward)
+    eyes = [_gaze(rig, name, forward, point, EYES_REACH) for name in names]
+    head = _gaze(rig, entry.name, anatomy.head_forward(rig, entry.name, entry.head_forward), point, 1.0)
+    if eyes and head.colors == OFF_COLOR and all(eye.colors == GAZE_COLOR for eye in eyes):
+        head = head._replace(colors=ON_THE_WAY_COLOR)
+    return [Batch('LINES', _array(_place(rig, entry.name), point), TARGET_COLOR, TARGET_WIDTH),
+            Batch('POINTS', _array(point), TARGET_COLOR, POINT_SIZE), head, *eyes]
+
+
+def _target_of(entry):
+    """World place of the target of an evaluated entry; None without one."""
+    target, bone = entry.target, entry.target_bone
+    if target is None:
+        return None
+    if not bone:
+        return target.matrix_world.translation
+    return _place(target, bone) if target.pose and bone in target.pose.bones else None
+
+
+def _place(rig, bone):
+    return rig.matrix_world @ rig.pose.bones[bone].head
+
+
+def _gaze(rig, bone, forward, point, reach):
+    """The line along which a bone looks, as long as a share of the way to the target."""
+    pose = rig.matrix_world @ rig.pose.bones[bone].matrix
+    along = (pose.to_3x3() @ forward).normalized()
+    way = point - pose.translation
+    color = OFF_COLOR if along.angle(way, 0.0) >= reasons.SLIGHT else GAZE_COLOR
+    return Batch('LINES', _array(pose.translation, pose.translation + reach * way.length * along), color, GAZE_WIDTH)
+
+
+def _array(*points):
+    return np.array([tuple(Vector(point)) for point in points], np.float32)

@@ -1,0 +1,99 @@
+"""Settings of Look At: Object.motus.look_at, with an entry for each head."""
+
+import math
+
+import bpy
+
+from ..core import system
+from ..core.system import SystemSettings
+
+ANIMATED = {'ANIMATABLE'}
+OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
+EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+
+FORWARDS = (
+    ('AUTO', "Automatic",
+     "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone"),
+    ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
+    ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
+)
+ANY_BODY_LENGTH = -1
+"""body_length that lets the operator find the spine."""
+
+
+def _touch(item, context):
+    # Operators have the same properties, and nothing to evaluate.
+    if isinstance(item, bpy.types.PropertyGroup):
+        system.touch(item.id_data.motus.look_at, context)
+
+
+def _rewire(item, context):
+    if isinstance(item, bpy.types.PropertyGroup):
+        system.rewire(item.id_data.motus.look_at, context)
+
+
+def _weight(name, description, default):
+    return bpy.props.FloatProperty(
+        name=name, description=description, default=default, min=0.0, max=1.0, subtype='FACTOR', update=_touch,
+        options=ANIMATED, override=OVERRIDABLE)
+
+
+def _limit(name, description, degrees):
+    return bpy.props.FloatProperty(
+        name=name, description=description, default=math.radians(degrees), min=0.0, max=math.pi, subtype='ANGLE',
+        update=_touch, options=ANIMATED, override=OVERRIDABLE)
+
+
+def _forward(name, description):
+    return bpy.props.EnumProperty(
+        name=name, description=description, items=FORWARDS, default='AUTO', update=_rewire, options=set(),
+        override=OVERRIDABLE)
+
+
+class LookAtKeywords:
+    """What both the entries and the operator have: the names are the keywords of scripts."""
+
+    weight: _weight("Weight", "How much of the whole look is done; 0 leaves the animation as it is", 1.0)
+    body_weight: _weight("Body", "Share of the turn that the spine takes, spread over its bones", 0.3)
+    head_weight: _weight("Head", "Share of what the body leaves that the head takes", 1.0)
+    eyes_weight: _weight("Eyes", "Share of what the head leaves that the eyes take", 0.0)
+    clamp: _weight(
+        "Clamp", "How much the whole turn is held back: 0 lets it go all around, 0.5 to the side, 1 not at all", 0.5)
+    body_limit: _limit("Body Limit", "Largest turn of all spine bones together", 60.0)
+    head_limit: _limit("Head Limit", "Largest turn of the head against the spine", 80.0)
+    eyes_limit: _limit("Eyes Limit", "Largest turn of the eyes against the head", 35.0)
+    head_forward: _forward("Head Forward", "Axis of the head bone that points where the face looks")
+    eyes_forward: _forward("Eyes Forward", "Axis of the eye bones that points where they look")
+
+
+KEYWORDS = tuple(LookAtKeywords.__annotations__)
+
+
+class MOTUS_PG_look_at_eye(bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(
+        name="Eye", description="Bone of the eye, below the head", update=_rewire, override=OVERRIDABLE)
+
+
+class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(name="Head", description="Bone of the head", update=_rewire, override=OVERRIDABLE)
+    target: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Target", description="What to look at", update=_rewire, override=OVERRIDABLE)
+    target_bone: bpy.props.StringProperty(
+        name="Bone", description="Bone of the target to look at; empty takes its origin", update=_rewire,
+        override=OVERRIDABLE)
+    body_length: bpy.props.IntProperty(
+        name="Spine Bones", description="How many bones below the head turn along, the neck among them", default=0,
+        min=0, max=255, update=_rewire, options=set(), override=OVERRIDABLE)
+    eyes: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_eye, name="Eyes", override=EXTENDABLE)
+    is_muted: bpy.props.BoolProperty(
+        name="Mute", description="Leave this head to its animation", default=False, update=_touch, options=ANIMATED,
+        override=OVERRIDABLE)
+
+
+class MOTUS_PG_look_at(SystemSettings, bpy.types.PropertyGroup):
+    influence: bpy.props.FloatProperty(
+        name="Influence", description="How much all heads of the rig look; 0 leaves it to its animation", default=1.0,
+        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE,
+        update=lambda settings, context: system.touch(settings, context))
+    entries: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_entry, name="Entries", override=EXTENDABLE)
+    active_entry: bpy.props.IntProperty(name="Active Entry", options=set())

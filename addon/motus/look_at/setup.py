@@ -1,0 +1,125 @@
+"""Setting heads up and taking them back: plain functions behind the operators."""
+
+from contextlib import contextmanager
+
+import bpy
+
+from ..core import actions, wiring
+from ..core.system import registered
+
+PREFIX = "motus.look_at."
+DISTANCE = 6.0  # of the head bone's length: where a target is made
+TARGET_SIZE = 0.35  # of the head bone's length
+
+
+def system():
+    """The registered System: the package's __init__ imports this module, not the other way round."""
+    return registered["look_at"]
+
+
+def add(rig, head, changes, eyes):
+    """Let the bone look. changes: settings of its entry by name; eyes: names, None keeps those it has."""
+    with _at_once(rig) as settings:
+        entry = settings.entries.get(head)
+        if entry is None:
+            entry = settings.entries.add()
+            entry.name = head
+        for name, value in changes.items():
+            setattr(entry, name, value)
+        if eyes is not None:
+            entry.eyes.clear()
+            for eye in eyes:
+                entry.eyes.add().name = eye
+        settings.active_entry = settings.entries.find(head)
+
+
+def remove(rig, index):
+    """Take one head back: wiring, keys and drivers of its settings, and with the last one the settings themselves."""
+    with _at_once(rig) as settings:
+        _forget_animation(rig, index)
+        settings.entries.remove(index)
+        settings.active_entry = max(0, min(settings.active_entry, len(settings.entries) - 1))
+        if not settings.entries:
+            _remove_animation(rig, (PREFIX,))
+
+
+@contextmanager
+def _at_once(rig):
+    """Wire once at the end, instead of at every change of a setting within."""
+    settings = rig.motus.look_at
+    was_active, settings.is_active = settings.is_active, False
+    try:
+        yield settings
+    finally:
+        settings.is_active = was_active
+    if not settings.entries:
+        wiring.detach(system(), rig)
+        rig.motus.property_unset("look_at")
+        if not any(getattr(rig.motus, name).is_active or getattr(rig.motus, name).leader for name in registered):
+            rig.property_unset("motus")
+    elif was_active:
+        wiring.refresh(system(), rig)
+    else:
+        wiring.attach(system(), rig)
+
+
+def new_target(context, rig, head, forward):
+    """An empty in front of the head as it stands now, so that nothing turns before the empty is moved."""
+    bone = rig.pose.bones[head]
+    pose = rig.matrix_world @ bone.matrix
+    along = pose.to_3x3() @ forward
+    size = (pose.to_3x3().col[1]).length * bone.bone.length
+    empty = bpy.data.objects.new(f"{rig.name} {head} Target", None)
+    empty.empty_display_type = 'SPHERE'
+    empty.empty_display_size = TARGET_SIZE * size
+    empty.location = pose.translation + DISTANCE * size * along.normalized()
+    collections = rig.users_collection or (context.scene.collection,)
+    collections[0].objects.link(empty)
+    return empty
+
+
+def _forget_animation(rig, index):
+    """Remove keys and drivers of an entry's settings; those of the entries behind it move up with them."""
+    if rig.animation_data is None:
+        return
+    _own_action(rig)
+    entries = rig.motus.look_at.entries
+    _remove_animation(rig, _prefixes(entries, index))
+    for later in range(index + 1, len(entries)):
+        old = f"{PREFIX}entries[{later}]."
+        for curve in _curves(rig):
+            if curve.data_path.startswith(old):
+                curve.data_path = f"{PREFIX}entries[{later - 1}].{curve.data_path[len(old):]}"
+
+
+def _own_action(rig):
+    """Give the rig its action for itself where others use it too: they have heads of their own."""
+    action = rig.animation_data.action
+    if action and action.users > 1 and any(curve.data_path.startswith(PREFIX) for curve in actions.fcurves(rig)):
+        actions.assign_copy(rig, action.name)
+
+
+def _prefixes(entries, index):
+    # Blender's own paths have the index; scripts may key by the name.
+    name = bpy.utils.escape_identifier(entries[index].name)
+    return f"{PREFIX}entries[{index}].", f'{PREFIX}entries["{name}"].'
+
+
+def _curves(rig):
+    return [*actions.fcurves(rig), *rig.animation_data.drivers]
+
+
+def _remove_animation(rig, prefixes):
+    animation = rig.animation_data
+    if animation is None:
+        return
+    for curve in [curve for curve in animation.drivers if curve.data_path.startswith(prefixes)]:
+        animation.drivers.remove(curve)
+    curves = actions.fcurves(rig)
+    ours = [curve for curve in curves if curve.data_path.startswith(prefixes)]
+    for curve in ours:
+        curves.remove(curve)
+    if ours and not curves:
+        animation.action = None
+    if not animation.action and not animation.drivers and not animation.nla_tracks:
+        rig.animation_data_clear()

@@ -1,0 +1,149 @@
+"""Which rig, head and target an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+
+import math
+
+import bpy
+
+from ..core import dependencies
+from ..core.system import registered
+from ..core.translations import tr
+from . import anatomy
+from .properties import ANY_BODY_LENGTH
+
+
+class Refused(Exception):
+    """What was asked cannot be done; the sentence says why."""
+
+
+def rig_for(context, name):
+    """The armature object by name; else the active one."""
+    if not name:
+        if context.object is None or context.object.type != 'ARMATURE':
+            raise Refused(tr("Select the armature whose head shall look"))
+        return context.object
+    found = named(name)
+    if found.type != 'ARMATURE':
+        raise Refused(tr("{object} is not an armature").format(object=name))
+    return found
+
+
+def named(name):
+    """The object of this name."""
+    found = bpy.data.objects.get(name)
+    if found is None:
+        raise Refused(tr("There is no object {object}").format(object=name))
+    return found
+
+
+def head_for(context, rig, name):
+    """Name of the head bone: the given one, else the active one in Pose Mode, else the one that is called head."""
+    if name:
+        check_bone(rig, name)
+        return name
+    active = context.active_pose_bone
+    if active and active.id_data == rig and context.mode == 'POSE':
+        return active.name
+    found = anatomy.head_of(rig)
+    if not found:
+        raise Refused(tr("Choose the bone of the head"))
+    return found
+
+
+def entry_for(context, rig, name):
+    """Index of the entry of this head; without a name that of the active bone, or the active entry."""
+    entries = rig.motus.look_at.entries
+    if not name:
+        active = context.active_pose_bone
+        is_posed = active and active.id_data == rig and context.mode == 'POSE' and active.name in entries
+        if not is_posed:
+            return min(rig.motus.look_at.active_entry, len(entries) - 1)
+        name = active.name
+    index = entries.find(name)
+    if index < 0:
+        raise Refused(tr("{bone} of {object} looks at nothing").format(bone=name, object=rig.name))
+    return index
+
+
+def check_bone(rig, name):
+    """Refuse a bone that the rig has not."""
+    if name not in rig.pose.bones:
+        raise Refused(tr("{object} has no bone {bone}").format(object=rig.name, bone=name))
+
+
+def target_for(context, operator, rig):
+    """The target by name; else another selected object, where the rig was chosen by selection too; else None."""
+    if operator.target:
+        return named(operator.target)
+    if operator.object:
+        return None
+    others = [found for found in context.selected_objects if found != rig]
+    return others[0] if len(others) == 1 else None
+
+
+def check_target(target, bone):
+    """Refuse a bone that the target has not."""
+    if not bone:
+        return
+    if target is None or target.type != 'ARMATURE':
+        raise Refused(tr("Name an armature as the target of a bone"))
+    check_bone(target, bone)
+
+
+def check_eyes(rig, head, eyes):
+    """Refuse names of bones that cannot be the eyes of the head."""
+    if len(set(eyes)) < len(eyes):
+        raise Refused(tr("An eye is named twice"))
+    below = {bone.name for bone in rig.data.bones[head].children_recursive}
+    for eye in eyes:
+        check_bone(rig, eye)
+        if eye not in below:
+            raise Refused(tr("{bone} is not below {head}").format(bone=eye, head=head))
+    for eye in eyes:
+        parents = [bone.name for bone in rig.data.bones[eye].parent_recursive]
+        if set(parents) & set(eyes):
+            raise Refused(tr("{bone} is below another eye").format(bone=eye))
+
+
+def spine_for(rig, head, wanted):
+    """How many bones below the head turn along."""
+    if wanted == ANY_BODY_LENGTH:
+        return anatomy.spine_length(rig, head)
+    present = len(rig.data.bones[head].parent_recursive)
+    if wanted > present:
+        raise Refused(tr("There are only {count} bones below {head}").format(count=present, head=head))
+    return wanted
+
+
+def check_free(rig, head, driven):
+    """Refuse bones that Motus drives already, in another entry or by another system."""
+    for system in registered.values():
+        for entry in system.entries(rig) if system.entries else ():
+            is_own = system.name == "look_at" and entry.name == head
+            shared = set() if is_own else set(driven) & set(entry.drives)
+            if shared:
+                raise Refused(tr("{bone} is driven by {system} of {other} already").format(
+                    bone=min(shared), system=tr(system.label), other=entry.name))
+
+
+def check_loop(rig, head, driven, target, target_bone):
+    """Refuse a target that moves with the bones that turn."""
+    if target and dependencies.depends(target, target_bone, rig, driven):
+        raise Refused(tr("{target} moves with {head}, so {head} cannot look at it").format(
+            target=f"{target.name}: {target_bone}" if target_bone else target.name, head=head))
+
+
+def check_finite(operator, names):
+    """Refuse keywords that were given something that is no number."""
+    for name in names:
+        value = getattr(operator, name)
+        if isinstance(value, float) and not math.isfinite(value):
+            raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
+
+
+def check_editable(rig):
+    """Refuse a rig whose set-up must not be changed."""
+    if rig.library:
+        raise Refused(
+            tr("{object} is linked from another file: make a library override of it first").format(object=rig.name))
+    if rig.motus.look_at.is_baked or rig.motus.bake.is_baked:
+        raise Refused(tr("{object} is baked: unbake it first").format(object=rig.name))

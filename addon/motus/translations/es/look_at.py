@@ -1,0 +1,106 @@
+"""Spanish: look at."""
+
+INTERFACE = {
+    "Look At": "Mirar a",
+    "Automatic": "Automático",
+    "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone":
+        "Hacia donde mira el personaje en reposo: -Y del rig; un ojo que apunta hacia allí mira a lo largo de su hueso",
+    "Weight": "Peso",
+    "How much of the whole look is done; 0 leaves the animation as it is":
+        "Cuánto se hace de toda la mirada; 0 deja la animación como está",
+    "Body": "Cuerpo",
+    "Share of the turn that the spine takes, spread over its bones":
+        "Parte del giro que toma la columna, repartida entre sus huesos",
+    "Head": "Cabeza",
+    "Share of what the body leaves that the head takes": "Parte que toma la cabeza de lo que deja el cuerpo",
+    "Eyes": "Ojos",
+    "Share of what the head leaves that the eyes take": "Parte que toman los ojos de lo que deja la cabeza",
+    "Clamp": "Contención",
+    "How much the whole turn is held back: 0 lets it go all around, 0.5 to the side, 1 not at all":
+        "Cuánto se contiene el giro entero: 0 lo deja dar toda la vuelta, 0,5 hasta el lado, 1 nada",
+    "Body Limit": "Límite del cuerpo",
+    "Largest turn of all spine bones together": "Giro máximo de todos los huesos de la columna juntos",
+    "Head Limit": "Límite de la cabeza",
+    "Largest turn of the head against the spine": "Giro máximo de la cabeza respecto a la columna",
+    "Eyes Limit": "Límite de los ojos",
+    "Largest turn of the eyes against the head": "Giro máximo de los ojos respecto a la cabeza",
+    "Head Forward": "Frente de la cabeza",
+    "Axis of the head bone that points where the face looks":
+        "Eje del hueso de la cabeza que apunta hacia donde mira la cara",
+    "Eyes Forward": "Frente de los ojos",
+    "Axis of the eye bones that points where they look": "Eje de los huesos de los ojos que apunta hacia donde miran",
+    "Eye": "Ojo",
+    "Bone of the eye, below the head": "Hueso del ojo, bajo la cabeza",
+    "Bone of the head": "Hueso de la cabeza",
+    "What to look at": "Lo que se mira",
+    "Bone of the target to look at; empty takes its origin": "Hueso del objetivo que se mira; vacío toma su origen",
+    "Spine Bones": "Huesos de la columna",
+    "How many bones below the head turn along, the neck among them":
+        "Cuántos huesos bajo la cabeza giran con ella, el cuello incluido",
+    "Leave this head to its animation": "Dejar esta cabeza a su animación",
+    "How much all heads of the rig look; 0 leaves it to its animation":
+        "Cuánto miran todas las cabezas del rig; 0 lo deja a su animación",
+    "Entries": "Entradas",
+    "Active Entry": "Entrada activa",
+    "Bones": "Huesos",
+    "Target Left": "A la izquierda",
+    "Target Right": "A la derecha",
+    "Target Up": "Por encima",
+    "Target Down": "Por debajo",
+    "Off By": "Desviada",
+    "Let head, spine and eyes turn to a target": "Hacer que cabeza, columna y ojos se vuelvan hacia un objetivo",
+    "Leave the head to its own animation again; a target that was made stays":
+        "Dejar otra vez la cabeza a su propia animación; un objetivo que se creó se queda",
+    "Wire the rig again, after its bones or what moves the target were changed":
+        "Volver a conectar el rig después de cambiar sus huesos o lo que mueve el objetivo",
+    "Let another bone below the head turn as an eye": "Hacer que otro hueso bajo la cabeza gire como un ojo",
+    "Leave an eye to its own animation again": "Dejar otra vez un ojo a su propia animación",
+    "Name of the head bone; empty takes the active one, or the one that is called head":
+        "Nombre del hueso de la cabeza; vacío toma el activo, o el que se llama head",
+    "Name of the head bone; empty takes the active one": "Nombre del hueso de la cabeza; vacío toma el activo",
+    "Name of the object to look at; empty makes one in front of the head":
+        "Nombre del objeto que se mira; vacío crea uno delante de la cabeza",
+    "Name of the target's bone to look at, where the target is an armature":
+        "Nombre del hueso del objetivo que se mira, cuando el objetivo es una armadura",
+    "How many bones below the head turn along, the neck among them; -1 finds the spine":
+        "Cuántos huesos bajo la cabeza giran con ella, el cuello incluido; -1 busca la columna",
+    "Names of the eye bones with commas between; not given, bones below the head called eye":
+        "Nombres de los huesos de los ojos separados por comas; si no se indican, los huesos bajo la cabeza llamados eye",
+    "Name of the eye bone; empty takes the selected bones below the head":
+        "Nombre del hueso del ojo; vacío toma los huesos seleccionados bajo la cabeza",
+    "Name of the eye bone": "Nombre del hueso del ojo",
+    "{head} of {object} looks at {target}": "{head} de {object} mira a {target}",
+    "{bone} of {object} looks at nothing": "{bone} de {object} no mira a nada",
+    "Nothing here looks at a target": "Aquí nada mira a un objetivo",
+    "Select the armature whose head shall look": "Selecciona la armadura cuya cabeza ha de mirar",
+    "Choose the bone of the head": "Elige el hueso de la cabeza",
+    "Name an armature as the target of a bone": "Indica una armadura como objetivo de un hueso",
+    "An eye is named twice": "Un ojo se nombra dos veces",
+    "{bone} is not below {head}": "{bone} no está bajo {head}",
+    "{bone} is below another eye": "{bone} está bajo otro ojo",
+    "{bone} is no eye of {head}": "{bone} no es un ojo de {head}",
+    "There are only {count} bones below {head}": "Solo hay {count} huesos bajo {head}",
+    "Select the bones of the eyes in Pose Mode": "Selecciona los huesos de los ojos en el modo Pose",
+    "{bone} is driven by {system} of {other} already": "{bone} ya está movido por {system} de {other}",
+    "{bone} is turned by another head already: take fewer spine bones":
+        "Otra cabeza ya gira {bone}: toma menos huesos de la columna",
+    "{target} moves with {head}, so {head} cannot look at it":
+        "{target} se mueve con {head}, así que {head} no puede mirarlo",
+    "Some heads have nothing to look at: the list says why":
+        "Algunas cabezas no tienen nada que mirar: la lista dice por qué",
+    "The target moves with the head that looks at it: choose another one":
+        "El objetivo se mueve con la cabeza que lo mira: elige otro",
+    "Choose a target to look at": "Elige un objetivo que mirar",
+    "The target is in no collection any more: choose another one":
+        "El objetivo ya no está en ninguna colección: elige otro",
+    "The target has no bone of this name": "El objetivo no tiene ningún hueso con este nombre",
+    "The target is {degrees} degrees beyond the limits": "El objetivo está {degrees} grados más allá de los límites",
+    "The weights leave {degrees} degrees to the target": "Los pesos dejan {degrees} grados hasta el objetivo",
+}
+
+OPERATORS = {
+    "Look At": "Mirar a",
+    "Remove Look At": "Quitar mirar a",
+    "Add Eye": "Añadir ojo",
+    "Remove Eye": "Quitar ojo",
+}

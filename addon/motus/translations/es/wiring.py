@@ -1,0 +1,20 @@
+"""Spanish: wiring and demos."""
+
+INTERFACE = {
+    "Hidden object that works for this one": "Objeto oculto que trabaja para este",
+    "More Hubs": "Más núcleos",
+    "Hubs of the groups but the first, by the groups' keys":
+        "Núcleos de los grupos menos el primero, por las claves de los grupos",
+    "Targets": "Objetivos",
+    "Hidden objects that the constraints have as targets":
+        "Objetos ocultos que las restricciones tienen como objetivos",
+    "Wired": "Conectado",
+    "What was wired, to notice where it has changed since":
+        "Lo que se conectó, para notar dónde ha cambiado desde entonces",
+    "Reaching Pilot": "Piloto que alcanza",
+    "A wooden figure whose hand and eyes follow a butterfly, while its feet and other hand stay put":
+        "Una figura de madera cuya mano y cuyos ojos siguen a una mariposa, mientras los pies y la otra mano no se mueven",
+}
+
+OPERATORS = {
+}

@@ -1,0 +1,187 @@
+"""IK against Blender's own: cost of many chains, long chains, and how often each reaches. Run by ./motus bench."""
+
+import math
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+
+import support  # noqa: E402  (found by the line above)
+
+CHAINS = 100
+FRAMES = 60
+LIMITED_TARGETS = 10_000
+PLACES = 200
+
+
+def new_rig(chains, bones, bend=0.05, spacing=3.0, length=1.0):
+    """A rig of separate chains "c<chain>.<bone>" along X, each a little bent (`bend` of a bone's length) upwards."""
+    rig = bpy.data.objects.new("Rig", bpy.data.armatures.new("Rig"))
+    bpy.context.scene.collection.objects.link(rig)
+    bpy.context.view_layer.objects.active = rig
+    bpy.ops.object.mode_set(mode='EDIT')
+    root = rig.data.edit_bones.new("root")
+    root.head, root.tail = (0.0, -1.0, 0.0), (0.0, -0.5, 0.0)
+    for chain in range(chains):
+        parent, place = root, Vector((spacing * chain, 0.0, 0.0))
+        for index in range(bones):
+            bone = rig.data.edit_bones.new(f"c{chain}.{index}")
+            step = Vector((0.0, length / bones, bend * length / bones * math.cos(math.pi * (index + 0.5) / bones)))
+            bone.head, bone.tail = place, place + step
+            bone.parent, bone.use_connect = parent, index > 0
+            parent, place = bone, place + step
+    bpy.ops.object.mode_set(mode='OBJECT')
+    for bone in rig.pose.bones:
+        bone.rotation_mode = 'QUATERNION'
+    return rig
+
+
+def new_targets(chains, spacing=3.0, is_moving=True):
+    """An empty for each chain, moving on its own ellipse within reach."""
+    targets = []
+    for chain in range(chains):
+        target = bpy.data.objects.new(f"t{chain}", None)
+        bpy.context.scene.collection.objects.link(target)
+        target.location = (spacing * chain, 0.6, 0.2)
+        if is_moving:
+            for axis, expression in ((1, f"0.6+0.25*sin(frame*0.11+{chain})"), (2, f"0.2*cos(frame*0.07+{chain})")):
+                target.driver_add("location", axis).driver.expression = expression
+        targets.append(target)
+    return targets
+
+
+def add_blender_ik(rig, targets, bones):
+    for chain, target in enumerate(targets):
+        constraint = rig.pose.bones[f"c{chain}.{bones - 1}"].constraints.new('IK')
+        constraint.target, constraint.chain_count = target, bones
+
+
+def add_motus_ik(rig, targets, bones, **keywords):
+    for chain, target in enumerate(targets):
+        bpy.ops.motus.ik_add(object=rig.name, bone=f"c{chain}.{bones - 1}", target=target.name, chain_length=bones,
+                             **keywords)
+
+
+SYSTEMS = {"none": lambda *_: None, "Blender IK": add_blender_ik, "Motus IK": add_motus_ik}
+
+
+def frame_microseconds(scene):
+    samples = []
+    for frame in range(1, FRAMES + 6):
+        start = time.perf_counter()
+        scene.frame_set(frame)
+        samples.append(time.perf_counter() - start)
+    return statistics.median(samples[5:]) * 1e6
+
+
+def costs(chains, bones):
+    """Frame time, in us, without IK and with each."""
+    found = {}
+    for name, add in SYSTEMS.items():
+        support.empty_scene()
+        rig, targets = new_rig(chains, bones), new_targets(chains)
+        add(rig, targets, bones)
+        found[name] = frame_microseconds(bpy.context.scene)
+    return found
+
+
+def report_costs():
+    print(f"| Frame time above that of the same rig without IK, Blender {bpy.app.version_string}; targets move")
+    print(f"| {'chains':>7} {'bones':>6} {'what':12} {'us a chain':>11} {'of Blender':>11}")
+    for chains, bones in ((CHAINS, 2), (10, 5), (10, 20), (10, 100)):
+        found = costs(chains, bones)
+        reference = found["Blender IK"] - found["none"]
+        for name in ("Blender IK", "Motus IK"):
+            extra = found[name] - found["none"]
+            print(f"| {chains:7} {bones:6} {name:12} {extra / chains:11.2f} {extra / reference:10.3f}x")
+
+
+def tips(rig, chains, bones):
+    """Tips of all chains as evaluated, (chains, 3)."""
+    bpy.context.view_layer.update()
+    evaluated = rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    return np.array([evaluated.pose.bones[f"c{chain}.{bones - 1}"].tail[:] for chain in range(chains)], float)
+
+
+def residuals(add, bones, places, bend, limits=None):
+    """Distance of the tips from `places` (rounds, chains, 3), which lie relative to the roots; (rounds, chains)."""
+    support.empty_scene()
+    chains = places.shape[1]
+    rig, targets = new_rig(chains, bones, bend), new_targets(chains, is_moving=False)
+    if limits is not None:
+        set_limits(rig, bones, limits)
+    if add is add_motus_ik:
+        add(rig, targets, bones, use_limits=limits is not None)
+    else:
+        add(rig, targets, bones)
+    found = np.empty(places.shape[:2])
+    roots = np.array([[3.0 * chain, 0.0, 0.0] for chain in range(chains)])
+    for row, wanted in enumerate(places):
+        for target, place in zip(targets, wanted + roots):
+            target.location = place
+        found[row] = np.linalg.norm(tips(rig, chains, bones) - (wanted + roots), axis=1)
+    return found
+
+
+def set_limits(rig, bones, limits):
+    """limits: (chains, bones, 3) largest angles about X, Y, Z to both sides."""
+    for chain, rows in enumerate(limits):
+        for index, row in enumerate(rows):
+            bone = rig.pose.bones[f"c{chain}.{index}"]
+            for axis, angle in zip("xyz", row):
+                setattr(bone, f"use_ik_limit_{axis}", True)
+                setattr(bone, f"ik_min_{axis}", -angle)
+                setattr(bone, f"ik_max_{axis}", angle)
+
+
+def random_places(generator, rounds, chains, nearest, farthest):
+    """Points in a shell about the root."""
+    directions = generator.normal(size=(rounds, chains, 3))
+    directions /= np.linalg.norm(directions, axis=2, keepdims=True)
+    return directions * generator.uniform(nearest, farthest, size=(rounds, chains, 1))
+
+
+def report_limits():
+    generator = np.random.default_rng(5)
+    chains, bones = 50, 3
+    limits = np.radians(generator.uniform(10.0, 120.0, size=(chains, bones, 3)))
+    places = random_places(generator, LIMITED_TARGETS // chains, chains, 0.1, 1.05)
+    blender = residuals(add_blender_ik, bones, places, 0.05, limits)
+    motus = residuals(add_motus_ik, bones, places, 0.05, limits)
+    within = np.mean(motus <= blender + 1e-4)
+    print(f"|\n| {places.shape[0] * chains} random targets, three bones with random limits; residuals of the chain's length")
+    print(f"| {'what':12} {'median':>10} {'mean':>10} {'largest':>10} {'NaN':>5}")
+    for name, found in (("Blender IK", blender), ("Motus IK", motus)):
+        print(f"| {name:12} {np.median(found):10.2e} {found.mean():10.2e} {found.max():10.2e} {np.isnan(found).sum():5}")
+    print(f"| Motus within Blender's residual + 1e-4: {100.0 * within:.2f} %; "
+          f"better by more than 1e-4: {100.0 * np.mean(motus < blender - 1e-4):.2f} %")
+
+
+def report_reaching():
+    generator = np.random.default_rng(7)
+    print("|\n| Share of targets that are missed by more than 1e-4 of the chain's length, though within reach")
+    print(f"| {'bones':>6} {'case':44} {'Blender IK':>11} {'Motus IK':>11} {'largest, Motus':>15}")
+    for bones in (2, 5, 20, 40):
+        cases = {
+            "straight rest pose, anywhere within reach": (0.0, random_places(generator, PLACES, 10, 0.05, 0.999)),
+            "targets within 2 % of the root": (0.05, random_places(generator, PLACES, 10, 0.001, 0.02)),
+            "targets at 0.999 to 1 of the reach": (0.05, random_places(generator, PLACES, 10, 0.999, 1.0)),
+        }
+        for case, (bend, places) in cases.items():
+            found = [residuals(add, bones, places, bend) for add in (add_blender_ik, add_motus_ik)]
+            missed = [100.0 * np.mean(~(one <= 1e-4)) for one in found]
+            print(f"| {bones:6} {case:44} {missed[0]:9.2f} % {missed[1]:9.2f} % {found[1].max():15.1e}")
+
+
+if __name__ == "__main__":
+    support.enable()
+    report_costs()
+    report_limits()
+    report_reaching()

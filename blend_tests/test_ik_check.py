@@ -1,0 +1,170 @@
+"""Checking chains over a range of frames."""
+
+import bpy
+import support
+from ik_cases import REACHABLE, IkTestCase, turn
+from mathutils import Vector
+
+
+class CheckTestCase(IkTestCase):
+    def setUp(self):
+        super().setUp()
+        self.scene.frame_start, self.scene.frame_end = 1, 100
+        self.rigged = self.arm()
+
+    def moving(self, places, name="Target"):
+        target = self.target(name=name)
+        for frame, place in places:
+            target.location = place
+            target.keyframe_insert("location", frame=frame)
+        for curve in support.addon("core.actions").fcurves(target):
+            for point in curve.keyframe_points:
+                point.interpolation = 'CONSTANT'
+        return target
+
+    def check(self, **keywords):
+        self.assertEqual(bpy.ops.motus.ik_check(object="Rig", **keywords), {'FINISHED'})
+
+    def told(self, entry):
+        status = support.addon("ik.status")
+        return support.addon("ik.check_results").sentence(entry, lambda value: status.length(bpy.context, value))
+
+
+class Frames(CheckTestCase):
+    FAR = ((1, REACHABLE), (12, (2.0, 0.0, 1.0)), (41, REACHABLE), (77, (1.4, 0.0, 1.0)), (78, REACHABLE))
+
+    def test_out_of_reach(self):
+        self.moving(self.FAR)
+        entry = self.reach()
+        self.check()
+        reach = sum(self.rigged.data.bones[name].length for name in ("Bone 0", "Bone 1"))
+        self.assertEqual((entry.check_range, entry.check_frames, entry.check_reason), ("1-100", "12-40, 77", 'FAR'))
+        self.assertAlmostEqual(entry.check_worst, 2.0 - reach, places=5)
+        self.assertIn("Out of reach on frames 12-40, 77, at most 66.56 cm short", self.told(entry))
+
+    def test_all_is_well(self):
+        self.target()
+        entry = self.reach()
+        self.check()
+        self.assertEqual((entry.check_frames, entry.check_worst, entry.check_reason), ("", 0.0, 'NONE'))
+        self.assertEqual(self.told(entry), "Reaches its target on all frames 1-100")
+
+    def test_a_later_check_replaces_the_first(self):
+        target = self.moving(self.FAR)
+        entry = self.reach()
+        self.check()
+        target.animation_data_clear()
+        target.location = REACHABLE
+        self.check(frame_start=5, frame_end=50)
+        self.assertEqual((entry.check_range, entry.check_frames, entry.check_worst), ("5-50", "", 0.0))
+
+    def test_range_and_step(self):
+        self.moving(self.FAR)
+        entry = self.reach()
+        self.check(frame_start=30, frame_end=60, step=2.0)
+        self.assertEqual((entry.check_range, entry.check_frames), ("30-60", "30-40"))
+        self.scene.frame_set(15)
+        self.check(use_range=False)
+        self.assertEqual((entry.check_range, entry.check_frames), ("15", "15"))
+
+    def test_too_near(self):
+        self.rigged.pose.bones["Bone 1"].scale = (1.0, 1.0, 1.0)
+        rig = self.arm(((0.0, 3.0, 1.0), (1.0, 3.0, 1.1), (1.2, 3.0, 1.0)), "Rig")
+        self.target((0.1, 3.0, 1.0), "Near")
+        entry = self.reach("Bone 1", rig.name, "Near")
+        bpy.ops.motus.ik_check(object=rig.name, frame_start=1, frame_end=3)
+        self.assertEqual((entry.check_reason, entry.check_frames), ('NEAR', "1-3"))
+        self.assertIn("Too near on frames 1-3", self.told(entry))
+
+    def test_limits(self):
+        for name in ("Bone 0", "Bone 1"):
+            bone = self.rigged.pose.bones[name]
+            for axis in "xyz":
+                setattr(bone, f"use_ik_limit_{axis}", True)
+                setattr(bone, f"ik_min_{axis}", -0.05)
+                setattr(bone, f"ik_max_{axis}", 0.05)
+        self.target((0.0, 0.9, 1.2))
+        entry = self.reach(use_limits=True)
+        self.check(frame_start=1, frame_end=2)
+        self.assertEqual(entry.check_reason, 'LIMIT')
+        self.assertGreater(entry.check_worst, 0.1)
+
+    def test_softness_is_no_fault(self):
+        self.target(Vector((1.3, 0.0, 1.0)))
+        entry = self.reach(softness=0.3)
+        self.assertIn("Softness", self.sentence(self.rigged))
+        self.check(frame_start=1, frame_end=2)
+        self.assertEqual(entry.check_frames, "")
+
+    def test_weight_0_and_muted_do_not_count(self):
+        self.target((3.0, 0.0, 1.0))
+        entry = self.reach()
+        entry.position_weight = 0.0
+        entry.keyframe_insert("position_weight", frame=10)
+        entry.position_weight = 1.0
+        entry.keyframe_insert("position_weight", frame=11)
+        self.check(frame_end=20)
+        self.assertEqual(entry.check_frames, "11-20")
+        entry.is_muted = True
+        self.check(frame_end=20)
+        self.assertEqual(entry.check_frames, "")
+
+    def test_all_chains_or_one(self):
+        self.arm(((0.0, 2.0, 1.0), (0.7, 2.1, 1.0), (1.3, 2.0, 1.0)), "Other")
+        bpy.data.objects["Other"].name = "Two"
+        rig = self.rigged
+        self.target((3.0, 0.0, 1.0), "Far")
+        first = self.reach("Bone 1", target="Far")
+        second = self.reach("Hand", target="Far", chain_length=1)
+        self.check(bone="Hand", frame_end=2)
+        first, second = rig.motus.ik.entries["Bone 1"], rig.motus.ik.entries["Hand"]
+        self.assertEqual((first.check_frames, second.check_frames), ("", "1-2"))
+        self.assertEqual(first.check_range, "")
+        self.check(frame_end=2)
+        self.assertEqual((first.check_frames, second.check_frames), ("1-2", "1-2"))
+
+
+class Everything(CheckTestCase):
+    def test_is_as_it_was(self):
+        target = self.moving(Frames.FAR)
+        self.reach()
+        bone = self.rigged.pose.bones["Bone 0"]
+        bone.keyframe_insert("rotation_quaternion", frame=1)
+        self.scene.frame_set(7, subframe=0.25)
+        turn(bone, (1.0, 0.0, 0.0), 0.7)
+        target.location = (0.1, 0.2, 0.3)
+        before = tuple(bone.rotation_quaternion), tuple(target.location)
+        self.check()
+        self.assertEqual((tuple(bone.rotation_quaternion), tuple(target.location)), before)
+        self.assertEqual((self.scene.frame_current, self.scene.frame_subframe), (7, 0.25))
+
+    def test_cancelled(self):
+        self.moving(Frames.FAR)
+        entry = self.reach()
+        self.scene.frame_set(5)
+        cls = support.addon("ik.check").MOTUS_OT_ik_check
+        walker = type("Walker", (), {
+            "object": "Rig", "bone": "", "step": 1.0, "steps": cls.steps, "_walk": cls._walk})()
+        steps = walker.steps(bpy.context, list(range(1, 101)))
+        for _ in range(30):
+            next(steps)
+        steps.close()
+        self.assertEqual((self.scene.frame_current, entry.check_range), (5, ""))
+
+    def test_refusals(self):
+        self.assertRefused("Nothing here", bpy.ops.motus.ik_check, object="Rig")
+        self.reach()
+        self.assertRefused("range is empty", bpy.ops.motus.ik_check, object="Rig", frame_start=3, frame_end=1)
+        self.assertRefused("has no inverse", bpy.ops.motus.ik_check, object="Rig", bone="Hand")
+        bpy.ops.motus.bake(object="Rig", frame_start=1, frame_end=2)
+        self.assertRefused("is baked", bpy.ops.motus.ik_check, object="Rig")
+
+
+class Text(support.SceneTestCase):
+    def test_ranges(self):
+        ranges = support.addon("ik.check_results").ranges
+        self.assertEqual(ranges([], 1.0), "")
+        self.assertEqual(ranges([5], 1.0), "5")
+        self.assertEqual(ranges([1, 2, 3, 7, 9, 10], 1.0), "1-3, 7, 9-10")
+        self.assertEqual(ranges([1.0, 1.5, 2.0, 3.0], 0.5), "1-2, 3")
+        self.assertEqual(ranges([-3, -2, 4], 1), "-3--2, 4")

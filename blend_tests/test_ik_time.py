@@ -1,0 +1,141 @@
+"""Inverse kinematics over time and in copies: every frame alone equals playback, copies keep to themselves."""
+
+import bpy
+from ik_cases import ARM, REACHABLE, IkTestCase, add_bone, add_chain, tentacle, turn
+from mathutils import Vector
+
+FRAMES = (30, 4, 17.5, 42, 1, 29)
+
+class Time(IkTestCase):
+    def animated(self):
+        rig = self.arm(tentacle(4, 0.5))
+        target = self.target()
+        for frame, place in ((1, (0.6, 0.3, 1.4)), (20, (-0.5, 0.4, 0.9)), (45, (0.2, -0.6, 1.2))):
+            target.location = place
+            target.keyframe_insert("location", frame=frame)
+        for index in range(4):
+            bone = rig.pose.bones[f"Bone {index}"]
+            for frame in (1, 25, 45):
+                turn(bone, (0.3 * index, 1.0, 0.2 * frame / 45.0), 0.02 * frame)
+                bone.keyframe_insert("rotation_quaternion", frame=frame)
+        self.reach("Bone 3", chain_length=4)
+        return rig, target
+
+    def test_any_frame_equals_playback(self):
+        rig, target = self.animated()
+        played = {}
+        for frame in range(1, 46):
+            played[frame] = self.poses(rig, frame)
+        for frame in (30, 4, 17, 42, 1, 29):
+            self.assertEqual(self.poses(rig, frame).tolist(), played[frame].tolist())
+        for frame in FRAMES:
+            self.poses(rig, frame)
+            self.assertNear(self.tail(rig, "Bone 3"), self.evaluated(target).matrix_world.translation, 1e-5)
+
+    def test_posed_by_hand(self):
+        """A bone without a parent that is turned in Pose Mode: the solver sees it at once."""
+        def build(bones):
+            add_chain(bones, "Bone", ARM)
+        rig = self.rig(build)
+        self.reach(position_weight=0.5)
+        for angle in (0.2, 0.9):
+            turn(rig.pose.bones["Bone 0"], (0.0, 1.0, 0.0), angle)
+            found = self.poses(rig)
+            bpy.ops.motus.ik_refresh(object="Rig")
+            self.assertSamePose(rig, found, 1e-6)
+
+    def test_driven_bones(self):
+        rig = self.arm()
+        mover = self.target((0.0, 0.0, 0.0), "Mover")
+        rig.pose.bones["Bone 0"].rotation_mode = 'XYZ'
+        driver = rig.pose.bones["Bone 0"].driver_add("rotation_euler", 1).driver
+        variable = driver.variables.new()
+        variable.targets[0].id, variable.targets[0].data_path = mover, "location[0]"
+        driver.expression = variable.name
+        self.reach(position_weight=0.5)
+        for angle in (0.3, 1.1):
+            mover.location.x = angle
+            found = self.poses(rig)
+            self.scene.frame_set(self.scene.frame_current + 1)
+            self.assertSamePose(rig, found, 0.0)
+
+    def test_sub_frames(self):
+        rig, target = self.animated()
+        for frame in (17.25, 17.5, 17.75):
+            self.poses(rig, frame)
+            self.assertNear(self.tail(rig, "Bone 3"), self.evaluated(target).matrix_world.translation, 1e-5)
+
+
+class Copies(IkTestCase):
+    def test_copy_reaches_by_itself(self):
+        rig = self.arm()
+        self.reach()
+        copy = rig.copy()
+        copy.location.x = 0.2
+        self.scene.collection.objects.link(copy)
+        self.assertNear(self.tail(copy), REACHABLE)
+        copy.motus.ik.entries["Bone 1"].position_weight = 0.0
+        self.assertNear(self.tail(rig), REACHABLE)
+        self.assertNear(self.tail(copy), Vector(ARM[2]) + Vector((0.2, 0.0, 0.0)))
+        bpy.ops.motus.ik_remove(object=copy.name)
+        self.assertNear(self.tail(rig), REACHABLE)
+
+    def test_copy_of_a_rig_with_control_bones(self):
+        def build(bones):
+            add_chain(bones, "Bone", ARM)
+            add_bone(bones, "Control", REACHABLE, (0.6, 0.3, 1.6))
+        rig = self.rig(build)
+        self.reach(target="Rig", target_bone="Control")
+        copy = rig.copy()
+        self.scene.collection.objects.link(copy)
+        copy.pose.bones["Control"].location = (0.1, -0.2, 0.05)
+        self.assertNear(self.tail(copy), self.head(copy, "Control"))
+        self.assertNear(self.tail(rig), self.head(rig, "Control"))
+
+    def test_saved_and_opened_again(self):
+        rig = self.arm()
+        self.reach(stretch=0.5, make_pole=True)
+        before = self.poses(rig)
+        path = str(self.folder / "rig.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        bpy.ops.wm.open_mainfile(filepath=path)
+        self.scene = bpy.context.scene
+        rig = bpy.data.objects["Rig"]
+        self.assertSamePose(rig, before, 0.0)
+        bpy.data.objects["Target"].location = (0.4, 0.3, 1.3)
+        self.assertNear(self.tail(rig), (0.4, 0.3, 1.3))
+
+    def test_edited_armature(self):
+        """A bone that is longer, renamed, or given another parent."""
+        rig = self.arm()
+        self.reach()
+        bpy.context.view_layer.objects.active = rig
+        bpy.ops.object.mode_set(mode='EDIT')
+        rig.data.edit_bones["Bone 0"].tail.x += 0.1
+        rig.data.edit_bones["Shoulder"].name = "Clavicle"
+        rig.data.edit_bones["Bone 1"].name = "Forearm"
+        bpy.ops.object.mode_set(mode='OBJECT')
+        self.assertNear(self.tail(rig, "Forearm"), REACHABLE)
+        self.assertEqual(rig.motus.ik.entries.keys(), ["Forearm"])
+        bpy.ops.object.mode_set(mode='EDIT')
+        rig.data.edit_bones["Bone 0"].parent = None
+        bpy.ops.object.mode_set(mode='OBJECT')
+        rig.pose.bones["Clavicle"].location = (0.5, 0.5, 0.5)
+        self.assertNear(self.tail(rig, "Forearm"), REACHABLE)
+
+
+class Bake(IkTestCase):
+    def test_baked_equals_live(self):
+        rig = self.arm()
+        target = self.target()
+        for frame, place in ((1, (0.6, 0.3, 1.4)), (10, (-0.3, 0.4, 0.9)), (20, (1.2, 0.9, 2.0))):
+            target.location = place
+            target.keyframe_insert("location", frame=frame)
+        self.reach("Hand", use_tail=False, rotation_weight=1.0)
+        live = {frame: self.poses(rig, frame) for frame in range(1, 21)}
+        bpy.ops.motus.bake(object="Rig", frame_start=1, frame_end=20)
+        for frame in (20, 3, 11):
+            self.assertSamePose(rig, live[frame], 1e-5, frame)
+        bpy.ops.motus.unbake(object="Rig")
+        for frame in (20, 3, 11):
+            self.assertSamePose(rig, live[frame], 0.0, frame)

@@ -1,0 +1,105 @@
+// Inverse kinematics of one rig: what a chain costs.
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <limits>
+#include <vector>
+
+#include "motus/rig_ik.hpp"
+#include "stopwatch.hpp"
+
+using namespace motus;
+
+namespace {
+
+constexpr int chain_count = 100;
+
+/// Arms side by side: a shoulder, `length` bones and a hand each, a little bent.
+struct Crowd {
+    std::vector<int> parents, inheritance;
+    std::vector<float> rest, poses, basis, lengths;
+    std::vector<IkChain> chains;
+    std::vector<IkSettings> settings;
+    std::vector<glm::dmat4> targets;
+    std::vector<glm::dvec3> poles;
+    std::vector<JointLimits> limits;
+
+    explicit Crowd(int length) {
+        for (int arm = 0; arm < chain_count; ++arm) {
+            IkChain chain;
+            for (int i = 0; i < length + 2; ++i) {
+                const int bone = static_cast<int>(parents.size());
+                const glm::dvec3 place(arm, i, 0.0);
+                add(i > 0 ? bone - 1 : -1, glm::translate(glm::dmat4(1.0), place));
+                if (i > 0 && i <= length) chain.bones.push_back(bone);
+                chain.effector = bone;
+            }
+            chains.push_back(chain);
+            settings.emplace_back();
+            const double angle = 0.1 * arm;
+            const glm::dvec3 root(arm, 1.0, 0.0);
+            targets.push_back(glm::translate(
+                glm::dmat4(1.0), root + 0.6 * length * glm::dvec3(std::cos(angle), 0.5, std::sin(angle))));
+            poles.push_back(root + glm::dvec3(0.0, 1.0, 3.0 * length));
+        }
+    }
+    [[nodiscard]] IkInput input() const {
+        return {{parents, rest, poses, basis, lengths, inheritance},
+                glm::dmat4(1.0),
+                settings,
+                targets,
+                poles,
+                limits};
+    }
+
+  private:
+    void add(int parent, const glm::dmat4& place) {
+        parents.push_back(parent);
+        inheritance.push_back(inherits_rotation | has_local_location);
+        lengths.push_back(1.0f);
+        const glm::dmat4 own = glm::mat4_cast(glm::angleAxis(0.2, glm::dvec3(1.0, 0.0, 0.0)));
+        for (int i = 0; i < 16; ++i) {
+            rest.push_back(static_cast<float>(place[i / 4][i % 4]));
+            poses.push_back(static_cast<float>((place * own)[i / 4][i % 4]));
+            basis.push_back(static_cast<float>(own[i / 4][i % 4]));
+        }
+    }
+};
+
+void run(const char* name, int length, const IkSettings& settings, bool has_pole, bool has_limits = false) {
+    Crowd crowd(length);
+    crowd.settings.assign(chain_count, settings);
+    if (!has_pole) crowd.poles.assign(chain_count, glm::dvec3(std::numeric_limits<double>::quiet_NaN()));
+    if (has_limits) crowd.limits.assign(static_cast<std::size_t>(chain_count * length), JointLimits{});
+    const IkPlan plan(crowd.parents, crowd.chains, {});
+    std::vector<glm::dquat> rotations(plan.rows().size());
+    std::vector<glm::dvec3> scales(plan.rows().size());
+    std::vector<IkReport> report(chain_count);
+    const IkInput input = crowd.input();
+    const auto solve = [&] { solve_rig_ik(plan, input, {rotations, scales, report}); };
+    const double time = bench::nanoseconds(solve, 50);
+    bench::keep(rotations);
+    std::printf("%-44s %8.2f us a chain\n", name, 1e-3 * time / chain_count);
+}
+
+}  // namespace
+
+int main() {
+    IkSettings plain;
+    IkSettings turned = plain;
+    turned.rotation_weight = 1.0;
+    IkSettings soft = turned;
+    soft.softness = 0.2;
+    soft.stretch = 1.0;
+    IkSettings limited = plain;
+    limited.use_limits = 1.0;
+    run("two bones", 2, plain, false);
+    run("two bones, pole", 2, plain, true);
+    run("two bones, pole, orientation", 2, turned, true);
+    run("two bones, pole, orientation, soft, stretch", 2, soft, true);
+    run("ten bones", 10, plain, false);
+    run("two bones, limits", 2, limited, false, true);
+    return 0;
+}

@@ -1,0 +1,70 @@
+#include "bend_plane.hpp"
+
+#include "motus/two_bone.hpp"
+#include "smooth.hpp"
+
+namespace motus {
+namespace {
+
+/// `normal` without its part along a unit vector, at unit length. Across it already but for rounding.
+glm::dvec3 straightened(const glm::dvec3& normal, const glm::dvec3& along) {
+    return glm::normalize(normal - glm::dot(normal, along) * along);
+}
+
+/// A frame (start, normal) turned by the smallest rotation that takes start to `along`: of all normals that
+/// depend on one direction alone this jumps least, at -start. No bone points there by chance of its axes.
+glm::dvec3 fixed_normal(const glm::dvec3& along) {
+    constexpr glm::dvec3 start(-0.48, 0.6, -0.64);
+    constexpr glm::dvec3 normal(0.8, 0.0, -0.6);
+    const double opposed = 1.0 + glm::dot(start, along);
+    if (opposed < 1e-10) return straightened(normal, along);
+    return straightened(normal - (start + along) * (glm::dot(normal, along) / opposed), along);
+}
+
+}  // namespace
+
+glm::dvec3 unit_vector(glm::dvec3 v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest >= 1e-100 && largest <= 1e100) return glm::normalize(v);
+    if (!(largest > 0.0)) return v;
+    const int exponent = std::ilogb(largest);
+    return glm::normalize(
+        glm::dvec3(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)));
+}
+
+glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
+                          double weight) {
+    constexpr double detour = 2.0;
+    const double rest = 1.0 - weight;
+    const double opposition = 0.5 * (1.0 - glm::dot(from, to));
+    const glm::dvec3 sum =
+        rest * from + weight * to + (detour * weight * rest * opposition) * glm::cross(along, from);
+    const double square = glm::dot(sum, sum);
+    return square > 1e-20 ? sum * (1.0 / std::sqrt(square)) : from;
+}
+
+glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane) {
+    const glm::dvec3 wanted = unit_vector(plane);
+    const glm::dvec3 across = wanted - glm::dot(wanted, along) * along;
+    const double sine = glm::length(across);
+    if (sine >= pole_band) return across * (1.0 / sine);
+    const glm::dvec3 fixed = fixed_normal(along);
+    if (sine < 1e-12) return fixed;  // what is left is rounding
+    return blended_normal(fixed, straightened(across * (1.0 / sine), along), along,
+                          smooth_step(sine / pole_band));
+}
+
+glm::dvec3 faded_normal(BendSide side) {
+    const bool has_plane = side.plane != glm::dvec3(0.0);
+    const double sign = side.bend;
+    const glm::dvec3 without = normal_across(side.along, side.plane) * (has_plane ? 1.0 : sign);
+    const glm::dvec3 across = glm::cross(side.along, side.pole);
+    const double distance = std::max(glm::length(side.pole), side.near);
+    const double sine = distance > 0.0 ? glm::length(across) / distance : 0.0;
+    const double weight = smooth_step(sine / side.band);
+    const glm::dvec3 of_pole = unit_vector(across);
+    if (weight == 0.0 || of_pole == glm::dvec3(0.0)) return without;
+    return blended_normal(without, sign * straightened(of_pole, side.along), side.along, weight);
+}
+
+}  // namespace motus

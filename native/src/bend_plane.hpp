@@ -1,0 +1,52 @@
+// The plane that a chain bends in. Private to the library.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+namespace motus {
+
+// Vectors that only rare branches look at go by value: one whose address is taken lives in memory on the
+// frequent branch too, which costs more than all the arithmetic there.
+
+/// v at unit length whatever its size, zero for zero.
+[[nodiscard]] glm::dvec3 unit_vector(glm::dvec3 v);
+
+/// A unit normal across the unit vector `along`: `plane`'s, or where that is zero or along it, one that
+/// depends on `along` alone and jumps at one odd direction only.
+[[nodiscard]] glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane);
+
+/// From the unit normal `from` (weight 0) to the unit normal `to` (1), about `along`. All unit, both normals
+/// across `along`; so is the result. `to` alike `from`: that. A pole that goes once round the line takes
+/// its normal once round too, so that no way of fading it out is free of a jump; this one jumps at one single
+/// direction and weight, and opposite normals, which mirrored poles lead to, are not that.
+[[nodiscard]] glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
+                                        double weight);
+
+/// What the elbow's side depends on.
+struct BendSide {
+    glm::dvec3 along;  ///< unit, root to target
+    glm::dvec3 pole;   ///< from the root
+    glm::dvec3 plane;  ///< as in TwoBone
+    double near;       ///< a pole nearer to the root counts as this far away
+    double band;       ///< sine of the pole's angle to the line from which on it decides alone
+    int bend;
+};
+
+/// bend_normal where the pole is near the line and fades out.
+[[nodiscard]] glm::dvec3 faded_normal(BendSide side);
+
+/// The unit normal n for which n x along points to the elbow's side; see TwoBone::plane. The pole within
+/// 1e100.
+[[nodiscard]] inline glm::dvec3 bend_normal(const BendSide& side) {
+    constexpr double vanished = 1e-290;  // squared: below it digits are lost
+    const glm::dvec3 across = glm::cross(side.along, side.pole);
+    const double square = glm::dot(across, across);
+    const double far_square = std::max(glm::dot(side.pole, side.pole), side.near * side.near);
+    if (square > vanished && square >= side.band * side.band * far_square)
+        return across * (static_cast<double>(side.bend) / std::sqrt(square));
+    return faded_normal(side);
+}
+
+}  // namespace motus

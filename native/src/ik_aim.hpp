@@ -1,0 +1,79 @@
+// Turns a chain's bones so that its tip comes to a target. Pose space.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ik_pose.hpp"
+#include "motus/reason.hpp"
+
+namespace motus {
+
+/// Which way a chain points and bends. Unit vectors across each other; normal x along is the side of the
+/// bend.
+struct Chord {
+    glm::dvec3 along{0.0, 1.0, 0.0};
+    glm::dvec3 normal{1.0, 0.0, 0.0};
+};
+
+/// That of the first `count` bones in their pose: the plane that they lie in, or, the straighter they are
+/// (sine of the bend below that of 8 degrees, wholly at 1 degree), the first bone's hinge, X turned by
+/// hinge_angle about Y.
+[[nodiscard]] Chord chord_of(const IkPose& pose, std::size_t count, double hinge_angle);
+
+struct AimGoal {
+    std::size_t count = 0;   ///< bones to turn, from the root
+    glm::dvec3 target{0.0};  ///< of the joint after them
+    double softness = 0.0;   ///< fraction of their length
+    double hinge_angle = 0.0;
+    std::optional<glm::dvec3> pole;
+    int bend = 1;
+    double pole_angle = 0.0;  ///< turns the bend about the line from root to target
+    double tolerance = 1e-6;  ///< fraction of the length
+    int max_iterations = 100;
+    std::span<const JointLimits> limits;    ///< one per bone, or empty
+    std::optional<glm::dquat> orientation;  ///< frame() wanted of the last bone; read only with limits
+};
+
+struct AimReport {
+    Reason reason = Reason::reached;  ///< of the joints' positions
+    int iterations = 0;
+    double distance = 0.0;  ///< root to target
+    double reach = 0.0;     ///< of the straight chain, in the pose reached
+    double end = 0.0;       ///< how far from the root softness lets the tip go for that target
+};
+
+/// The work, with memory for chains of up to `longest` bones.
+class IkAim {
+  public:
+    explicit IkAim(std::size_t longest);
+
+    /// Turns the bones from the pose in which they stand; no bone is stretched before or after.
+    AimReport turn(IkPose& pose, const AimGoal& goal);
+
+  private:
+    /// The line from root to target and the plane to bend in, and the turn that takes the pose's there.
+    struct Line {
+        Chord chord;
+        glm::dquat turn{1.0, 0.0, 0.0, 0.0};
+    };
+    [[nodiscard]] static Line line_to_target(const IkPose& pose, const AimGoal& goal, double length);
+    void measure(const IkPose& pose, std::size_t count, AimReport& report, const AimGoal& goal);
+    void find_joints(const IkPose& pose, const AimGoal& goal, const Line& line, AimReport& report);
+    void find_rotations(const IkPose& pose, const AimGoal& goal, const Line& line, AimReport& report);
+    void turn_bones(IkPose& pose, std::size_t count, const Line& line);
+    void keep(const IkPose& pose, std::size_t count);
+
+    std::vector<double> lengths_;
+    std::vector<glm::dvec3> joints_;  // where they are to be
+    std::vector<glm::dquat> best_;
+    // of chains with limits
+    std::vector<glm::dquat> rest_;
+    std::vector<glm::dvec3> offsets_;
+    std::vector<glm::dquat> rotations_;
+};
+
+}  // namespace motus

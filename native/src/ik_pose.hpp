@@ -1,0 +1,103 @@
+// A chain of bones in its pose: where its joints are when its bones are turned.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bone_space.hpp"
+#include "motus/rig.hpp"
+#include "motus/rig_ik.hpp"
+
+namespace motus {
+
+/// A bone's own transform, taken apart as Blender does it: location * rotation * scale; where it is mirrored,
+/// all three scales are negative.
+struct OwnTransform {
+    glm::dvec3 location{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0};
+};
+[[nodiscard]] OwnTransform own_transform(const RigView& rig, std::size_t bone);
+
+/// A chain's bone as it is animated.
+struct IkBone {
+    BoneOffset offset;
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+    glm::dvec3 scale{1.0};
+    glm::dvec3 next{0.0};  ///< the next joint, or the tip, seen from the bone in its pose
+};
+
+/// A bone in a pose.
+struct PosedBone {
+    LinearSpace space;                        ///< what it stands in
+    glm::dmat3 axes{1.0};                     ///< its pose's
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};  ///< its own
+    double stretch = 1.0;                     ///< scale along its Y on top of its own
+};
+
+/// All bones and joints of one chain. Made once for the longest chain of a plan and filled for each.
+class IkPose {
+  public:
+    explicit IkPose(std::size_t longest);
+
+    /// Reads the FK pose and puts the bones into it. False where a number is not finite.
+    [[nodiscard]] bool read(const RigView& rig, const IkPlan::Chain& chain);
+
+    [[nodiscard]] std::size_t size() const noexcept { return count_; }
+    [[nodiscard]] const IkBone& bone(std::size_t i) const { return bones_[i]; }
+    [[nodiscard]] const PosedBone& posed(std::size_t i) const { return posed_[i]; }
+    [[nodiscard]] std::span<const glm::dvec3> joints() const { return {joints_.data(), count_ + 1}; }
+    [[nodiscard]] const glm::dvec3& root() const { return joints_[0]; }
+    [[nodiscard]] const glm::dvec3& tip() const { return joints_[count_]; }
+
+    /// The joint after bone i seen from its root, in the bone's space before its own rotation; from the space
+    /// that it stands in now.
+    [[nodiscard]] glm::dvec3 reach_of(std::size_t i, double stretch) const;
+    /// Takes the space of bone i from the pose of the one before it.
+    void enter(std::size_t i);
+    /// Puts bone i, which has been entered, into its pose and the next joint into its place.
+    void place(std::size_t i, const glm::dquat& rotation, double stretch);
+    /// Both.
+    void put(std::size_t i, const glm::dquat& rotation, double stretch) {
+        enter(i);
+        place(i, rotation, stretch);
+    }
+
+    /// Orientation (see frame_of) of bone i in its pose.
+    [[nodiscard]] glm::dquat frame(std::size_t i) const;
+    /// Own rotation that gives bone i, which has been entered, an orientation.
+    [[nodiscard]] glm::dquat rotation_for(std::size_t i, const glm::dquat& frame) const;
+
+  private:
+    std::size_t count_ = 0;
+    glm::dmat3 parent_axes_{1.0};
+    std::vector<IkBone> bones_;
+    std::vector<PosedBone> posed_;
+    std::vector<glm::dvec3> joints_;
+};
+
+/// A bone that hangs on a chain, as it is animated.
+struct HangingBone {
+    BoneOffset offset;
+    OwnTransform own;
+};
+[[nodiscard]] HangingBone read_hanging(const RigView& rig, std::size_t bone);
+
+/// frame_of() of a bone with that rotation in that space; the scale's signs count.
+[[nodiscard]] glm::dquat frame_in(const LinearSpace& space, const glm::dquat& rotation,
+                                  const glm::dvec3& scale);
+
+/// The rotation that gives it a frame.
+[[nodiscard]] glm::dquat rotation_in(const LinearSpace& space, const glm::dquat& frame,
+                                     const glm::dvec3& scale);
+
+/// The rotation that a space itself is: the nearest along Y and Z, of its opposite where it is mirrored.
+/// Turning it by that rotation and turning a bone in it by the turn seen from there come to the same where
+/// the space is not sheared.
+[[nodiscard]] glm::dquat rotation_of_space(const glm::dmat3& axes);
+
+}  // namespace motus

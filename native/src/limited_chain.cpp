@@ -1,0 +1,265 @@
+#include "motus/limited_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <stdexcept>
+
+#include "bend_plane.hpp"
+#include "limited_descent.hpp"
+#include "swing_twist.hpp"
+#include "turns.hpp"
+
+namespace motus {
+namespace {
+
+// Starts in a row that end no better, after which no more are tried: on the target, and on the way there for
+// chains of up to 5 bones, that get caught more easily, and for longer ones.
+constexpr int patience_on_target = 4;
+constexpr int patience_of_short = 12;
+constexpr int patience_of_long = 8;
+
+/// Whatever its size.
+double length_of(const glm::dvec3& v) {
+    return std::hypot(v.x, v.y, v.z);
+}
+
+/// A chain's length, and where its tip can come at all.
+struct Reach {
+    double length = 0.0;
+    double inner = 0.0;
+
+    [[nodiscard]] double unit() const { return length > 0.0 ? length : 1.0; }
+};
+
+Reach reach_of(const LimitedChain& chain) {
+    Reach reach;
+    double longest = 0.0;
+    for (const glm::dvec3& offset : chain.offsets) {
+        const double length = length_of(offset);
+        reach.length += length;
+        longest = std::max(longest, length);
+    }
+    reach.inner = std::max(0.0, 2.0 * longest - reach.length);
+    return reach;
+}
+
+/// A number in [0, 1) that is a function of its index: the golden ratio's multiples in one dimension each.
+double spread(std::size_t start, std::size_t dimension) {
+    std::uint64_t bits = (start + 1) * 0x9E3779B97F4A7C15ull + (dimension + 1) * 0xD1B54A32D192ED03ull;
+    bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9ull;
+    bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EBull;
+    bits ^= bits >> 31;
+    return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+/// A place between two limits; half a turn and less where there are none.
+double between(double low, double high, double share) {
+    constexpr double widest = 2.0;
+    return std::lerp(std::max(low, std::min(high, 0.0) - widest), std::min(high, std::max(low, 0.0) + widest),
+                     share);
+}
+
+SwingTwist clamped(const SwingTwist& angles, const JointLimits& limits) {
+    return {clamp_swing(angles.swing, limits), clamp_twist(angles.twist, limits)};
+}
+
+/// Tries starts and keeps the best end. In units of the chain's length, seen from its root.
+class Search {
+  public:
+    Search(const LimitedChain& chain, const Reach& reach, const glm::dvec3& target,
+           const ChainSettings& settings, const std::optional<glm::dquat>& orientation)
+        : chain_(chain),
+          pose_(chain, reach.unit()),
+          settings_(settings),
+          patience_(chain.offsets.size() <= 5 ? patience_of_short : patience_of_long) {
+        // So far away only the direction counts; squares stay in range.
+        constexpr double far = 1e6;
+        const glm::dvec3 away = 0.5 * target / reach.unit() - 0.5 * chain.root / reach.unit();
+        const double distance = 2.0 * length_of(away);
+        goal_.target = distance <= far ? 2.0 * away : far * unit_vector(away);
+        goal_.orientation = orientation;
+        goal_.tolerance = 0.999999 * settings.tolerance;  // room for what the joints' places round to
+        const double inner = reach.inner / reach.unit();
+        bound_ = std::max({0.0, std::min(distance, far) - 1.0, inner - distance});
+        settings_.pole.reset();
+        if (settings.pole) settings_.pole = (*settings.pole - chain.root) / reach.unit();
+    }
+
+    /// Leaves the best rotations in `rotations`. Returns the iterations used.
+    int run(std::span<glm::dquat> rotations);
+    /// Whether the best is a minimum, as far as steps can tell.
+    [[nodiscard]] bool is_at_rest() const { return is_best_at_rest_; }
+
+  private:
+    void start_from(std::span<const glm::dquat> rotations);
+    void start_from_unlimited(std::span<const glm::dquat> rotations);
+    void start_from_spread(std::size_t start);
+    void descend_to_goal();
+    [[nodiscard]] bool is_enough() const;
+
+    const LimitedChain& chain_;
+    LimitedPose pose_;
+    ChainSettings settings_;
+    Goal goal_;
+    double bound_ = 0.0;  // no chain of these lengths comes nearer to the target
+    Angles best_;
+    double best_residual_ = std::numeric_limits<double>::infinity();
+    double best_angle_ = std::numeric_limits<double>::infinity();
+    bool is_best_at_rest_ = false;
+    int patience_;
+    int same_ = 0;  // starts that ended no better than the best did
+    int iterations_ = 0;
+};
+
+void Search::start_from(std::span<const glm::dquat> rotations) {
+    for (std::size_t i = 0; i < pose_.count(); ++i) {
+        const glm::dquat allowed = clamp_rotation(rotations[i], pose_.limits(i));
+        pose_.set_bone(i, clamped(swing_twist_of(allowed), pose_.limits(i)));
+    }
+}
+
+/// The chain without limits solves it; each bone is then turned towards its next joint as far as it may.
+void Search::start_from_unlimited(std::span<const glm::dquat> rotations) {
+    PerJoint joints;
+    joints[0] = glm::dvec3(0.0);
+    glm::dquat frame = chain_.base;
+    for (std::size_t i = 0; i < pose_.count(); ++i) {
+        frame = frame * chain_.rest[i] * rotations[i];
+        joints[i + 1] = joints[i] + frame * pose_.offset(i);
+    }
+    solve_chain({joints.data(), pose_.count() + 1}, goal_.target, settings_);
+    frame = chain_.base;
+    for (std::size_t i = 0; i < pose_.count(); ++i) {
+        const glm::dquat socket = frame * chain_.rest[i];
+        const glm::dvec3 wanted = unit_vector(joints[i + 1] - pose_.joint(i));
+        const glm::dvec3 given = unit_vector(socket * (rotations[i] * pose_.offset(i)));
+        glm::dquat rotation = rotations[i];
+        if (wanted != glm::dvec3(0.0) && given != glm::dvec3(0.0))
+            rotation = glm::conjugate(socket) *
+                       smallest_turn(given, wanted, normal_across(given, glm::dvec3(0.0))) * socket *
+                       rotation;
+        rotation = clamp_rotation(glm::normalize(rotation), pose_.limits(i));
+        pose_.set_bone(i, clamped(swing_twist_of(rotation), pose_.limits(i)));
+        frame = pose_.frame(i);
+    }
+}
+
+/// Start 0 is the middle of all limits, the others lie anywhere within them.
+void Search::start_from_spread(std::size_t start) {
+    for (std::size_t i = 0; i < pose_.count(); ++i) {
+        const JointLimits& limits = pose_.limits(i);
+        const auto share = [&](std::size_t axis) { return start == 0 ? 0.5 : spread(start, 3 * i + axis); };
+        const SwingTwist angles{
+            {between(limits.min.x, limits.max.x, share(0)), between(limits.min.z, limits.max.z, share(2))},
+            between(limits.min.y, limits.max.y, share(1))};
+        pose_.set_bone(i, clamped(angles, limits));
+    }
+}
+
+void Search::descend_to_goal() {
+    bool is_at_rest = false;
+    if (std::isfinite(best_residual_) && !goal_.orientation) goal_.rival = best_residual_;
+    if (goal_.orientation) {
+        // Both at first, the orientation for less and less, in the end the position alone.
+        for (const double share : {0.3, 0.03}) {
+            goal_.orientation_weight = share;
+            iterations_ += descend(pose_, goal_, settings_.max_iterations, is_at_rest);
+        }
+        goal_.orientation_weight = 0.0;
+    }
+    iterations_ += descend(pose_, goal_, settings_.max_iterations, is_at_rest);
+
+    const double residual = length_of(pose_.tip() - goal_.target);
+    const double angle = goal_.orientation ? glm::length(orientation_error(pose_, *goal_.orientation)) : 0.0;
+    const double gain = best_residual_ - std::max(residual, goal_.tolerance);
+    const bool is_nearer = gain > 1e-6;
+    const bool is_turned_better = gain > -1e-6 && angle < best_angle_ - 1e-6;
+    ++same_;
+    if (is_nearer || is_turned_better) {
+        if (gain > 1e-5 || is_turned_better) same_ = 0;
+        std::copy_n(pose_.angles().begin(), pose_.count(), best_.begin());
+        best_residual_ = residual;
+        best_angle_ = angle;
+        is_best_at_rest_ = is_at_rest;
+    }
+}
+
+bool Search::is_enough() const {
+    const bool is_near = best_residual_ <= bound_ + goal_.tolerance;
+    return (is_near && best_angle_ <= 1e-5) || same_ >= (is_near ? patience_on_target : patience_);
+}
+
+int Search::run(std::span<glm::dquat> rotations) {
+    const std::size_t starts = std::clamp<std::size_t>(240 / pose_.count(), 4, 24);
+    for (std::size_t start = 0; start < starts + 2 && !is_enough(); ++start) {
+        if (start == 0 && !settings_.pole) {
+            start_from(rotations);
+        } else if (start <= 1) {
+            start_from_unlimited(rotations);
+        } else {
+            start_from_spread(start - 2);
+        }
+        descend_to_goal();
+    }
+    for (std::size_t i = 0; i < pose_.count(); ++i) rotations[i] = rotation_of(best_[i]);
+    return iterations_;
+}
+
+}  // namespace
+
+void chain_joints(const LimitedChain& chain, std::span<const glm::dquat> rotations,
+                  std::span<glm::dvec3> joints) {
+    glm::dquat frame = chain.base;
+    joints[0] = chain.root;
+    for (std::size_t i = 0; i < chain.offsets.size(); ++i) {
+        frame = frame * chain.rest[i] * rotations[i];
+        joints[i + 1] = joints[i] + frame * chain.offsets[i];
+    }
+}
+
+void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frames) {
+    glm::dvec3 along(0.0, 1.0, 0.0);
+    glm::dquat frame(1.0, 0.0, 0.0, 0.0);
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const glm::dvec3 next = unit_vector(0.5 * joints[i + 1] - 0.5 * joints[i]);
+        if (next != glm::dvec3(0.0)) {
+            frame = glm::normalize(smallest_turn(along, next, frame * glm::dvec3(1.0, 0.0, 0.0)) * frame);
+            along = next;
+        }
+        frames[i] = frame;
+    }
+}
+
+ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& target,
+                                const ChainSettings& settings, std::span<glm::dquat> rotations,
+                                const std::optional<glm::dquat>& orientation) {
+    const std::size_t count = chain.offsets.size();
+    if (count < 1 || count > largest_chain) throw std::invalid_argument("a chain has 1 to 255 bones");
+    if (chain.rest.size() != count || chain.limits.size() != count || rotations.size() != count)
+        throw std::invalid_argument("all spans of a chain must have one size");
+    const Reach reach = reach_of(chain);
+    Search search(chain, reach, target, settings, orientation);
+    ChainReport report;
+    report.iterations = search.run(rotations);
+
+    PerJoint joints;
+    chain_joints(chain, rotations, {joints.data(), count + 1});
+    report.residual = length_of(joints[count] - target);
+    const double rounding = 1e-15 * (length_of(chain.root) + length_of(target));
+    if (report.residual > settings.tolerance * reach.length + rounding) {
+        const double distance = length_of(target - chain.root);
+        if (distance >= reach.length) {
+            report.reason = Reason::too_far;
+        } else if (distance <= reach.inner) {
+            report.reason = Reason::too_near;
+        } else {
+            report.reason = search.is_at_rest() ? Reason::limit : Reason::iterations;
+        }
+    }
+    return report;
+}
+
+}  // namespace motus

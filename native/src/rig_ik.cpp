@@ -1,0 +1,147 @@
+#include "motus/rig_ik.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "ik_solution.hpp"
+#include "ik_world.hpp"
+#include "turns.hpp"
+
+namespace motus {
+namespace {
+
+constexpr double not_finite = -1.0;  // IkReport::reason
+
+bool has_valid_limits(std::span<const JointLimits> limits) {
+    return std::all_of(limits.begin(), limits.end(), [](const JointLimits& limit) {
+        return limit.min.x <= limit.max.x && limit.min.y <= limit.max.y && limit.min.z <= limit.max.z;
+    });
+}
+
+/// The chain's task in pose space; nothing where a number is not finite.
+std::optional<IkTask> read_task(const IkInput& input, const RigWorld& world, std::size_t index,
+                                const IkPlan::Chain& chain) {
+    const glm::dmat4& target = input.targets[index];
+    const IkSettings& settings = input.settings[index];
+    if (!world.is_valid || !are_finite(&target[0][0], 16) ||
+        !are_finite(&settings.position_weight, setting_count))
+        return {};
+    IkTask task;
+    task.settings = within_domains(settings);
+    task.target = world.to_pose(glm::dvec3(target[3]));
+    if (settings.rotation_weight > 0.0) task.orientation = frame_of(world.inverse * glm::dmat3(target));
+    const glm::dvec3& pole = input.poles[index];
+    if (!std::isnan(pole.x) && !std::isnan(pole.y) && !std::isnan(pole.z)) {
+        if (!are_finite(&pole.x, 3)) return {};
+        task.pole = world.to_pose(pole);
+    }
+    if (settings.use_limits != 0.0 && !input.limits.empty()) {
+        task.limits = input.limits.subspan(chain.first_row, chain.bones.size());
+        if (!has_valid_limits(task.limits)) return {};
+    }
+    return task;
+}
+
+/// Rows that do nothing; those in pose space stand as at rest in a rig at the origin.
+void write_neutral(const IkPlan::Chain& chain, const IkOutput& output) {
+    const auto clear = [&output](std::size_t row) {
+        output.rotations[row] = no_turn;
+        output.scales[row] = glm::dvec3(1.0);
+    };
+    for (std::size_t i = 0; i < chain.bones.size(); ++i) clear(chain.first_row + i);
+    if (chain.has_free_effector) clear(chain.effector.row);
+    for (const IkPlan::Hanging& guard : chain.guards) clear(guard.row);
+}
+
+bool is_chain_finite(const IkPlan::Chain& chain, const IkOutput& output, const IkReport& report) {
+    const auto is_row_finite = [&output](std::size_t row) {
+        return are_finite(&output.rotations[row].x, 4) && are_finite(&output.scales[row].x, 3);
+    };
+    bool all = are_finite(&report.residual, sizeof(IkReport) / sizeof(double)) &&
+               (!chain.has_free_effector || is_row_finite(chain.effector.row));
+    for (std::size_t i = 0; i < chain.bones.size(); ++i) all = all && is_row_finite(chain.first_row + i);
+    for (const IkPlan::Hanging& guard : chain.guards) all = all && is_row_finite(guard.row);
+    return all;
+}
+
+bool is_hanging_finite(const RigView& rig, const IkPlan::Chain& chain) {
+    return std::all_of(chain.guards.begin(), chain.guards.end(), [&rig](const IkPlan::Hanging& guard) {
+        const glm::dmat4 rest = matrix_at(rig.rest, guard.bone);
+        const glm::dmat4 basis = matrix_at(rig.basis, guard.bone);
+        return are_finite(&rest[0][0], 16) && are_finite(&basis[0][0], 16);
+    });
+}
+
+void report_solution(IkReport& report, const AimReport& aim, const IkPose& pose, const IkTask& task,
+                     const RigWorld& world) {
+    const glm::dvec3 miss = task.target - pose.tip();
+    Reason reason = aim.reason;
+    if (glm::length(miss) <= task.settings.tolerance * aim.reach)
+        reason = Reason::reached;
+    else if (reason == Reason::reached)
+        reason = aim.distance > aim.end ? Reason::too_far : Reason::iterations;
+    const glm::dvec3 to_target = task.target - pose.root();
+    const glm::dvec3 along = direction_or(to_target, direction_or(pose.tip() - pose.root(), {0.0, 1.0, 0.0}));
+    report.residual = world.length(miss);
+    report.reason = static_cast<double>(reason);
+    report.iterations = aim.iterations;
+    report.distance = world.length(to_target);
+    report.reach = aim.reach * world.length(along);
+    report.tip = world.to_world(pose.tip());
+}
+
+void solve_one(const IkPlan& plan, const IkInput& input, std::size_t index, const RigWorld& world,
+               IkSolution& solution, const IkOutput& output) {
+    const IkPlan::Chain chain = plan.chain(index);
+    IkReport& report = output.report[index];
+    report = IkReport{};
+    report.reason = not_finite;
+    if (!is_hanging_finite(input.rig, chain) || !solution.read(input.rig, chain)) {
+        write_neutral(chain, output);
+        return;
+    }
+    std::optional<IkTask> task = read_task(input, world, index, chain);
+    const bool is_on = task && task->settings.is_on != 0.0;
+    if (is_on) {
+        const AimReport aim = solution.solve(chain, *task);
+        report_solution(report, aim, solution.pose(), *task, world);
+    } else {
+        if (task) report.reason = static_cast<double>(Reason::reached);
+        task = IkTask{};
+        solution.stay();
+    }
+    if (!is_on) task->settings.position_weight = 0.0;
+    report.angle = solution.write(input.rig, chain, *task, output);
+    if (!is_chain_finite(chain, output, report)) {  // numbers so large that their products are not
+        write_neutral(chain, output);
+        report = IkReport{};
+        report.reason = not_finite;
+    }
+}
+
+void check_sizes(const IkPlan& plan, const IkInput& input, const IkOutput& output) {
+    check_ik_rig(plan, input.rig);
+    const std::size_t chains = plan.chain_count();
+    if (input.settings.size() != chains || input.targets.size() != chains || input.poles.size() != chains ||
+        output.report.size() != chains)
+        throw std::invalid_argument("settings, targets, poles, report: one entry per chain is needed");
+    if (!input.limits.empty() && input.limits.size() != plan.chain_bone_count())
+        throw std::invalid_argument("limits: one entry per chain bone is needed");
+    if (output.rotations.size() != plan.rows().size() || output.scales.size() != plan.rows().size())
+        throw std::invalid_argument("rotations, scales: one entry per row is needed");
+}
+
+}  // namespace
+
+void solve_rig_ik(const IkPlan& plan, const IkInput& input, const IkOutput& output) {
+    check_sizes(plan, input, output);
+    const RigWorld world(input.world);
+    IkSolution solution(plan.longest_chain());
+    for (std::size_t i = 0; i < plan.chain_count(); ++i) solve_one(plan, input, i, world, solution, output);
+}
+
+}  // namespace motus

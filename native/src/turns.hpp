@@ -1,0 +1,52 @@
+// Rotations that take one thing to another.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+
+namespace motus {
+
+inline constexpr glm::dquat no_turn{1.0, 0.0, 0.0, 0.0};
+
+/// v at unit length; `otherwise` where it has none.
+[[nodiscard]] inline glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
+    const double square = glm::dot(v, v);
+    constexpr double vanished = 1e-280;
+    return square > vanished ? v * (1.0 / std::sqrt(square)) : otherwise;
+}
+
+/// The smallest rotation that takes the unit vector `from` to the unit vector `to`; half a turn about `axis`
+/// (unit, made perpendicular) where they are opposite.
+[[nodiscard]] glm::dquat half_turn_to(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& axis);
+[[nodiscard]] inline glm::dquat smallest_turn(const glm::dvec3& from, const glm::dvec3& to,
+                                              const glm::dvec3& axis) {
+    const double w = 1.0 + glm::dot(from, to);
+    constexpr double opposite = 1e-13;
+    if (w < opposite) return half_turn_to(from, to, axis);
+    const glm::dvec3 v = glm::cross(from, to);
+    const double scale = 1.0 / std::sqrt(w * w + glm::dot(v, v));
+    return {scale * w, scale * v.x, scale * v.y, scale * v.z};
+}
+
+/// The share `weight` of a unit quaternion's turn, by the shorter way; 0 and 1 exactly.
+[[nodiscard]] glm::dquat share_of_turn(const glm::dquat& turn, double weight);
+
+/// From a to b by the share `weight`, unit quaternions, the shorter way.
+[[nodiscard]] inline glm::dquat between(const glm::dquat& a, const glm::dquat& b, double weight) {
+    return a * share_of_turn(glm::conjugate(a) * b, weight);
+}
+
+/// Angle of a unit quaternion's turn, rad, 0 to pi.
+[[nodiscard]] inline double angle_of_turn(const glm::dquat& turn) {
+    return 2.0 * std::atan2(std::sqrt(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z), std::abs(turn.w));
+}
+
+/// The frame of axes that may be scaled, sheared and mirrored: Y along the second, Z on the third one's side
+/// of it, X to make it right-handed. For any linear map M, frame_of(M * axes) is the frame that the map makes
+/// of axes's own: what is put on the axes by a goal in one space is on it in every other.
+[[nodiscard]] glm::dquat frame_of(const glm::dmat3& axes);
+
+}  // namespace motus

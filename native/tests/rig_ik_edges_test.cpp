@@ -1,0 +1,204 @@
+// Numbers that are not finite, chains without length, plans that make no sense.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/matrix.hpp>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "motus/rig_ik.hpp"
+#include "sample_rigs.hpp"
+#include "turns.hpp"
+
+using namespace motus;
+using namespace motus::test;
+using std::numbers::pi;
+
+namespace {
+
+/// Three limbs of one rig.
+Solve three_chains() {
+    RandomRig random(77);
+    Solve solve;
+    for (int i = 0; i < 3; ++i) {
+        const Limb limb =
+            add_limb(solve.rig, random, 2 + i, 1.0, transform(random.vector(), random.rotation()));
+        solve.add_chain({limb.bones, i == 1 ? limb.hand : limb.bones.back()}, 0.5 * random.vector(), exact());
+        solve.settings.back().rotation_weight = 0.5;
+        solve.settings.back().stretch = 0.5;
+        if (i != 1) solve.guards.push_back({limb.hand, i});
+    }
+    solve.limits.assign(9, JointLimits{});
+    return solve;
+}
+
+bool is_finite(const Solve& solve) {
+    double sum = 0.0;
+    for (const glm::dquat& q : solve.rotations) sum += 0.0 * (q.w + q.x + q.y + q.z);
+    for (const glm::dvec3& v : solve.scales) sum += 0.0 * (v.x + v.y + v.z);
+    for (const IkReport& r : solve.report)
+        sum += 0.0 * (r.residual + r.angle + r.reason + r.iterations + r.distance + r.reach + r.tip.x +
+                      r.tip.y + r.tip.z);
+    return sum == 0.0;
+}
+
+}  // namespace
+
+TEST_CASE("a chain with a number that is not finite is neutral and disturbs no other", "[rig_ik]") {
+    Solve sound = three_chains();
+    sound.run();
+    const auto bone = static_cast<std::size_t>(sound.chains[1].bones[1]);
+    const auto infinite = std::numeric_limits<float>::infinity();
+    for (int damage = 0; damage < 10; ++damage) {
+        Solve solve = three_chains();
+        if (damage == 0) solve.targets[1][3].y = not_a_number;
+        if (damage == 1) solve.settings[1].stretch = not_a_number;
+        if (damage == 2) solve.poles[1] = glm::dvec3(0.0, std::numeric_limits<double>::infinity(), 0.0);
+        if (damage == 3) solve.rig.basis[16 * bone + 5] = std::nanf("");
+        if (damage == 4) solve.rig.rest[16 * bone] = infinite;
+        if (damage == 5)
+            solve.rig.poses[16 * (static_cast<std::size_t>(solve.chains[1].bones[0]) - 1)] = infinite;
+        if (damage == 6)
+            solve.rig.basis[16 * static_cast<std::size_t>(solve.chains[1].effector) + 12] = infinite;
+        if (damage == 7) {
+            solve.settings[1].use_limits = 1.0;
+            solve.limits[2].min.x = not_a_number;
+        }
+        if (damage == 8) solve.targets[1][3].x = 1e300;
+        if (damage == 9) solve.settings[1].is_on = 0.0;
+        solve.run();
+        INFO("damage " << damage);
+        CHECK(is_finite(solve));
+        CHECK(solve.report[1].reason == (damage == 9 ? 0.0 : -1.0));
+        const std::size_t first = 2;
+        for (std::size_t row = 0; row < solve.rows.size(); ++row) {
+            const bool is_of_chain =
+                (row >= first && row < first + 3) || solve.rows[row] == solve.chains[1].effector;
+            if (is_of_chain) {
+                CHECK(solve.rotations[row] == no_turn);
+                CHECK(solve.scales[row] == glm::dvec3(1.0));
+            } else {
+                CHECK(solve.rotations[row] == sound.rotations[row]);
+                CHECK(solve.scales[row] == sound.scales[row]);
+            }
+        }
+        CHECK(solve.report[0].residual == sound.report[0].residual);
+        CHECK(solve.report[2].residual == sound.report[2].residual);
+    }
+}
+
+TEST_CASE("a chain's results do not depend on the others", "[rig_ik]") {
+    Solve all = three_chains();
+    all.run();
+    for (std::size_t chain = 0; chain < 3; ++chain) {
+        Solve one = three_chains();
+        one.chains = {all.chains[chain]};
+        one.guards.clear();
+        if (chain != 1) one.guards.push_back({all.guards[chain == 0 ? 0 : 1].bone, 0});
+        one.settings = {all.settings[chain]};
+        one.targets = {all.targets[chain]};
+        one.poles = {all.poles[chain]};
+        one.limits.clear();
+        one.run();
+        for (std::size_t row = 0; row < one.rows.size(); ++row) {
+            CHECK(one.rotations[row] == all.rotations[all.row_of(one.rows[row])]);
+            CHECK(one.scales[row] == all.scales[all.row_of(one.rows[row])]);
+        }
+    }
+}
+
+TEST_CASE("guards of a chain that is off stand in the FK pose", "[rig_ik]") {
+    Solve solve = three_chains();
+    solve.settings[0].is_on = 0.0;
+    solve.run();
+    const int guard = solve.guards[0].bone;
+    const glm::dmat3 expected(
+        solve.posed(guard, solve.chain_poses(0, true).back(), no_turn, glm::dvec3(1.0)));
+    CHECK(difference(glm::dmat3(hanging_pose(solve, guard, solve.chain_poses(0).back())), expected) < 1e-6);
+}
+
+TEST_CASE("degenerate chains stay finite", "[rig_ik]") {
+    for (const int count : {1, 2, 3, 5}) {
+        for (int degenerate = 0; degenerate < 6; ++degenerate) {
+            for (const double use_limits : {0.0, 1.0}) {
+                Solve solve;
+                std::vector<int> bones;
+                for (int i = 0; i < count; ++i) {
+                    const double length = degenerate == 0 || (degenerate == 1 && i == 0) ? 0.0 : 1.0;
+                    const glm::dvec3 scale = degenerate == 2   ? glm::dvec3(0.0)
+                                             : degenerate == 3 ? glm::dvec3(1, 0, 1)
+                                                               : glm::dvec3(1.0);
+                    const double fold = degenerate == 4 && i > 0 ? pi : 0.0;
+                    const glm::dquat own = glm::angleAxis(fold, glm::dvec3(1, 0, 0));
+                    bones.push_back(solve.rig.add(i - 1, glm::dmat4(1.0), length,
+                                                  transform(glm::dvec3(0.0), own, scale)));
+                }
+                solve.add_chain({bones, bones.back()}, glm::dvec3(0.0));
+                solve.limits.assign(static_cast<std::size_t>(count), JointLimits{});
+                solve.settings[0].use_limits = use_limits;
+                solve.settings[0].stretch = 1.0;
+                solve.settings[0].rotation_weight = 0.7;
+                for (const glm::dvec3& target : {glm::dvec3(0.0), glm::dvec3(0, -1, 0), glm::dvec3(0, 100, 0),
+                                                 glm::dvec3(1e-30, 0, 0)}) {
+                    for (const glm::dvec3& pole : {glm::dvec3(not_a_number), glm::dvec3(0.0), target}) {
+                        solve.targets[0][3] = glm::dvec4(target, 1.0);
+                        solve.poles[0] = pole;
+                        solve.run();
+                        INFO(count << " bones, case " << degenerate << ", limits " << use_limits);
+                        CHECK(is_finite(solve));
+                        CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-9));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("a plan says which of its bones make no chain", "[rig_ik]") {
+    const std::vector<int> parents{-1, 0, 1, 1, 3};
+    const auto refused = [&](std::vector<IkChain> chains, const std::vector<IkGuard>& guards,
+                             const char* argument) {
+        try {
+            const IkPlan plan(parents, std::move(chains), guards);
+        } catch (const std::invalid_argument& problem) {
+            return std::string(problem.what()).rfind(argument, 0) == 0;
+        }
+        return false;
+    };
+    CHECK(refused({{{}, 0}}, {}, "chains"));
+    CHECK(refused({{{0, 2}, 2}}, {}, "chains"));
+    CHECK(refused({{{5}, 5}}, {}, "chains"));
+    CHECK(refused({{{0, 1}, 4}}, {}, "effectors"));
+    CHECK(refused({{{0, 1}, -1}}, {}, "effectors"));
+    CHECK(refused({{{0, 1}, 1}}, {{1, 0}}, "guards"));
+    CHECK(refused({{{0, 1}, 1}}, {{4, 0}}, "guards"));
+    CHECK(refused({{{0, 1}, 1}}, {{2, 1}}, "guards"));
+    CHECK_THROWS_AS(IkPlan({-1, 7}, {}, {}), std::invalid_argument);
+
+    const IkPlan plan(parents, {{{0, 1}, 2}, {{3, 4}, 4}}, {{3, 0}, {2, 0}});
+    const std::vector<int> rows(plan.rows().begin(), plan.rows().end());
+    CHECK(rows == std::vector<int>{0, 1, 3, 4, 2, 3});
+    const std::vector<int> absolute(plan.is_absolute().begin(), plan.is_absolute().end());
+    CHECK(absolute == std::vector<int>{0, 0, 0, 0, 1, 1});
+    CHECK_THROWS_AS(solve_rig_ik(plan, {}, {}), std::invalid_argument);
+}
+
+TEST_CASE("own transforms are taken apart as Blender does", "[rig_ik]") {
+    RandomRig random(1);
+    for (int i = 0; i < 50; ++i) {
+        Rig rig;
+        const glm::dvec3 scale = i % 2 == 0 ? random.scale() : -random.scale();
+        const glm::dmat4 own = transform(random.vector(), random.rotation(), scale);
+        rig.add(-1, glm::dmat4(1.0), 1.0, own);
+        const OwnTransform parts = own_transform(rig.view(), 0);
+        CHECK(difference(glm::dmat3(transform(parts.location, parts.rotation, parts.scale)),
+                         glm::dmat3(own)) < 1e-6);
+        CHECK(glm::distance(parts.scale, scale) < 1e-6);
+    }
+}

@@ -1,0 +1,103 @@
+// Random chains of two bones, and what to ask of their solutions.
+#pragma once
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+#include <random>
+
+#include "motus/two_bone.hpp"
+
+namespace motus::checks {
+
+class Random {
+  public:
+    explicit Random(unsigned seed) : engine_(seed) {}
+
+    [[nodiscard]] double between(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(engine_);
+    }
+
+    [[nodiscard]] glm::dvec3 direction() {
+        return glm::normalize(glm::dvec3(normal_(engine_), normal_(engine_), normal_(engine_)));
+    }
+
+    /// Lengths from 0.1 to 2, near the origin, the target within reach.
+    [[nodiscard]] TwoBone reachable() {
+        TwoBone chain;
+        chain.length1 = between(0.1, 2.0);
+        chain.length2 = between(0.1, 2.0);
+        const double shortest = std::abs(chain.length1 - chain.length2);
+        const double longest = chain.length1 + chain.length2;
+        chain.root = between(0.0, 1.0) * direction();
+        const double span = longest - shortest;
+        chain.target = chain.root + between(shortest + 1e-9 * span, longest - 1e-9 * span) * direction();
+        chain.pole = between(0.0, 5.0) * direction();
+        chain.bend = between(0.0, 1.0) < 0.5 ? 1 : -1;
+        return chain;
+    }
+
+    /// Numbers of every size that a double can have, zeros and repeated ones included.
+    [[nodiscard]] TwoBone wild() {
+        TwoBone chain;
+        chain.root = wild_point(glm::dvec3(0.0));
+        chain.target = wild_point(chain.root);
+        chain.pole = wild_point(between(0.0, 1.0) < 0.5 ? chain.root : chain.target);
+        chain.plane = wild_point(glm::dvec3(0.0));
+        chain.length1 = std::abs(wild_number());
+        chain.length2 = between(0.0, 1.0) < 0.3 ? chain.length1 : std::abs(wild_number());
+        chain.softness = between(0.0, 1.0) < 0.5 ? 0.0 : std::abs(wild_number());
+        chain.stretch = std::clamp(between(-1.0, 2.0), 0.0, 1.0);
+        chain.bend = between(0.0, 1.0) < 0.5 ? 1 : -1;
+        return chain;
+    }
+
+  private:
+    [[nodiscard]] double wild_number() {
+        const double kind = between(0.0, 1.0);
+        if (kind < 0.1) return 0.0;
+        if (kind < 0.2) return between(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
+        if (kind < 0.5) return between(-2.0, 2.0);
+        if (kind < 0.6) return std::bit_cast<double>(std::uint64_t{1} + (bits_(engine_) & 0xFFFFFU));
+        if (kind < 0.65) return 1.7976931348623157e308;
+        double value = std::nan("");
+        while (!std::isfinite(value)) value = std::bit_cast<double>(bits_(engine_));
+        return value;
+    }
+
+    [[nodiscard]] glm::dvec3 wild_point(const glm::dvec3& other) {
+        const double kind = between(0.0, 1.0);
+        if (kind < 0.2) return other;
+        const glm::dvec3 point(wild_number(), wild_number(), wild_number());
+        if (kind < 0.4) return {point.x, other.y, other.z};
+        return point;
+    }
+
+    std::mt19937_64 engine_;
+    std::normal_distribution<double> normal_;
+    std::uniform_int_distribution<std::uint64_t> bits_;
+};
+
+/// How far the bones' lengths, once stretched, are from those between the joints.
+[[nodiscard]] inline double length_error(const TwoBone& chain, const TwoBoneSolution& at) {
+    return std::max(std::abs(glm::distance(chain.root, at.elbow) - chain.length1 * at.scale),
+                    std::abs(glm::distance(at.elbow, at.tip) - chain.length2 * at.scale));
+}
+
+/// v without its part along a unit vector.
+[[nodiscard]] inline glm::dvec3 across(const glm::dvec3& v, const glm::dvec3& line) {
+    return v - glm::dot(v, line) * line;
+}
+
+[[nodiscard]] inline bool is_finite(const glm::dvec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+[[nodiscard]] inline bool same_bits(const TwoBoneSolution& a, const TwoBoneSolution& b) {
+    return a.elbow == b.elbow && a.tip == b.tip && a.normal == b.normal && a.scale == b.scale &&
+           a.residual == b.residual && a.reason == b.reason;
+}
+
+}  // namespace motus::checks
