@@ -3,12 +3,12 @@
 A row is a bone, in the order of the rig's pose.
 """
 
-import threading
 import zlib
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
 from .lazy import numpy as np
+from .per_thread import kept
 from .wiring.scratch import scratch
 
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
@@ -16,7 +16,6 @@ _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE":
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 LARGEST_CACHE = 64
 
-_plans = threading.local()
 # Objects, by name, that were seen in a collection. Names, not references: undo invalidates those.
 _seen = set()
 # How many objects a scene had when they were last counted: only for the faster of two ways to the same answer.
@@ -104,16 +103,14 @@ def plan(rig, names, key, make):
     key: a string that says all that the plan is made of, the rig's fingerprint included. Kept by each thread for
     itself: a plan is not shared between threads.
     """
-    kept = getattr(_plans, "kept", None)
-    if kept is None:
-        kept = _plans.kept = OrderedDict()
-    found = kept.get((key, names))
+    plans = kept("plans", OrderedDict)
+    found = plans.get((key, names))
     if found is None:
-        found = kept[key, names] = make(rig, {name: row for row, name in enumerate(names)})
-        if len(kept) > LARGEST_CACHE:
-            kept.popitem(last=False)
+        found = plans[key, names] = make(rig, {name: row for row, name in enumerate(names)})
+        if len(plans) > LARGEST_CACHE:
+            plans.popitem(last=False)
     else:
-        kept.move_to_end((key, names))
+        plans.move_to_end((key, names))
     return found
 
 
