@@ -31,15 +31,59 @@ class ExamplesTest(support.SceneTestCase):
         self.assertFalse(scope["glider"].constraints)
         self.assertEqual(tuple(scope["glider"].location), (0.0, 0.0, 0.0))
 
-    def test_the_native_example_runs(self):
-        native_example, = [code for code in examples(DOCS / "path.md") if "import motus_native" in code]
-        module = support.addon("core.native").module
-        sys.modules["motus_native"] = module
-        self.addCleanup(sys.modules.pop, "motus_native")
-        scope = {}
-        exec(compile(native_example, "path.md", "exec"), scope)
+    def test_the_scripted_example_reaches_the_goal(self):
+        scripted, = [code for code in examples(DOCS / "ik.md") if "bpy.ops.motus" in code]
+        seen = []
+        # Run up to the removal first, to look at the other frame too.
+        reaching, removal, rest = scripted.partition("bpy.ops.motus.ik_remove")
+        scope = {"print": lambda place: seen.append(tuple(place))}
+        exec(compile(reaching, "ik.md", "exec"), scope)
+        tip, = seen
+        rig = scope["rig"]
+        self.assert_place(tip, (0.3, 0.2, 0.4), 1e-6)
+        bpy.context.scene.frame_set(1)
+        self.assert_animated(rig)
+
+        exec(compile(removal + rest, "ik.md", "exec"), scope)
+        bpy.context.scene.frame_set(20)
+        self.assert_animated(rig)
+        self.assertFalse(rig.motus.ik.entries)
+        self.assertFalse(any(bone.constraints for bone in rig.pose.bones))
+        self.assertIsNone(rig.animation_data)
+        self.assertEqual([key for key in rig.keys() if key.startswith("motus_")], [])
+        self.assertEqual({obj.name for obj in bpy.data.objects}, {"Arm", "Goal"})
+
+    def assert_animated(self, rig):
+        """The arm of ik.md stands as it was made, which is its animation."""
+        posed = rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones
+        self.assert_place(posed["lower"].head, (0.0, -0.1, 0.5), 1e-6)
+        self.assert_place(posed["lower"].tail, (0.0, 0.0, 0.0), 1e-6)
+
+    def assert_place(self, place, expected, within):
+        for value, wanted in zip(place, expected):
+            self.assertAlmostEqual(value, wanted, delta=within)
+
+    def test_the_native_example_of_paths_runs(self):
+        scope = self.run_native("path.md")
         self.assertEqual(scope["attitude"].shape, (1, 4))
         self.assertAlmostEqual(scope["halfway"][0], 4.0, places=9)
+
+    def test_the_native_example_of_chains_reaches(self):
+        scope = self.run_native("ik.md")
+        arm, tentacle = scope["arm"], scope["tentacle"]
+        self.assert_place(arm.tip, (0.3, 0.2, 0.4), 1e-12)
+        self.assertLess(arm.elbow[1], 0.2 * arm.elbow[0] / 0.3, "the elbow is not on the pole's side")
+        self.assert_place(tentacle.joints[-1], (0.8, 0.3, 0.9), 2e-6)
+        self.assertEqual(tentacle.joints.shape, (21, 3))
+
+    def run_native(self, page):
+        """What the example without Blender of a page leaves."""
+        native_example, = [code for code in examples(DOCS / page) if "import motus_native" in code]
+        sys.modules["motus_native"] = support.addon("core.native").module
+        self.addCleanup(sys.modules.pop, "motus_native")
+        scope = {}
+        exec(compile(native_example, page, "exec"), scope)
+        return scope
 
 
 class PagesTest(support.SceneTestCase):

@@ -7,6 +7,8 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 
 import flight_picture  # noqa: E402  (found by the line above)
+import ik_pictures  # noqa: E402
+import look_at_pictures  # noqa: E402
 import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
 import support  # noqa: E402
@@ -14,5 +16,9 @@ import support  # noqa: E402
 support.enable()
 (HERE / "operators.md").write_text(operator_page.text(), encoding="utf-8")
 print("docs/operators.md")
-for picture in [*path_pictures.render_all(HERE / "pictures"), flight_picture.render(HERE / "pictures")]:
-    print(f"docs/pictures/{picture.name}")
+pictures = HERE / "pictures"
+for render in (
+        path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all,
+        lambda folder: [flight_picture.render(folder), flight_picture.render_reach(folder)]):
+    for picture in render(pictures):
+        print(f"docs/pictures/{picture.name}")

@@ -13,12 +13,14 @@ import support
 
 # Position and rotation weight of each arm, row by row.
 ROWS = (((0.0, 0.0), (0.5, 0.0), (1.0, 0.0)), ((1.0, 0.0), (1.0, 0.5), (1.0, 1.0)))
-CELL = Vector((1.32, 0.0, 1.16))
+CELL = Vector((1.13, 0.0, 1.07))
 WALL_Y = 0.13
-SHOULDER = Vector((-0.44, 0.0, 0.33))  # from the middle of a cell
-TARGET = Vector((0.20, 0.0, 0.13))
-TARGET_TURN = Euler((math.radians(14), math.radians(100), math.radians(-10)))
-BALL = 0.034
+SHOULDER = Vector((-0.37, 0.0, 0.36))  # from the middle of a cell
+TARGET = Vector((0.33, 0.0, 0.24))
+# Its Y axis points down to the right along the wall, Z up to the right, and X to the camera and a little aside.
+TARGET_TURN = (Euler((math.radians(90), 0.0, math.radians(24))).to_matrix()
+               @ Matrix.Rotation(math.radians(-140), 3, 'Z') @ Matrix.Rotation(math.radians(-90), 3, 'Y'))
+BALL = 0.040
 ARROW = 0.165
 RED, GREEN, BLUE = (0.80, 0.05, 0.05, 1.0), (0.14, 0.50, 0.05, 1.0), (0.05, 0.20, 0.75, 1.0)
 POSITION, ROTATION = figure.BODY, figure.HEAD
@@ -52,7 +54,7 @@ def _render_weights(file):
                 _add_arm(f"Ghost {row} {column}", middle, target, *weights[0], is_ghost=True)
             _add_card(middle, position, rotation)
     stage.add_camera(scene, (0.0, -9.0, 0.0), (0.0, 0.0, 0.0), width=3 * CELL.x)
-    return stage.render(scene, file, (1280, round(1280 * 2 * CELL.z / (3 * CELL.x))), samples=128)
+    return stage.render(scene, file, (1280, round(1280 * 2 * CELL.z / (3 * CELL.x))), samples=96)
 
 
 def _add_wall():
@@ -80,7 +82,7 @@ def _add_target(place):
     mesh.materials.append(stage.glossy_material("Target", (0.80, 0.05, 0.03, 1.0), 0.25))
     ball = stage.link(bpy.data.objects.new("Target", mesh))
     ball.location = place
-    ball.rotation_euler = TARGET_TURN
+    ball.rotation_euler = TARGET_TURN.to_euler()
     bpy.context.view_layer.update()
     for axis, color in enumerate((RED, GREEN, BLUE)):
         _add_arrow(place, ball.matrix_world.to_3x3().col[axis], color)
@@ -93,14 +95,14 @@ def _add_arrow(start, direction, color):
     name = f"Arrow {color}"
     material = bpy.data.materials.get(name) or stage.glossy_material(name, color, 0.4)
     neck = start + (ARROW - 0.05) * direction
-    stage.add_tube([start, neck], 0.0075, material)
-    tip = stage.add_tube([neck, start + ARROW * direction], 0.021, material)
+    stage.add_tube([start, neck], 0.0095, material)
+    tip = stage.add_tube([neck, start + ARROW * direction], 0.025, material)
     tip.data.splines[0].points[1].radius = 0.0
 
 
 def _add_card(middle, position, rotation):
     """Both weights as bars."""
-    x, z = middle.x - 0.5 * BAR + 0.07, middle.z - 0.5 * CELL.z
+    x, z = middle.x - 0.5 * BAR + 0.09, middle.z - 0.5 * CELL.z
     _add_plate((middle.x - 0.47, -0.30, z + 0.05), 0.94, 0.235, CARD)
     _add_bar("position", position, POSITION, (x, -0.32, z + 0.187))
     _add_bar("rotation", rotation, ROTATION, (x, -0.32, z + 0.084))
@@ -108,11 +110,15 @@ def _add_card(middle, position, rotation):
 
 def _add_bar(name, value, color, place):
     x, y, z = place
-    stage.add_text(name, (x - 0.045, y, z + 0.004), 0.088, color if value else FADED, align='RIGHT')
+    ink = color if value else FADED
+    labels = (
+        stage.add_text(name, (x - 0.045, y, z + 0.004), 0.088, ink, align='RIGHT'),
+        stage.add_text(f"{value:g}", (x + BAR + 0.045, y, z + 0.004), 0.088, ink, align='LEFT'))
+    for label in labels:
+        label.visible_shadow = False
     _add_plate((x, y + 0.005, z), BAR, 0.062, EMPTY)
     if value:
         _add_plate((x, y, z), BAR * value, 0.062, color)
-    stage.add_text(f"{value:g}", (x + BAR + 0.045, y, z + 0.004), 0.088, color if value else FADED, align='LEFT')
 
 
 def _add_plate(corner, width, height, color):
@@ -130,29 +136,46 @@ def _render_reach(file):
     native = support.addon("core.native").module
     scene = stage.new_scene((1.0, 1.0, 1.0))
     distance = np.linspace(NEAREST, FARTHEST, 481)
-    left, right = Vector((0.0, 0.0)), Vector((PLOT.x + 1.9, 0.0))
-    for corner, title in ((left, "distance of the tip"), (right, "angle of the elbow")):
-        _add_axes(corner, title)
-    for softness, color in SOFTNESSES:
+    right = PLOT.x + 2.5
+    _add_axes(0.0, "distance of the tip", (f"{NEAREST:g}", "1.0"))
+    _add_axes(right, "angle of the elbow", (f"{math.degrees(_elbow(NEAREST)):.0f}°", "180°"))
+    for row, (softness, color) in enumerate(SOFTNESSES):
         tip = native.soft_reach(distance, 1.0, softness)
-        angle = 2.0 * np.arcsin(np.minimum(tip, 1.0))
-        _add_curve(left, distance, (tip - NEAREST) / (1.0 - NEAREST), color)
-        _add_curve(right, distance, (angle - angle[0]) / (math.pi - angle[0]), color)
-    width = right.x + PLOT.x + 2.2
-    middle = (0.5 * (right.x + PLOT.x) - 0.2, 1.85)
-    stage.add_camera(scene, (*middle, 10.0), (*middle, 0.0), width=width)
-    return stage.render(scene, file, (1280, 480), samples=32)
+        _add_curve(0.0, distance, (tip - NEAREST) / (1.0 - NEAREST), color)
+        _add_curve(right, distance, (_elbow(tip) - _elbow(NEAREST)) / (math.pi - _elbow(NEAREST)), color)
+        for left in (0.0, right):
+            stage.add_text(f"softness {softness:g}", (left + PLOT.x - 0.1, 1.75 - 0.62 * row, 0.0), 0.46, color,
+                           align='RIGHT', upright=False)
+    middle = (0.5 * (right + PLOT.x) - 0.35, 1.83)
+    stage.add_camera(scene, (*middle, 10.0), (*middle, 0.0), width=right + PLOT.x + 2.2)
+    return stage.render(scene, file, (1280, 512), samples=32)
 
 
-def _add_axes(corner, title):
-    ink = stage.flat_material("Axis", stage.INK)
-    x, y = corner
-    stage.add_tube([(x, y, 0), (x + PLOT.x, y, 0)], 0.014, ink)
-    stage.add_tube([(x, y, 0), (x, y + PLOT.y + 0.5, 0)], 0.014, ink)
-    return title
+def _elbow(reach):
+    """Angle between two equal bones that together span `reach` of their length."""
+    return 2.0 * np.arcsin(reach)
 
 
-def _add_curve(corner, distance, height, color):
-    along = (distance - NEAREST) / (FARTHEST - NEAREST)
-    stage.add_tube([(corner.x + PLOT.x * a, corner.y + PLOT.y * h, 0.02) for a, h in zip(along, height)], 0.04,
-                   stage.flat_material("Curve", color))
+def _add_axes(left, title, values):
+    """values: what stands at the lower and the upper end of what the curves run through."""
+    ink, hair = stage.flat_material("Axis", stage.INK), stage.flat_material("Hair", (0.45, 0.48, 0.52, 1.0))
+    stage.add_tube([(left, 0, 0), (left + PLOT.x, 0, 0)], 0.014, ink)
+    stage.add_tube([(left, 0, 0), (left, PLOT.y + 0.4, 0)], 0.014, ink)
+    stage.add_tube([(left, PLOT.y, 0), (left + PLOT.x, PLOT.y, 0)], 0.007, hair)
+    whole = left + PLOT.x * _along(1.0)
+    stage.add_tube([(whole, 0, 0), (whole, PLOT.y + 0.4, 0)], 0.007, hair)
+    for text, height in zip(values, (0.0, PLOT.y)):
+        stage.add_text(text, (left - 0.15, height - 0.14, 0), 0.40, align='RIGHT', upright=False)
+    for number in (NEAREST, 1.0, 1.5):
+        stage.add_text(f"{number:.1f}", (left + PLOT.x * _along(number), -0.52, 0), 0.40, upright=False)
+    stage.add_text(title, (left - 0.02, PLOT.y + 0.6, 0), 0.46, align='LEFT', upright=False)
+    stage.add_text("distance of the target", (left + 0.5 * PLOT.x, -1.15, 0), 0.46, upright=False)
+
+
+def _along(distance):
+    return (distance - NEAREST) / (FARTHEST - NEAREST)
+
+
+def _add_curve(left, distance, height, color):
+    points = [(left + PLOT.x * a, PLOT.y * h, 0.02) for a, h in zip(_along(distance), height)]
+    stage.add_tube(points, 0.04, stage.flat_material("Curve", color))

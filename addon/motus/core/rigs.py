@@ -18,8 +18,9 @@ LARGEST_CACHE = 64
 
 # Objects, by name, that were seen in a collection. Names, not references: undo invalidates those.
 _seen = set()
-# How many objects a scene had when they were last counted: only for the faster of two ways to the same answer.
-_scene_sizes = {}
+# How many objects a scene or view layer had when they were last counted: only for the faster of two ways to the same
+# answer.
+_scene_sizes, _layer_sizes = {}, {}
 LARGE_SCENE = 8  # objects for each target
 
 
@@ -29,6 +30,8 @@ class Still(NamedTuple):
     names: tuple
     places: Any       # for each row the place in Bone order, None where they are the same
     inheritance: Any  # (B,) int32: motus::InheritScale | INHERITS_ROTATION | HAS_LOCAL_LOCATION
+    rest: Any         # as in Arrays
+    bones: bytes      # the same in Bone order
 
 
 class Arrays(NamedTuple):
@@ -57,7 +60,20 @@ def still(rig, names):
         rows = {name: row for row, name in enumerate(order)}
         places = np.array([rows[name] for name in names])
     inheritance = np.array([_inheritance(bones[name]) for name in names], np.int32)
-    return Still(names, places, inheritance)
+    rest = _matrices("rest", bones, "matrix_local", len(names))
+    return Still(names, places, inheritance, rest.copy() if places is None else rest[places], rest.tobytes())
+
+
+def is_still(rig, known):
+    """Whether the rig's bones are those of a Still: as many, and each as it was at rest.
+
+    Cheaper than to compare names; a bone that is only renamed keeps its row.
+    """
+    try:
+        rest = _matrices("rest", rig.data.bones, "matrix_local", len(known.names))
+    except (TypeError, RuntimeError):  # another number of bones
+        return False
+    return rest.tobytes() == known.bones
 
 
 def _inheritance(bone):
@@ -66,22 +82,22 @@ def _inheritance(bone):
 
 
 def read(rig, known=None):
-    """Arrays of an evaluated rig. known: its Still, where that is kept with a plan."""
+    """Arrays of an evaluated rig. known: its Still, where plan() has just given that."""
     known = known or still(rig, names_of(rig))
     pose, bones, count = rig.pose.bones, rig.data.bones, len(known.names)
     poses = _matrices("poses", pose, "matrix", count)
     basis = _matrices("basis", pose, "matrix_basis", count)
-    rest = _matrices("rest", bones, "matrix_local", count)
     lengths = scratch("rig_lengths", (count,), np.float32)
     bones.foreach_get("length", lengths)
     if known.places is not None:
-        rest, lengths = rest[known.places], lengths[known.places]
-    return Arrays(known.names, rest, poses, basis, lengths, known.inheritance, columns(rig.matrix_world))
+        lengths = lengths[known.places]
+    return Arrays(known.names, known.rest, poses, basis, lengths, known.inheritance, columns(rig.matrix_world))
 
 
 def columns(matrix):
     """(16,) float64 of a mathutils.Matrix, column by column."""
-    return np.array([*matrix.col[0], *matrix.col[1], *matrix.col[2], *matrix.col[3]])
+    x, y, z, place = matrix.copy().col  # a copy, since each look into an object's own matrix asks the object
+    return np.array((*x, *y, *z, *place))
 
 
 def parents(rig, names):
@@ -92,26 +108,67 @@ def parents(rig, names):
 
 
 def fingerprint(rig):
-    """A number that changes when a bone is given another parent or inherits otherwise."""
+    """A number that changes when a bone is given another parent or row, or inherits otherwise."""
     lines = [f"{bone.name}\t{bone.parent.name if bone.parent else ''}\t{_inheritance(bone)}" for bone in rig.data.bones]
+    lines += names_of(rig)
     return zlib.crc32("\n".join(lines).encode())
 
 
-def plan(rig, names, key, make):
-    """What `make(rig, rows)` gives, kept for the same `key` and bones. rows: name -> row.
+def plan(rig, key, make):
+    """What `make(rig, rows)` gives, kept for the same `key` and bones; it has a Still as `still`. rows: name -> row.
 
-    key: a string that says all that the plan is made of, the rig's fingerprint included. Kept by each thread for
+    key: a string that stands for all that the plan is made of, the rig's fingerprint included. Kept by each thread for
     itself: a plan is not shared between threads.
     """
     plans = kept("plans", OrderedDict)
-    found = plans.get((key, names))
-    if found is None:
-        found = plans[key, names] = make(rig, {name: row for row, name in enumerate(names)})
+    place = (key, rig.name)
+    found = plans.get(place)
+    if found is None or not is_still(rig, found.still):
+        names = names_of(rig)
+        if found is not None and found.still.names == names:
+            found.still = still(rig, names)
+        else:
+            found = plans[place] = make(rig, {name: row for row, name in enumerate(names)})
         if len(plans) > LARGEST_CACHE:
             plans.popitem(last=False)
     else:
-        plans.move_to_end((key, names))
+        plans.move_to_end(place)
     return found
+
+
+class Standing:
+    """Where some objects stand, all of them read by one call."""
+
+    def __init__(self):
+        self._every = self._wanted = self._rows = None
+
+    def matrices(self, view_layer, objects):
+        """World matrices of evaluated objects, (n, 16) float32 column by column; None: they are to be asked one by one.
+
+        So it is where one of them is None or not in the evaluated view layer, and where that has a great many others.
+        """
+        layer = view_layer.id_data.name, view_layer.name
+        if _layer_sizes.get(layer, 0) > LARGE_SCENE * len(objects):
+            return None
+        # Of evaluated data no references are kept; what is compared is where it lies in memory.
+        found = view_layer.objects
+        every, wanted = list(map(hash, found.values())), list(map(hash, objects))
+        if every != self._every or wanted != self._wanted:
+            self._find(every, wanted, objects)
+            _layer_sizes[layer] = len(every)
+        if self._rows is None:
+            return None
+        matrices = scratch("world_matrices", (len(every), 16), np.float32)
+        found.foreach_get("matrix_world", matrices.ravel())
+        return matrices.take(self._rows, axis=0)
+
+    def _find(self, every, wanted, objects):
+        there = {*every, *(self._every or ())}
+        _seen.update(one.name for one, place in zip(objects, wanted) if one and place in there)
+        rows = {place: row for row, place in enumerate(every)}
+        is_there = all(place in rows for place in wanted)
+        self._rows = np.array([rows[place] for place in wanted]) if is_there else None
+        self._every, self._wanted = every, wanted
 
 
 class Presence:

@@ -1,5 +1,6 @@
 """What is wired on a rig: its entries, the bones they drive, and which of them are solved together."""
 
+import hashlib
 import json
 import re
 from typing import Any, NamedTuple
@@ -16,6 +17,8 @@ RELATIVE = frozenset({"rotation"})
 STRETCHED = frozenset({"rotation", "scale"})
 PLAN = "plan"
 """Key of a group's data: a JSON object that reading.Wired is made of."""
+PLAN_KEY = "plan_key"
+"""Key of a group's data: a short name that only this plan has."""
 
 _OF_BONE = re.compile(r'^pose\.bones\["((?:[^"\\]|\\.)*)"\]\.(?!constraints\[)')
 
@@ -119,13 +122,17 @@ def _group(owner, key, entries_found, driven):
         plan.append({
             "name": entry.name, "bones": chain.bones, "effector": chain.effector, "stretches": found.stretches,
             "target": _where(owner, entry.target), "target_bone": entry.target_bone,
-            "pole": _where(owner, entry.pole), "pole_bone": entry.pole_bone, "extras": len(entry.extra_targets)})
+            "pole": _where(owner, entry.pole), "pole_bone": entry.pole_bone, "extras": len(entry.extra_targets),
+            "settings": {
+                "bend": -1.0 if entry.bend == 'AWAY' else 1.0, "use_limits": float(entry.use_limits),
+                **{name: float(getattr(entry, name)) for name in ("hinge_angle", "tolerance", "iterations")}}})
+    text = json.dumps({"fingerprint": rigs.fingerprint(owner), "chains": plan, "guards": kept + guards})
     return Group(
         key=key,
         members=(*on_chains, *effectors, *(_kept(bones[name]) for name, _ in guards)),  # in the order of IkPlan.rows
         inputs=_inputs(owner, entries_found, driven),
         outputs=tuple(f"{found.entry.name}.{name}" for found in entries_found for name in OUTPUTS),
-        data={PLAN: json.dumps({"fingerprint": rigs.fingerprint(owner), "chains": plan, "guards": kept + guards})})
+        data={PLAN: text, PLAN_KEY: hashlib.sha1(text.encode()).hexdigest()})
 
 
 def _kept(bone):

@@ -39,18 +39,22 @@ def _change_stretch(item, context):
     _touch(item, context)
 
 
+# What is read when the rig is wired, not at every frame.
+_WIRED = {"update": _rewire, "options": set()}
+
+
 def _number(name, description, default, **options):
-    options.setdefault("update", _touch)
+    options = {"update": _touch, "options": ANIMATED, **options}
     return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
+        name=name, description=description, default=default, override=OVERRIDABLE, **options)
 
 
 def _factor(name, description, default, **options):
     return _number(name, description, default, min=0.0, max=1.0, subtype='FACTOR', **options)
 
 
-def _angle(name, description):
-    return _number(name, description, 0.0, soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
+def _angle(name, description, **options):
+    return _number(name, description, 0.0, soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE', **options)
 
 
 def _object(name, description):
@@ -74,17 +78,17 @@ class IkKeywords:
         "the bone above it", default=True, update=_rewire, options=set(), override=OVERRIDABLE)
     bend: bpy.props.EnumProperty(
         name="Bend", description="Which side of the line from root to target the chain bends to", items=BENDS,
-        default='TOWARDS', update=_touch, options=ANIMATED, override=OVERRIDABLE)
+        default='TOWARDS', override=OVERRIDABLE, **_WIRED)
     pole_angle: _angle("Pole Angle", "Turns the chain about the line from its root to the target")
     hinge_angle: _angle(
         "Bend Axis", "Direction about the first bone's length, from its X axis, about which the chain bends where the "
-        "animated pose is straight")
+        "animated pose is straight", **_WIRED)
     softness: _factor(
         "Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
     stretch: _factor("Stretch", "How much of what is missing the bones lengthen by", 0.0, update=_change_stretch)
     use_limits: bpy.props.BoolProperty(
         name="Use Limits", description="Keep the limits that the bones have for inverse kinematics", default=False,
-        update=_touch, options=ANIMATED, override=OVERRIDABLE)
+        override=OVERRIDABLE, **_WIRED)
     position_weight: _factor(
         "Position", "From the animated pose (0) to the one that reaches the target (1)", 1.0)
     rotation_weight: _factor(
@@ -97,10 +101,10 @@ class IkKeywords:
         0.0, min=0.0, soft_max=4.0)
     tolerance: _number(
         "Tolerance", "Distance from the target that counts as reached, as a fraction of the chain's length", 1e-6,
-        min=1e-12, max=1.0, soft_min=1e-7, soft_max=0.01, precision=7)
+        min=1e-12, max=1.0, soft_min=1e-7, soft_max=0.01, precision=7, **_WIRED)
     iterations: bpy.props.IntProperty(
         name="Iterations", description="When the search of a chain of more than two bones gives up", default=100, min=1,
-        max=10000, soft_max=500, update=_touch, options=ANIMATED, override=OVERRIDABLE)
+        max=10000, soft_max=500, override=OVERRIDABLE, **_WIRED)
     is_muted: bpy.props.BoolProperty(
         name="Mute", description="Leave this chain to its animation", default=False, update=_touch, options=ANIMATED,
         override=OVERRIDABLE)

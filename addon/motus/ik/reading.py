@@ -4,63 +4,23 @@ It runs at every frame, so numbers of all entries are read by one call each, and
 the arrays that are there already.
 """
 
-import json
 from typing import Any, NamedTuple
 
 from mathutils import Euler
 
 from ..core import native, rigs
 from ..core.lazy import numpy as np
-from .groups import OUTPUTS
+from ..core.wiring.scratch import scratch
+from .groups import PLAN, PLAN_KEY
+from .wired import RigChanged, Wired
 
 # Values of the output "reason" beside native.Reason's own.
 NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE, MUTED = -1.0, -2.0, -3.0, -4.0, -5.0
 UNWANTED = (NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE)
 
-_DTYPES = {"iterations": "i4", "use_limits": "?", "is_muted": "?"}
-_FILLED_IN = {"is_on", "bend"}
-
-
-class RigChanged(Exception):
-    """The rig has not all bones that were wired: it was edited, and will be wired again."""
-
-
-class Wired:
-    """A group as it was wired, with rows of bones in the rig's arrays."""
-
-    def __init__(self, rig, rows, text):
-        known = json.loads(text)
-        chains = known["chains"]
-        try:
-            bones = [[rows[name] for name in chain["bones"]] for chain in chains]
-            effectors = [rows[chain["effector"]] for chain in chains]
-            guards = [(rows[name], chain) for name, chain in known["guards"]]
-        except KeyError as error:
-            raise RigChanged from error
-        self.still = rigs.still(rig, tuple(rows))
-        self.names = [chain["name"] for chain in chains]
-        self.stretches = np.array([chain["stretches"] for chain in chains])
-        self.is_blended = any(chain["extras"] for chain in chains)
-        self.all_bones = np.array([row for chain in bones for row in chain])
-        self.targets = _Goals(rows, chains, "target")
-        self.poles = _Goals(rows, chains, "pole")
-        self.with_pole = [row for row, chain in enumerate(chains) if chain["pole"]]
-        report = native.module.IkPlan.REPORT
-        self.told = [report.index(name) for name in OUTPUTS]  # columns of the report
-        self.plan = native.module.IkPlan(rigs.parents(rig, list(rows)), bones, effectors, guards)
-
-
-class _Goals:
-    """Targets or poles: `own` are (entries, bones of the rig) as arrays; of the others the bones by entry, if any."""
-
-    def __init__(self, rows, chains, key):
-        found = [(index, chain[key], chain[key + "_bone"]) for index, chain in enumerate(chains)]
-        own = [(index, rows[bone]) for index, where, bone in found if where == 'OWN' and bone in rows]
-        self.own = np.array(own, dtype=int).reshape(-1, 2).T
-        mine = {index for index, _ in own}
-        self.other_rows = [index for index, where, _ in found if where and index not in mine]
-        self.other_bones = {index: bone for index, where, bone in found if bone and where and index not in mine}
-        self.none = [index for index, where, _ in found if not where]
+ANIMATED = ("position_weight", "rotation_weight", "softness", "stretch", "pole_angle")
+"""Settings that are read at every frame: the first columns of IkPlan.SETTINGS. Others are known when it is wired."""
+_STRETCH = ANIMATED.index("stretch")
 
 
 class Gathered(NamedTuple):
@@ -82,39 +42,42 @@ class Gathered(NamedTuple):
 
 def gather(rig, text, depsgraph):
     """Read an evaluated rig. text: what groups.py noted of the group. Raises RigChanged."""
-    wired = rigs.plan(rig, rigs.names_of(rig), text, lambda rig, rows: Wired(rig, rows, text))
+    return _gather(rig, rigs.plan(rig, text, lambda rig, rows: Wired(rig, rows, text)), depsgraph)
+
+
+def gather_wired(rig, data, depsgraph):
+    """The same for a group's data as the wiring has kept it."""
+    return _gather(rig, rigs.plan(rig, data[PLAN_KEY], lambda rig, rows: Wired(rig, rows, data[PLAN])), depsgraph)
+
+
+def _gather(rig, wired, depsgraph):
     arrays = rigs.read(rig, wired.still)
     settings = rig.motus.ik
-    places = _places(settings.entries, wired.names)
-    reasons = np.zeros(len(wired.names))
-    numbers = _settings(settings, places, wired)
-    columns = {name: numbers[:, index] for index, name in enumerate(native.module.IkPlan.SETTINGS)}
-    # The sinks of a chain that was wired without stretch cannot lengthen a bone.
-    is_stiff = bool(columns["stretch"][~wired.stretches].any())
-    columns["stretch"] *= wired.stretches
     entries = list(settings.entries)
+    places = _places(entries, wired.names)
+    numbers, is_stiff = _settings(rig, settings, len(entries), places, wired)
+    muted = _column(settings.entries, "is_muted", places, dtype="?")
     if places is not None:
         entries = [entries[place] for place in places]
-    weights = columns["rotation_weight"]
+    weights = numbers[:, ANIMATED.index("rotation_weight")]
+    is_turned = np.count_nonzero(weights) > 0
     presence = rigs.Presence(depsgraph.view_layer, depsgraph.scene)
-    targets = _targets(entries, wired, arrays, weights, presence, reasons)
-    if weights.any():
+    reasons = np.zeros(len(entries))
+    targets = _targets(entries, wired, arrays, weights if is_turned else None, depsgraph, presence, reasons)
+    if is_turned:
         _turn(targets, _column(settings.entries, "rotation_offset", places, 3), weights)
-    reasons[_column(settings.entries, "is_muted", places)] = MUTED
-    columns["is_on"][:] = reasons == 0.0
-    columns["bend"][:] = 1.0
-    for row in wired.with_pole:
-        # Blenders before 5 do not give enums by foreach_get.
-        if entries[row].bend == 'AWAY':
-            columns["bend"][row] = -1.0
-    poles = _poles(entries, wired, arrays, presence)
-    limits = _limits(rig, wired) if columns["use_limits"].any() else None
+    if np.count_nonzero(muted):
+        reasons[muted] = MUTED
+    if np.count_nonzero(reasons):
+        numbers[reasons != 0.0, native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
+    poles = _poles(entries, wired, arrays, depsgraph, presence)
+    limits = _limits(rig, wired) if wired.has_limits else None
     return Gathered(wired, arrays, numbers, targets, poles, limits, reasons, is_stiff)
 
 
 def _places(entries, names):
     """Index of each of the group's entries among all; None where they are the same."""
-    keys = entries.keys()
+    keys = [entry.name for entry in entries]
     if keys == names:
         return None
     if not set(names) <= set(keys):
@@ -122,21 +85,35 @@ def _places(entries, names):
     return [keys.index(name) for name in names]
 
 
-def _settings(settings, places, wired):
-    """(C, len(IkPlan.SETTINGS)) float64; is_on and bend are left to be filled in."""
-    names = native.module.IkPlan.SETTINGS
-    numbers = np.empty((len(wired.names), len(names)))
-    for index, name in enumerate(names):
-        if name not in _FILLED_IN:
-            numbers[:, index] = _column(settings.entries, name, places)
-    if settings.influence != 1.0:
-        for name in ("position_weight", "rotation_weight"):
-            numbers[:, names.index(name)] *= settings.influence
-    return numbers
+def _settings(rig, settings, count, places, wired):
+    """(C, len(IkPlan.SETTINGS)) float64, and whether a chain should stretch that was wired when it could not."""
+    numbers = wired.settings.copy()
+    rows = scratch("ik_settings", (len(ANIMATED), count), np.float32)
+    # Without animation, what was wired without stretch has none.
+    reads_stretch = wired.is_elastic or _is_animated(rig)
+    for row, name in zip(rows, ANIMATED):
+        if name != "stretch" or reads_stretch:
+            settings.entries.foreach_get(name, row)
+        else:
+            row.fill(0.0)
+    numbers[:, :len(ANIMATED)] = (rows if places is None else rows[:, places]).T
+    is_stiff = False
+    if reads_stretch:
+        # The sinks of a chain that was wired without stretch cannot lengthen a bone.
+        is_stiff = np.count_nonzero(numbers[~wired.stretches, _STRETCH]) > 0
+        numbers[:, _STRETCH] *= wired.stretches
+    influence = settings.influence
+    if influence != 1.0:
+        numbers[:, :2] *= influence  # the weights
+    return numbers, is_stiff
 
 
-def _column(entries, name, places, size=1):
-    dtype = _DTYPES.get(name, "f4")
+def _is_animated(rig):
+    animation = rig.animation_data
+    return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
+
+
+def _column(entries, name, places, size=1, dtype="f4"):
     found = np.empty(len(entries) * size, dtype)
     entries.foreach_get(name, found)
     if size > 1:
@@ -144,36 +121,43 @@ def _column(entries, name, places, size=1):
     return found if places is None else found[places]
 
 
-def _targets(entries, wired, arrays, weights, presence, reasons):
-    """(C, 16) world matrices; only their places where no orientation is taken."""
-    found = np.zeros((len(entries), 16))
-    found[:, 0] = found[:, 5] = found[:, 10] = found[:, 15] = 1.0
-    _take_own(found, wired.targets, arrays)
-    _take_others(found, entries, wired, weights, presence, reasons)
-    reasons[wired.targets.none] = NO_TARGET
+def _targets(entries, wired, arrays, weights, depsgraph, presence, reasons):
+    """(C, 16) world matrices. weights: of the rotation, None where no orientation is taken."""
+    found = wired.no_targets.copy()
+    if len(wired.targets.own[0]):
+        _take_own(found, wired.targets, arrays)
+    _take_others(found, entries, wired.targets, weights, depsgraph, presence, reasons)
+    if wired.targets.none:
+        reasons[wired.targets.none] = NO_TARGET
     if wired.is_blended:
         _blend(found, entries, presence)
     return found
 
 
-def _take_others(found, entries, wired, weights, presence, reasons):
-    """Fill in world matrices of targets that are no bones of the rig."""
-    rows = wired.targets.other_rows
-    targets = [entries[row].target for row in rows]
-    if None in targets:
-        reasons[[row for row, target in zip(rows, targets) if target is None]] = NO_TARGET
-        rows = [row for row, target in zip(rows, targets) if target]
-        targets = [target for target in targets if target]
-    for index in presence.deleted(targets):
-        reasons[rows[index]] = TARGET_DELETED
+def _take_others(found, entries, goals, weights, depsgraph, presence, reasons):
+    """Fill in world matrices of targets that are no bones of the rig; where there is no weight, maybe places only."""
+    rows, bones = goals.other_rows, goals.other_bones
     if not rows:
         return
-    found[rows, 12:15] = [target.matrix_world.translation.to_tuple() for target in targets]
-    bones = wired.targets.other_bones
-    is_turned = weights.any()
-    for row, target in zip(rows, targets) if bones or is_turned else ():
-        if row in bones or weights[row]:
-            matrix = world_matrix(target, bones.get(row, ""))
+    targets = [entry.target for entry in (entries if goals.are_others else [entries[row] for row in rows])]
+    matrices = goals.standing.matrices(depsgraph.view_layer_eval, targets)
+    if matrices is not None:
+        found[slice(None) if goals.are_others else rows] = matrices
+    else:
+        if None in targets:
+            reasons[[row for row, target in zip(rows, targets) if target is None]] = NO_TARGET
+            rows = [row for row, target in zip(rows, targets) if target]
+            targets = [target for target in targets if target]
+        for index in presence.deleted(targets):
+            reasons[rows[index]] = TARGET_DELETED
+        for row, target in zip(rows, targets):
+            if weights is not None and weights[row]:
+                found[row] = rigs.columns(target.matrix_world)
+            else:
+                found[row, 12:15] = target.matrix_world.translation
+    for row, target in zip(rows, targets) if bones else ():
+        if row in bones:
+            matrix = world_matrix(target, bones[row])
             if matrix is None:
                 reasons[row] = reasons[row] or NO_TARGET_BONE
             else:
@@ -183,10 +167,9 @@ def _take_others(found, entries, wired, weights, presence, reasons):
 def _take_own(found, goals, arrays):
     """Fill in world matrices of bones of the rig itself."""
     rows, bones = goals.own
-    if len(rows):
-        # Column by column, a matrix reads as its transpose.
-        posed = arrays.poses[bones].reshape(-1, 4, 4) @ arrays.world.reshape(4, 4)
-        found[rows] = posed.reshape(-1, 16)
+    # Column by column, a matrix reads as its transpose.
+    posed = arrays.poses[bones].reshape(-1, 4, 4) @ arrays.world.reshape(4, 4)
+    found[rows] = posed.reshape(-1, 16)
 
 
 def world_matrix(target, bone=""):
@@ -230,19 +213,27 @@ def _turn(targets, offsets, weights):
         axes[:] = turn.T @ axes
 
 
-def _poles(entries, wired, arrays, presence):
+def _poles(entries, wired, arrays, depsgraph, presence):
     """(C, 3) places in the world; NaN where there is no pole."""
-    found = np.full((len(entries), 3), np.nan)
-    rows, bones = wired.poles.own
+    goals = wired.poles
+    rows, bones = goals.own
+    if not len(rows) and not goals.other_rows:
+        return wired.no_poles
+    found = wired.no_poles.copy()
     if len(rows):
         heads = arrays.poses[bones, 12:16] @ arrays.world.reshape(4, 4)
         found[rows] = heads[:, :3]
-    for row in wired.poles.other_rows:
-        pole = entries[row].pole
-        if pole and not presence.is_deleted(pole):
-            matrix = world_matrix(pole, wired.poles.other_bones.get(row, ""))
-            if matrix:
-                found[row] = matrix.translation
+    if not goals.other_rows:
+        return found
+    poles = [entries[row].pole for row in goals.other_rows]
+    matrices = goals.standing.matrices(depsgraph.view_layer_eval, poles)
+    if matrices is not None:
+        found[goals.other_rows] = matrices[:, 12:15]
+    for row, pole in zip(goals.other_rows, poles) if matrices is None or goals.other_bones else ():
+        bone = goals.other_bones.get(row, "")
+        if pole and (bone or matrices is None) and not presence.is_deleted(pole):
+            matrix = world_matrix(pole, bone)
+            found[row] = matrix.translation if matrix else np.nan
     return found
 
 

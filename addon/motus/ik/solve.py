@@ -1,8 +1,9 @@
 """Inverse kinematics: one call of the native module for all entries of a group."""
 
+from ..core.lazy import numpy as np
 from ..core.system import Problem
 from . import reading
-from .groups import OUTPUTS, PLAN
+from .groups import OUTPUTS
 
 SOME_ARE_OFF = Problem("Some chains have no target that they could reach for: the list says why", blocking=False)
 NOT_WIRED = Problem("The rig's bones have changed: press Refresh")
@@ -15,18 +16,20 @@ def solve(context):
     """Turns of the bones at the context's frame, on top of their animation. Never raises for a user's error."""
     rig = context.owner
     try:
-        found = reading.gather(rig, context.data[PLAN], context.depsgraph)
+        found = reading.gather_wired(rig, context.data, context.depsgraph)
     except reading.RigChanged:
         return NOT_WIRED
     arrays, plan = found.rig, found.wired.plan
     report = plan.solve(
         arrays.rest, arrays.poses, arrays.basis, arrays.lengths, arrays.inheritance, arrays.world, found.settings,
         found.targets, found.poles, limits=found.limits, rotations=context.rotations, scales=context.scales)
-    is_off = found.reasons != 0.0
     table = context.outputs.reshape(-1, len(OUTPUTS))
-    table[:] = report[:, found.wired.told]
-    table[is_off, REASON] = found.reasons[is_off]
+    report.take(found.wired.told, axis=1, out=table, mode='clip')  # 'raise' would make a copy first
+    reasons = table[:, REASON]
+    if np.count_nonzero(found.reasons):
+        is_off = found.reasons != 0.0
+        reasons[is_off] = found.reasons[is_off]
     # All reasons below 0 are a want, but for MUTED, which is the least.
-    if ((table[:, REASON] < 0.0) & (table[:, REASON] > reading.MUTED)).any():
+    if np.count_nonzero((reasons < 0.0) & (reasons > reading.MUTED)):
         return SOME_ARE_OFF
     return STIFF if found.is_stiff else None

@@ -38,8 +38,7 @@ def solve(context):
     """Turns of the group's bones at the context's frame. Never raises for a user's error."""
     text = context.data[PLAN]
     try:
-        wired = rigs.plan(
-            context.owner, rigs.names_of(context.owner), text, lambda rig, rows: Wired(rig, rows, text))
+        wired = rigs.plan(context.owner, text, lambda rig, rows: Wired(rig, rows, text))
     except KeyError:
         return BONES_CHANGED
     if wired.names:

@@ -16,6 +16,8 @@ from .scratch import scratch
 
 log = logging.getLogger(__name__)
 
+_Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # to look them up there costs more than the question
+
 
 def motus_solve(self, name, frame, depsgraph, *values):
     """Solve one group of a system into the outbox of the evaluated carrier `self`. Never raises. Returns status.
@@ -27,7 +29,7 @@ def motus_solve(self, name, frame, depsgraph, *values):
         system = registered[name]
         out = self[outbox.out_key(system, key)]
         _solve(system, key, self, memoryview(out), frame, depsgraph, values)
-        if system.groups is not None or isinstance(self, bpy.types.Object):
+        if system.groups is not None or isinstance(self, _Object):
             healing.check(system, self.get(outbox.OWNER_KEY) or self)
     except Exception:
         # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
@@ -61,9 +63,8 @@ class _Layout(NamedTuple):
     has_attribute: bool
 
 
-def _layout(system, key, carrier, size):
-    info = outbox.info(system, carrier, key)
-    has_attribute = isinstance(carrier, bpy.types.Mesh) and ATTRIBUTE in carrier.attributes
+def _layout(system, info, carrier, size):
+    has_attribute = isinstance(carrier, _Mesh) and ATTRIBUTE in carrier.attributes
     if info is not None:
         return _Layout(outbox.FIRST_OUTPUT + info["output_count"], info["member_count"], bool(info["has_scales"]),
                        bool(info["is_relative"]), has_attribute)
@@ -73,9 +74,10 @@ def _layout(system, key, carrier, size):
 
 
 def _solve(system, key, carrier, out, frame, depsgraph, values):
-    layout = _layout(system, key, carrier, len(out))
+    info = outbox.info(system, carrier, key)
+    layout = _layout(system, info, carrier, len(out))
     box = np.frombuffer(out)
-    owner = carrier.get(outbox.OWNER_KEY) if isinstance(carrier, bpy.types.Mesh) else carrier
+    owner = carrier.get(outbox.OWNER_KEY) if isinstance(carrier, _Mesh) else carrier
     if native.module is None or owner is None:  # owner: of a hub, removed from the file
         _do_nothing(box, layout)
         return
@@ -85,7 +87,7 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
         settings=settings, owner=owner, frame=frame, depsgraph=depsgraph,
         locations=scratch("locations", (count, 3), float), rotations=scratch("rotations", (count, 4), float),
         scales=scratch("scales", (count, 3), float), outputs=box[outbox.FIRST_OUTPUT:layout.base],
-        member_data=_member_data(system, carrier, owner), group=key, data=_data(system, carrier, key))
+        member_data=_member_data(system, carrier, owner), group=key, data={} if info is None else info["data"])
     _reset(context)
     inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
     problem = system.solve(context, **inputs)
@@ -104,9 +106,10 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
 
 
 def _reset(context):
-    context.locations[:] = 0.0
-    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
-    context.scales[:] = 1.0
+    context.locations.fill(0.0)
+    context.rotations.fill(0.0)
+    context.rotations[:, 0] = 1.0
+    context.scales.fill(1.0)
 
 
 def _pack(box, layout, context):
@@ -127,11 +130,6 @@ def _do_nothing(box, layout):
         box[end:] = 1.0
 
 
-def _data(system, carrier, key):
-    info = outbox.info(system, carrier, key)
-    return {} if info is None else info["data"]
-
-
 def _member_data(system, carrier, owner):
     if system.member_data is None:
         return None
@@ -141,14 +139,15 @@ def _member_data(system, carrier, owner):
 
 
 def _neutral(system, carrier, key, slot):
-    layout = _layout(system, key, carrier, len(carrier[outbox.out_key(system, key)]))
+    layout = _layout(system, outbox.info(system, carrier, key), carrier, len(carrier[outbox.out_key(system, key)]))
     return 1.0 if slot >= layout.base + outbox.POSE_SIZE * layout.members else 0.0
 
 
 def _fail(carrier, name, key):
     out = carrier.get(outbox.out_key(registered[name], key)) if name in registered else None
     if out is not None:
-        layout = _layout(registered[name], key, carrier, len(out))
+        system = registered[name]
+        layout = _layout(system, outbox.info(system, carrier, key), carrier, len(out))
         _do_nothing(np.frombuffer(memoryview(out)), layout)
         if layout.has_attribute and layout.is_relative:
             write_neutral(carrier)

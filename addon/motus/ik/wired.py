@@ -1,0 +1,65 @@
+"""What is known of a group's chains from when they were wired: it is worked out once, not at every frame."""
+
+import json
+
+from ..core import native, rigs
+from ..core.lazy import numpy as np
+from .groups import OUTPUTS
+
+
+class RigChanged(Exception):
+    """The rig has not all bones that were wired: it was edited, and will be wired again."""
+
+
+class Wired:
+    """A group as it was wired, with rows of bones in the rig's arrays."""
+
+    def __init__(self, rig, rows, text):
+        known = json.loads(text)
+        chains = known["chains"]
+        try:
+            bones = [[rows[name] for name in chain["bones"]] for chain in chains]
+            effectors = [rows[chain["effector"]] for chain in chains]
+            guards = [(rows[name], chain) for name, chain in known["guards"]]
+        except KeyError as error:
+            raise RigChanged from error
+        self.still = rigs.still(rig, tuple(rows))
+        self.names = [chain["name"] for chain in chains]
+        self.stretches = np.array([chain["stretches"] for chain in chains])
+        self.is_elastic = bool(self.stretches.any())
+        self.has_limits = any(chain["settings"]["use_limits"] for chain in chains)
+        self.settings = _settings_as_wired(chains)
+        self.is_blended = any(chain["extras"] for chain in chains)
+        self.all_bones = np.array([row for chain in bones for row in chain])
+        self.targets = _Goals(rows, chains, "target")
+        self.poles = _Goals(rows, chains, "pole")
+        self.no_targets = np.tile(np.eye(4).ravel(), (len(chains), 1))
+        self.no_poles = np.full((len(chains), 3), np.nan)
+        report = native.module.IkPlan.REPORT
+        self.told = np.array([report.index(name) for name in OUTPUTS])  # columns of the report
+        self.plan = native.module.IkPlan(rigs.parents(rig, list(rows)), bones, effectors, guards)
+
+
+class _Goals:
+    """Targets or poles: `own` are (entries, bones of the rig) as arrays; of the others the bones by entry, if any."""
+
+    def __init__(self, rows, chains, key):
+        found = [(index, chain[key], chain[key + "_bone"]) for index, chain in enumerate(chains)]
+        own = [(index, rows[bone]) for index, where, bone in found if where == 'OWN' and bone in rows]
+        self.own = np.array(own, dtype=int).reshape(-1, 2).T
+        mine = {index for index, _ in own}
+        self.other_rows = [index for index, where, _ in found if where and index not in mine]
+        self.are_others = len(self.other_rows) == len(chains)
+        self.other_bones = {index: bone for index, where, bone in found if bone and where and index not in mine}
+        self.none = [index for index, where, _ in found if not where]
+        self.standing = rigs.Standing()
+
+
+def _settings_as_wired(chains):
+    names = native.module.IkPlan.SETTINGS
+    found = np.zeros((len(chains), len(names)))
+    for row, chain in zip(found, chains):
+        for name, value in chain["settings"].items():
+            row[names.index(name)] = value
+    found[:, names.index("is_on")] = 1.0
+    return found
