@@ -138,6 +138,31 @@ class TestRandomRigs(RigTestCase):
                     off = (samples.tip(rig, "Chain.1") - target.location).length
                     self.assertLessEqual(off, 1e-4 * reach)
 
+    def test_what_a_strongly_sheared_chain_can_reach_it_does(self):
+        for scaled, scale in (("Parent", (1.0, 2.0, 0.7)), ("Chain.0", (1.0, 2.0, 1.0)), ("Chain.0", (1.5, 1.0, 0.6))):
+            with self.subTest(scaled, scale=scale):
+                support.empty_scene()
+                generator = samples.new_generator(f"{scaled} {scale}")
+                rig = samples.random_rig(generator, 2)
+                rig.pose.bones[scaled].scale = scale
+                for bone in rig.pose.bones:
+                    bone.rotation_mode = 'QUATERNION'
+                places = []
+                for _ in range(12):
+                    for bone in ("Chain.0", "Chain.1"):
+                        rig.pose.bones[bone].rotation_quaternion = samples.random_rotation(generator, 1.5)
+                    bpy.context.view_layer.update()
+                    places.append(samples.tip(rig, "Chain.1"))
+                for bone in ("Chain.0", "Chain.1"):
+                    rig.pose.bones[bone].rotation_quaternion = (1.0, 0.0, 0.0, 0.0)
+                target = add_ik(rig, "Chain.1", 2)
+                missed = []
+                for place in places:
+                    target.location = place
+                    bpy.context.view_layer.update()
+                    missed.append((samples.tip(rig, "Chain.1") - place).length > 1e-4)
+                self.assertEqual(sum(missed), 0)
+
     def test_mirrored_and_stretched_armature_objects(self):
         for scale in ((-1.0, 1.0, 1.0), (-1.0, -1.0, -1.0), (2.0, 0.5, 1.0), (1e-3, 1e-3, 1e-3)):
             with self.subTest(scale):

@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+import support
 from ik_cases import REACHABLE, IkTestCase, tentacle, turn
 from mathutils import Euler, Vector
 
@@ -151,6 +152,14 @@ class Rotation(IkTestCase):
         self.assertNear(self.head(rig), (2.0, 0.5, 1.5), 5e-6)
         self.assertTurned(self.pose(rig, "Hand"), self.wrist.matrix_world.to_quaternion())
         self.assertNear(self.pose(rig, "Hand").to_scale(), (1.0, 1.0, 1.0), 1e-5)
+
+    def test_baking_names_what_keyframes_cannot_hold(self):
+        rig = self.arm()
+        self.reach("Hand", use_tail=False)
+        job, systems = support.addon("core.bake.job"), [support.addon("core.system").registered["ik"]]
+        self.assertEqual(job.inexact(rig, systems), [])
+        self.reach("Hand", use_tail=False, stretch=1.0)
+        self.assertIn("Hand", job.inexact(rig, systems))
 
 
 class Blend(IkTestCase):

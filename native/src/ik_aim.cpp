@@ -54,6 +54,7 @@ IkAim::IkAim(std::size_t longest)
     : lengths_(longest),
       joints_(longest + 1),
       best_(longest),
+      slopes_(longest),
       rest_(longest),
       offsets_(longest),
       rotations_(longest) {}
@@ -194,8 +195,15 @@ AimReport IkAim::turn(IkPose& pose, const AimGoal& goal) {
             const glm::dvec3 reached =
                 direction_or(pose.joints()[goal.count] - pose.root(), line.chord.along);
             line.turn = smallest_turn(reached, line.chord.along, line.chord.normal);
-        } else if (best < miss) {
+        } else if (!goal.limits.empty()) {
             for (std::size_t i = 0; i < goal.count; ++i) pose.put(i, best_[i], 1.0);
+        } else {
+            const bool is_soft = goal.softness > 0.0 && report.end < report.distance;
+            const glm::dvec3 end = is_soft ? pose.root() + report.end * line.chord.along : goal.target;
+            report.iterations += finish(pose, goal, end, report.reach);
+            const bool is_there =
+                glm::distance(pose.joints()[goal.count], goal.target) <= goal.tolerance * report.reach;
+            if (is_there) report.reason = Reason::reached;
         }
     }
     return report;

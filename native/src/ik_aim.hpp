@@ -1,5 +1,6 @@
 // Turns a chain's bones so that its tip comes to a target. Pose space.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -66,10 +67,13 @@ class IkAim {
     void find_rotations(const IkPose& pose, const AimGoal& goal, const Line& line, AimReport& report);
     void turn_bones(IkPose& pose, std::size_t count, const Line& line);
     void keep(const IkPose& pose, std::size_t count);
+    /// Brings the tip nearer to `end` from the rotations that were kept; returns how many steps it took.
+    int finish(IkPose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
 
     std::vector<double> lengths_;
     std::vector<glm::dvec3> joints_;  // where they are to be
     std::vector<glm::dquat> best_;
+    std::vector<std::array<glm::dvec3, 3>> slopes_;  // of the tip by each bone's turn about X, Y and Z
     // of chains with limits
     std::vector<glm::dquat> rest_;
     std::vector<glm::dvec3> offsets_;

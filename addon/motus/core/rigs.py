@@ -69,11 +69,9 @@ def is_still(rig, known):
 
     Cheaper than to compare names; a bone that is only renamed keeps its row.
     """
-    try:
-        rest = _matrices("rest", rig.data.bones, "matrix_local", len(known.names))
-    except (TypeError, RuntimeError):  # another number of bones
-        return False
-    return rest.tobytes() == known.bones
+    bones, count = rig.data.bones, len(known.names)
+    # foreach_get says nothing where the array is longer than need be.
+    return len(bones) == count and _matrices("rest", bones, "matrix_local", count).tobytes() == known.bones
 
 
 def _inheritance(bone):

@@ -19,6 +19,9 @@ def in_a_mode_of_objects(cls, context):
 def rig_of(operator, context):
     """The rig that the operator names, or the active one; None, reported, where it has no inverse kinematics."""
     rig = bpy.data.objects.get(operator.object) if operator.object else context.object
+    if operator.object and rig is None:
+        operator.report({'ERROR'}, tr("There is no object {object}").format(object=operator.object))
+        return None
     if rig is None or not rig.motus.ik.is_active:
         operator.report({'ERROR'}, tr("Nothing here has inverse kinematics"))
         return None

@@ -86,6 +86,12 @@ def objects_of(owner, systems):
     return {member.thing.id_data for one in systems for member in _members(one, owner)}
 
 
+def inexact(owner, systems):
+    """Names of bones that the systems free of a scale that they inherit, which keyframes cannot do."""
+    return [member.thing.name for one in systems for member in _members(one, owner)
+            if member.space == 'POSE' and "scale" in member.channels]
+
+
 def _members(one, owner):
     return [member for group in system.groups_of(one, owner) for member in group.members]
 

@@ -88,6 +88,7 @@ class MOTUS_OT_bake(bpy.types.Operator):
                 setattr(self, name, getattr(context.scene, name))
         frames = job.frame_range(self.frame_start, self.frame_end, self.step)
         self._result = len(frames), len(job.objects_of(owner, systems))
+        self._inexact = job.inexact(owner, systems)
         self._steps = job.bake(context.scene, context.view_layer, owner, systems, frames)
         context.window_manager.progress_begin(0, len(frames))
 
@@ -100,6 +101,10 @@ class MOTUS_OT_bake(bpy.types.Operator):
         self._tidy(context)
         frames, objects = self._result
         self.report({'INFO'}, tr("Baked {frames} frames of {objects} objects").format(frames=frames, objects=objects))
+        if self._inexact:
+            self.report({'WARNING'}, tr(
+                "Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}").format(
+                    bones=", ".join(self._inexact)))
         return {'FINISHED'}
 
     def _refuse(self, context, error):

@@ -41,12 +41,15 @@ def _wire(system, owner, group, kind):
         target = anchor.of(settings)
     driven = drivers.driven_bones(owner) if system.groups is not None and not direct else ()
     for index, member in enumerate(group.members):
+        active = member.thing.constraints.active
         if uses_attribute:
             attribute_sink.add(system, group, index, hub)
         elif _needs_proxy(member, driven):
             anchor.keep(settings, member.thing.name, proxy_sink.add(system, group, index, carrier))
         else:
             limit_sink.add(system, group, index, carrier, target, direct)
+        if active:
+            member.thing.constraints.active = active  # the user's, which stays so when ours go
         if member.thing.id_data != owner:
             of_owner(system, member.thing.id_data).leader = owner
 

@@ -8,6 +8,8 @@ INTERFACE = {
     "Targets": "Objetivos",
     "Hidden objects that the constraints have as targets":
         "Objetos ocultos que las restricciones tienen como objetivos",
+    "Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}":
+        "Los fotogramas clave no pueden deshacer el estiramiento que estos huesos heredan de la cadena: {bones}",
     "Wired": "Conectado",
     "What was wired, to notice where it has changed since":
         "Lo que se conectó, para notar dónde ha cambiado desde entonces",

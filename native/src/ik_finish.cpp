@@ -1,0 +1,78 @@
+// Chains whose bones stand in sheared spaces, where rounds of rigid solutions go in circles.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+
+#include "ik_aim.hpp"
+
+namespace motus {
+namespace {
+
+glm::dquat turn_by(const glm::dvec3& vector) {
+    const double angle = glm::length(vector);
+    if (angle == 0.0) return {1.0, 0.0, 0.0, 0.0};
+    return glm::angleAxis(angle, vector / angle);
+}
+
+}  // namespace
+
+// Damped least squares on the rotations themselves, with the true positions of the joints: the step is
+// J^T (J J^T + d^2)^-1 e (Wampler 1986, Nakamura and Hanafusa 1986), d grows where a step does not help.
+int IkAim::finish(IkPose& pose, const AimGoal& goal, const glm::dvec3& end, double reach) {
+    constexpr int most_steps = 80;
+    constexpr double difference = 1e-6;  // rad
+    const std::size_t count = goal.count;
+    const double enough = 0.1 * goal.tolerance * reach;
+    const auto put_from = [&](std::size_t first) {
+        for (std::size_t i = first; i < count; ++i) pose.put(i, best_[i], 1.0);
+    };
+    put_from(0);
+    double damping = 1e-3;  // of the reach
+    double miss = glm::distance(pose.joints()[count], end);
+    int step = 0;
+    for (; step < most_steps && miss > enough && damping < 1e3; ++step) {
+        const glm::dvec3 tip = pose.joints()[count];
+        glm::dmat3 square(0.0);  // J J^T
+        for (std::size_t i = 0; i < count; ++i) {
+            for (int axis = 0; axis < 3; ++axis) {
+                glm::dvec3 vector(0.0);
+                vector[axis] = difference;
+                pose.put(i, glm::normalize(turn_by(vector) * best_[i]), 1.0);
+                for (std::size_t k = i + 1; k < count; ++k) pose.put(k, best_[k], 1.0);
+                const glm::dvec3 column = (pose.joints()[count] - tip) / difference;
+                slopes_[i][axis] = column;
+                square += glm::outerProduct(column, column);
+            }
+            pose.put(i, best_[i], 1.0);
+        }
+        const double added = damping * damping * reach * reach;
+        for (int axis = 0; axis < 3; ++axis) square[axis][axis] += added;
+        const glm::dvec3 pull = glm::inverse(square) * (end - tip);
+        for (std::size_t i = 0; i < count; ++i) {
+            const glm::dvec3 vector(glm::dot(slopes_[i][0], pull), glm::dot(slopes_[i][1], pull),
+                                    glm::dot(slopes_[i][2], pull));
+            rotations_[i] = glm::normalize(turn_by(vector) * best_[i]);
+            pose.put(i, rotations_[i], 1.0);
+        }
+        const double now = glm::distance(pose.joints()[count], end);
+        if (now < miss) {
+            std::copy_n(rotations_.begin(), count, best_.begin());
+            const bool is_stuck = miss - now < 1e-12 * reach;
+            miss = now;
+            damping = std::max(0.3 * damping, 1e-9);
+            if (is_stuck) break;
+        } else {
+            damping *= 5.0;
+            put_from(0);
+        }
+    }
+    put_from(0);
+    return step;
+}
+
+}  // namespace motus
