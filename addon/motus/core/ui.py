@@ -8,6 +8,28 @@ from .system import of_owner
 TAB = "Motus"
 
 
+class Sidebar:
+    """Mixin of panels in the 3D view's sidebar."""
+
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'UI'
+    bl_category = TAB
+
+
+class ObjectConstraints:
+    """Mixin of panels among the constraints of an object, in the properties editor."""
+
+    bl_space_type = 'PROPERTIES'
+    bl_region_type = 'WINDOW'
+    bl_context = "constraint"
+
+
+class BoneConstraints(ObjectConstraints):
+    """Mixin of panels among the constraints of a bone."""
+
+    bl_context = "bone_constraint"
+
+
 class MOTUS_OT_copy_text(bpy.types.Operator):
     bl_idname = "motus.copy_text"
     bl_label = "Copy"
@@ -21,11 +43,8 @@ class MOTUS_OT_copy_text(bpy.types.Operator):
         return {'FINISHED'}
 
 
-class MOTUS_PT_sidebar(bpy.types.Panel):
+class MOTUS_PT_sidebar(Sidebar, bpy.types.Panel):
     bl_label = "Motus"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = TAB
 
     def draw(self, context):
         layout = self.layout
@@ -37,11 +56,8 @@ class MOTUS_PT_sidebar(bpy.types.Panel):
         layout.label(text=context.object.name, icon='OBJECT_DATA', translate=False)
 
 
-class MOTUS_PT_overlay(bpy.types.Panel):
+class MOTUS_PT_overlay(Sidebar, bpy.types.Panel):
     bl_label = "Overlay"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = TAB
     bl_order = 100
     bl_options = {'DEFAULT_CLOSED'}
 
@@ -55,8 +71,8 @@ class MOTUS_PT_overlay(bpy.types.Panel):
         layout.use_property_decorate = False
         layout.active = settings.show_overlay
         column = layout.column(heading="Show")
-        for name in ("show_curve", "show_control_points", "show_tangents", "show_frames", "show_speed", "show_reach", "show_pole",
-                     "show_residual"):
+        for name in ("show_curve", "show_control_points", "show_tangents", "show_frames", "show_speed", "show_reach",
+                     "show_pole", "show_residual"):
             column.prop(settings, name)
 
 

@@ -169,18 +169,6 @@ class MOTUS_UL_ik_targets(bpy.types.UIList):
         layout.label(text=f"{index + 1}  {name}  {extra.bone}", translate=False)
 
 
-class _Sidebar:
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = ui.TAB
-
-
-class _Constraints:
-    bl_space_type = 'PROPERTIES'
-    bl_region_type = 'WINDOW'
-    bl_context = "bone_constraint"
-
-
 class _Main:
     bl_label = "Inverse Kinematics"
 
@@ -246,11 +234,11 @@ _PARTS = {"target": _Target, "weights": _Weights, "pole": _Pole, "reach": _Reach
           "precision": _Precision}
 
 
-class MOTUS_PT_ik(_Main, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_ik(_Main, ui.Sidebar, bpy.types.Panel):
     pass
 
 
-class MOTUS_PT_ik_constraint(_Main, _Constraints, bpy.types.Panel):
+class MOTUS_PT_ik_constraint(_Main, ui.BoneConstraints, bpy.types.Panel):
     pass
 
 
@@ -263,6 +251,6 @@ def _parts(parent, editor):
 classes = (
     MOTUS_UL_ik_entries, MOTUS_UL_ik_targets,
     # Panels before their sub-panels.
-    MOTUS_PT_ik, *_parts("MOTUS_PT_ik", _Sidebar),
-    MOTUS_PT_ik_constraint, *_parts("MOTUS_PT_ik_constraint", _Constraints),
+    MOTUS_PT_ik, *_parts("MOTUS_PT_ik", ui.Sidebar),
+    MOTUS_PT_ik_constraint, *_parts("MOTUS_PT_ik_constraint", ui.BoneConstraints),
 )

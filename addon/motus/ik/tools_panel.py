@@ -40,17 +40,11 @@ class _Tools:
         draw(self.layout, context)
 
 
-class MOTUS_PT_ik_tools(_Tools, bpy.types.Panel):
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = ui.TAB
+class MOTUS_PT_ik_tools(_Tools, ui.Sidebar, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_ik"
 
 
-class MOTUS_PT_ik_constraint_tools(_Tools, bpy.types.Panel):
-    bl_space_type = 'PROPERTIES'
-    bl_region_type = 'WINDOW'
-    bl_context = "bone_constraint"
+class MOTUS_PT_ik_constraint_tools(_Tools, ui.BoneConstraints, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_ik_constraint"
 
 

@@ -163,18 +163,6 @@ class MOTUS_UL_look_at_entries(bpy.types.UIList):
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 
-class _Sidebar:
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = ui.TAB
-
-
-class _Constraints:
-    bl_space_type = 'PROPERTIES'
-    bl_region_type = 'WINDOW'
-    bl_context = "bone_constraint"
-
-
 class _Main:
     bl_label = "Look At"
 
@@ -208,27 +196,27 @@ class _Bones(_Part):
         draw_bones(self.layout, context)
 
 
-class MOTUS_PT_look_at(_Main, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_look_at(_Main, ui.Sidebar, bpy.types.Panel):
     pass
 
 
-class MOTUS_PT_look_at_limits(_Limits, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_look_at_limits(_Limits, ui.Sidebar, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_look_at"
 
 
-class MOTUS_PT_look_at_bones(_Bones, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_look_at_bones(_Bones, ui.Sidebar, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_look_at"
 
 
-class MOTUS_PT_look_at_constraint(_Main, _Constraints, bpy.types.Panel):
+class MOTUS_PT_look_at_constraint(_Main, ui.BoneConstraints, bpy.types.Panel):
     pass
 
 
-class MOTUS_PT_look_at_constraint_limits(_Limits, _Constraints, bpy.types.Panel):
+class MOTUS_PT_look_at_constraint_limits(_Limits, ui.BoneConstraints, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_look_at_constraint"
 
 
-class MOTUS_PT_look_at_constraint_bones(_Bones, _Constraints, bpy.types.Panel):
+class MOTUS_PT_look_at_constraint_bones(_Bones, ui.BoneConstraints, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_look_at_constraint"
 
 

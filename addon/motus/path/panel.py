@@ -176,18 +176,6 @@ class MOTUS_UL_path_wagons(bpy.types.UIList):
         row.prop(wagon, "gap", text="")
 
 
-class _Sidebar:
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
-    bl_category = ui.TAB
-
-
-class _Constraints:
-    bl_space_type = 'PROPERTIES'
-    bl_region_type = 'WINDOW'
-    bl_context = "constraint"
-
-
 class _Main:
     bl_label = "Follow Path"
 
@@ -234,35 +222,35 @@ class _Train(_Part):
         draw_train(self.layout, context)
 
 
-class MOTUS_PT_path(_Main, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_path(_Main, ui.Sidebar, bpy.types.Panel):
     pass
 
 
-class MOTUS_PT_path_timing(_Timing, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_path_timing(_Timing, ui.Sidebar, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_path"
 
 
-class MOTUS_PT_path_orientation(_Orientation, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_path_orientation(_Orientation, ui.Sidebar, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_path"
 
 
-class MOTUS_PT_path_train(_Train, _Sidebar, bpy.types.Panel):
+class MOTUS_PT_path_train(_Train, ui.Sidebar, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_path"
 
 
-class MOTUS_PT_path_constraint(_Main, _Constraints, bpy.types.Panel):
+class MOTUS_PT_path_constraint(_Main, ui.ObjectConstraints, bpy.types.Panel):
     pass
 
 
-class MOTUS_PT_path_constraint_timing(_Timing, _Constraints, bpy.types.Panel):
+class MOTUS_PT_path_constraint_timing(_Timing, ui.ObjectConstraints, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_path_constraint"
 
 
-class MOTUS_PT_path_constraint_orientation(_Orientation, _Constraints, bpy.types.Panel):
+class MOTUS_PT_path_constraint_orientation(_Orientation, ui.ObjectConstraints, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_path_constraint"
 
 
-class MOTUS_PT_path_constraint_train(_Train, _Constraints, bpy.types.Panel):
+class MOTUS_PT_path_constraint_train(_Train, ui.ObjectConstraints, bpy.types.Panel):
     bl_parent_id = "MOTUS_PT_path_constraint"
 
 
