@@ -1,0 +1,68 @@
+// Work on the elements of an array, shared among the processor's threads.
+#pragma once
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace motus {
+
+/// Threads that the machine runs at once, at least 1.
+[[nodiscard]] inline std::size_t thread_count() {
+    static const std::size_t count = std::max(1u, std::thread::hardware_concurrency());
+    return count;
+}
+
+/// Calls work(first, last) for parts that together are [0, count), each once, on at most `threads` threads,
+/// of which the caller's is one. Parts have at least `grain` elements (all of them, where there are fewer);
+/// long ones begin at multiples of 64. Which thread takes which part, and how many there are, is not
+/// determined: the result must not depend on it. Returns when all is done. An exception of `work` passes to
+/// the caller (one of them, where several threads throw), and parts not yet begun are left out. A thread
+/// takes about 20 us to start: below some 50 us of work, let the grain leave it to the caller's thread.
+template <class Work>
+void in_parts(std::size_t count, std::size_t grain, const Work& work, std::size_t threads = thread_count()) {
+    if (count == 0) return;
+    // More parts than threads: a thread that the machine has other work for then holds nobody up.
+    constexpr std::size_t parts_a_thread = 4, step = 64;
+    const std::size_t most = std::max<std::size_t>(1, count / std::max<std::size_t>(1, grain));
+    const std::size_t wanted = threads > 1 ? std::min(most, parts_a_thread * threads) : 1;
+    std::size_t length = (count + wanted - 1) / wanted;
+    if (length > step) length = (length + step - 1) / step * step;
+    const std::size_t parts = (count + length - 1) / length;
+    if (parts == 1) {
+        work(std::size_t{0}, count);
+        return;
+    }
+
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr failure;
+    std::mutex failing;
+    const auto take_parts = [&] {
+        try {
+            for (std::size_t part = next++; part < parts; part = next++)
+                work(part * length, std::min(count, (part + 1) * length));
+        } catch (...) {
+            next = parts;
+            const std::lock_guard lock(failing);
+            if (!failure) failure = std::current_exception();
+        }
+    };
+    {
+        std::vector<std::jthread> helpers;
+        helpers.reserve(std::min(threads, parts) - 1);
+        try {
+            while (helpers.size() < helpers.capacity()) helpers.emplace_back(take_parts);
+        } catch (const std::system_error&) {
+            // No more threads to be had: those there are do it all.
+            next.load();
+        }
+        take_parts();
+    }
+    if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace motus
