@@ -53,6 +53,34 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual([key for key in rig.keys() if key.startswith("motus_")], [])
         self.assertEqual({obj.name for obj in bpy.data.objects}, {"Arm", "Goal"})
 
+    def test_the_scripted_example_pulls_and_pins(self):
+        scripted, = [code for code in examples(DOCS / "pull.md") if "bpy.ops.motus" in code]
+        seen = []
+        pinning, applying, rest = scripted.partition("bpy.ops.motus.pin_apply")
+        scope = {"print": lambda *heights: seen.append(heights)}
+        exec(compile(pinning, "pull.md", "exec"), scope)
+        (hill, plateau), = seen
+        self.assertAlmostEqual(hill, 1.5, places=5)
+        self.assertAlmostEqual(plateau, 1.0, places=5)
+        land, scene = scope["land"], bpy.context.scene
+        top = scope["middle"] + 20
+        self.assertEqual(land.data.vertices[top].co.z, 0.0)
+        heights = [self.height_of(land, top, frame) for frame in (1, 7, 13)]
+        self.assertAlmostEqual(heights[0], 0.0, places=6)
+        self.assertTrue(0.0 < heights[1] < heights[2] <= 1.0, heights)
+
+        exec(compile(applying + rest, "pull.md", "exec"), scope)
+        self.assertFalse(land.motus.pull.pins)
+        self.assertFalse(land.modifiers)
+        self.assertAlmostEqual(self.height_of(land, top, 1), 0.0, places=6)
+        self.assertAlmostEqual(self.height_of(land, top, 25), 1.0, places=5)
+        self.assertEqual(scene.frame_current, 25)
+
+    def height_of(self, land, vertex, frame):
+        """Height of a vertex on a frame, as it is seen."""
+        bpy.context.scene.frame_set(frame)
+        return land.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices[vertex].co.z
+
     def assert_animated(self, rig):
         """The arm of ik.md stands as it was made, which is its animation."""
         posed = rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones
@@ -75,6 +103,18 @@ class ExamplesTest(support.SceneTestCase):
         self.assertLess(arm.elbow[1], 0.2 * arm.elbow[0] / 0.3, "the elbow is not on the pole's side")
         self.assert_place(tentacle.joints[-1], (0.8, 0.3, 0.9), 2e-6)
         self.assertEqual(tentacle.joints.shape, (21, 3))
+
+    def test_the_native_example_of_pulling_pulls(self):
+        scope = self.run_native("pull.md")
+        flat, hill = scope["flat"], scope["hill"]
+        self.assert_place(hill[5100], (0.0, 0.0, 0.4), 1e-6)
+        far = (flat ** 2).sum(axis=1) >= 0.2501
+        self.assertTrue((hill[far] == flat[far]).all(), "what is beyond the radius has moved")
+        near = scope["indices"].tolist()
+        self.assertEqual(near, [index for index, place in enumerate(flat) if float((place ** 2).sum()) ** 0.5 <= 0.25])
+        self.assertEqual(scope["triangle"], 0)
+        self.assert_place(scope["place"], (-0.995, -0.995, 0.0), 1e-6)
+        self.assertAlmostEqual(scope["away"], 1.0, places=6)
 
     def run_native(self, page):
         """What the example without Blender of a page leaves."""

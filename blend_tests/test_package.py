@@ -31,7 +31,7 @@ class Package(unittest.TestCase):
 
     def test_nothing_is_included_that_does_not_belong(self):
         suffixes = {path.suffix for path in self.folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts}
-        self.assertLessEqual(suffixes, {".py", ".pyi", ".so", ".toml", "", ".svg", ".blend", ".json", ".png"})
+        self.assertLessEqual(suffixes, {".py", ".pyi", ".so", ".toml", "", ".svg", ".blend", ".json", ".png", ".dat"})
 
     def test_bl_info_only_where_blender_reads_it(self):
         source = (self.folder / "__init__.py").read_text(encoding="utf-8")

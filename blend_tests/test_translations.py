@@ -10,7 +10,7 @@ import support
 
 IDENTIFIERS = {"text", "heading", "title"}
 """Keyword arguments of layout functions that Blender translates."""
-SENTENCES = {"tr", "Problem", "Status", "poll_message_set", "pgettext_iface", "pgettext_tip"}
+SENTENCES = {"tr", "Problem", "Status", "Key", "poll_message_set", "pgettext_iface", "pgettext_tip"}
 """Functions whose first string is shown to the user."""
 UNTRANSLATED = {"", "Motus", "X", "Y", "Z", "-X", "-Y", "-Z"}
 """Names and letters, the same in every language."""
@@ -71,6 +71,8 @@ def _constants(context, nodes):
 def english_texts():
     """Every (context, text) of the add-on that Blender or tr() translates."""
     texts = {text for cls in registered_classes() for text in class_texts(cls)}
+    tools = [tool for tool in bpy.types.WorkSpaceTool.__subclasses__() if tool.__module__.startswith(f"{package()}.")]
+    texts.update(("*", text) for tool in tools for text in (tool.bl_label, tool.bl_description))
     folder = Path(support.addon().__file__).parent
     for path in folder.rglob("*.py"):
         texts.update(source_texts(path.read_text(encoding="utf-8")))

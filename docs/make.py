@@ -8,9 +8,11 @@ sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 
 import flight_picture  # noqa: E402  (found by the line above)
 import ik_pictures  # noqa: E402
+import lattice_pictures  # noqa: E402
 import look_at_pictures  # noqa: E402
 import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
+import pull_pictures  # noqa: E402
 import support  # noqa: E402
 
 support.enable()
@@ -18,7 +20,7 @@ support.enable()
 print("docs/operators.md")
 pictures = HERE / "pictures"
 for render in (
-        path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all,
-        lambda folder: [flight_picture.render(folder), flight_picture.render_reach(folder)]):
+        path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
+        lattice_pictures.render_all, flight_picture.render_all):
     for picture in render(pictures):
         print(f"docs/pictures/{picture.name}")

@@ -1,9 +1,11 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import ik, look_at, path
+from . import ik, lattice, look_at, path, pull
 
 SYSTEMS = (
     path.SYSTEM,
     ik.SYSTEM,
     look_at.SYSTEM,
+    pull.SYSTEM,
+    lattice.SYSTEM,
 )

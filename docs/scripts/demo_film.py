@@ -1,6 +1,6 @@
 """Render the demo scenes: stills, then a short film of each. Run inside Blender with the add-on enabled:
 
-    blender -b --python demo_film.py -- --output FOLDER [--quick] [--only flight|reach]
+    blender -b --python demo_film.py -- --output FOLDER [--quick] [--only flight|reach|pull]
 
 A film is made by EEVEE, which is free of noise at the few samples a frame can have here; it is cut short where the
 machine would not finish it in time. So are the stills, unless this Blender can denoise what Cycles makes.
@@ -38,8 +38,11 @@ SHOWS = (
         "reach", "IK", (("Lookout Camera", 3.05), ("Lookout Camera", 4.4), ("Lookout Camera", 0.6)),
         film_start=0.0, film_end=9.0, ambience=0.5,
     ),
+    Show(
+        "pull", "PULL", (("Studio Camera", 4.1), ("Studio Camera", 5.2), ("Studio Camera", 1.6)),
+        film_start=0.0, film_end=9.0, ambience=1.0,
+    ),
 )
-FLIGHT, REACH = SHOWS
 
 
 @dataclass(frozen=True)

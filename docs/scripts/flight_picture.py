@@ -8,14 +8,12 @@ from pathlib import Path
 import demo_film
 
 
-def render(folder):
-    """Render the flight's first still as flight.png; returns the file."""
-    return _render(demo_film.FLIGHT, folder / "flight.png")
+PICTURES = {"flight": "flight.png", "reach": "ik_demo.png", "pull": "pull_demo.png"}
 
 
-def render_reach(folder):
-    """Render the first still of the inverse kinematics' scene as ik_demo.png; returns the file."""
-    return _render(demo_film.REACH, folder / "ik_demo.png")
+def render_all(folder):
+    """Render the first still of each demo scene; returns the files."""
+    return [_render(show, folder / PICTURES[show.name]) for show in demo_film.SHOWS]
 
 
 def _render(show, file):

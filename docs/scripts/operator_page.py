@@ -2,7 +2,7 @@
 
 import bpy
 
-INTERNAL = {"motus.copy_text"}
+INTERNAL = {"motus.copy_text", "motus.pull_adjust"}
 
 HEADER = """# Operators
 
@@ -41,7 +41,8 @@ def _row(prop):
 
 def _kind(prop):
     if prop.type == 'ENUM':
-        return ", ".join(f"`{item.identifier}`" for item in prop.enum_items) or "text"
+        items = ", ".join(f"`{item.identifier}`" for item in prop.enum_items) or "text"
+        return f"set of {items}" if prop.is_enum_flag else items
     return {'FLOAT': "number", 'INT': "whole number", 'BOOLEAN': "true or false", 'STRING': "text"}.get(
         prop.type, prop.type.lower())
 
@@ -53,7 +54,9 @@ def _default(prop):
     if prop.type == 'STRING':
         return f"`\"{prop.default}\"`"
     if prop.type == 'ENUM':
-        return f"`{prop.default}`"
+        return ", ".join(f"`{name}`" for name in sorted(prop.default_flag)) if prop.is_enum_flag else f"`{prop.default}`"
+    if prop.type == 'INT' and prop.is_array:
+        return ", ".join(str(value) for value in prop.default_array)
     return str(getattr(prop, "default", ""))
 
 

@@ -13,5 +13,8 @@ void bind_two_bone(pybind11::module_& m);
 void bind_chain(pybind11::module_& m);
 void bind_look_at(pybind11::module_& m);
 void bind_rig_ik(pybind11::module_& m);
+void bind_picker(pybind11::module_& m);
+void bind_pull(pybind11::module_& m);
+void bind_lattice(pybind11::module_& m);
 
 }  // namespace motus::bindings

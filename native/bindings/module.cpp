@@ -19,4 +19,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_chain(m);
     bind_look_at(m);
     bind_rig_ik(m);
+    bind_picker(m);  // before pull(): Picker
+    bind_pull(m);
+    bind_lattice(m);
 }

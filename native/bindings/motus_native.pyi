@@ -17,6 +17,7 @@ _Number = Union[float, int]
 _Extend = Literal["clamp", "extrapolate", "loop", "ping_pong"]
 _Mode = Literal["world_up", "minimal", "banking", "curvature", "tilt"]
 _Axis = Literal["X", "Y", "Z", "-X", "-Y", "-Z"]
+_Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
 
 __version__: str
 
@@ -364,3 +365,118 @@ def pose_to_bone(
     inherit_rotation: bool = True,
     local_location: bool = True,
 ) -> _Array: ...
+
+class Lattice:
+    """A grid of points that deforms what is in it; points are counted with u fastest, then v, then w."""
+
+    def __init__(
+        self,
+        origin: ArrayLike,  # (3,), the first point at rest
+        axes: ArrayLike,  # (3, 3), rows: from the first to the last point along u, v, w
+        resolution: Sequence[int],  # points along u, v, w, 1 to 64
+        basis: _Basis | Sequence[_Basis] = "bspline",
+    ) -> None: ...
+    @property
+    def resolution(self) -> tuple[int, int, int]: ...
+    @property
+    def point_count(self) -> int: ...
+    def rest_points(self) -> _Array: ...  # (n, 3)
+    def weights(self, places: ArrayLike) -> _Array: ...  # (m, 3) -> (m, n)
+    def deform(
+        self,
+        positions: ArrayLike,  # (m, 3)
+        displacements: ArrayLike,  # (n, 3), from rest
+        influence: ArrayLike | None = None,  # (m,)
+        point_weights: ArrayLike | None = None,  # (n,)
+        out: NDArray[np.float32] | None = None,  # (m, 3)
+    ) -> NDArray[np.float32]: ...
+    def pull(
+        self,
+        places: ArrayLike,  # (k, 3), before they are deformed
+        displacements: ArrayLike,  # (p, 3)
+        pulls: ArrayLike | None = None,  # (k,) index of the displacement; None: one each
+        shares: ArrayLike | None = None,  # (k,)
+        influence: ArrayLike | None = None,  # (k,)
+        point_weights: ArrayLike | None = None,  # (n,)
+        outside_only: bool = False,
+        max_gain: float = 32.0,
+    ) -> tuple[_Array, _Array]: ...  # displacements of the points (n, 3), what is left (p, 3)
+
+# (center (3,), axes (3, 3) in rows, size (3,)) of a box around points (m, 3).
+def box_around(
+    points: ArrayLike, axes: ArrayLike | None = None, turn: bool = False
+) -> tuple[_Array, _Array, _Array]: ...
+
+_Distance = Literal["straight", "surface", "edges"]
+_Falloff = Literal["classic", "smooth", "sphere", "root", "linear", "sharp", "constant", "gaussian", "curve"]
+_Floats = NDArray[np.float32]
+_Indices = NDArray[np.int32]
+_Reach = tuple[_Indices, _Floats]
+
+class Picker:
+    """A mesh to pick from, as of the last refit."""
+
+    def __init__(
+        self,
+        positions: ArrayLike,  # (v, 3) float32
+        triangles: ArrayLike | None,  # (t, 3) int32
+        edges: ArrayLike | None = None,  # (e, 2) int32; None: all sides of triangles
+    ) -> None: ...
+    @property
+    def vertex_count(self) -> int: ...
+    @property
+    def triangle_count(self) -> int: ...
+    # (triangle, point (3,), distance) of the first hit.
+    def ray(self, origin: ArrayLike, direction: ArrayLike) -> tuple[int, _Array, float] | None: ...
+    def nearest(self, point: ArrayLike) -> int | None: ...  # index of a vertex
+    def within(self, point: ArrayLike, radius: float, metric: ArrayLike | None = None) -> _Indices: ...  # ascending
+    # (indices, distances) of the vertices within the radius.
+    def reach(
+        self,
+        root: int | ArrayLike,  # a vertex, or for "straight" a point (3,)
+        radius: float,  # for "edges" a number of edges
+        distance: _Distance = "straight",
+        metric: ArrayLike | None = None,  # (3, 3)
+    ) -> _Reach: ...
+    def reaches(  # one for each mirror image
+        self,
+        root: int | ArrayLike,
+        radius: float,
+        distance: _Distance = "straight",
+        metric: ArrayLike | None = None,
+        mirror: str = "",  # letters of "xyz"
+    ) -> list[_Reach]: ...
+    def refit(self, positions: ArrayLike, moved: ArrayLike | None = None) -> None: ...  # moved: indices
+
+# Positions (v, 3) float32 pulled at a vertex: new ones, or out.
+def pull(
+    positions: ArrayLike,
+    root: int | ArrayLike,  # a vertex, or for "straight" a point (3,)
+    displacement: ArrayLike,  # (3,)
+    radius: float,  # > 0
+    falloff: _Falloff = "smooth",
+    distance: _Distance = "straight",
+    triangles: ArrayLike | None = None,  # (t, 3) int32
+    weights: ArrayLike | None = None,  # (v,), in [0, 1]
+    scale_factor: float = 0.0,  # of "classic"
+    minimum: float | None = None,
+    maximum: float | None = None,
+    *,
+    curve: ArrayLike | None = None,  # samples over t from 0 to 1
+    clamp_axis: int = 2,  # of minimum and maximum
+    mirror: str = "",  # letters of "xyz"
+    metric: ArrayLike | None = None,  # (3, 3), distances are |metric (p - root)|
+    edges: ArrayLike | None = None,  # (e, 2) int32
+    picker: Picker | None = None,
+    out: _Floats | None = None,  # (v, 3), C-contiguous, written into; positions itself may be given
+    reach: _Reach | list[_Reach] | None = None,  # of Picker.reach, or with mirror of Picker.reaches
+) -> _Floats: ...
+
+# Forces at distances, a number or (n,).
+def pull_forces(
+    distances: ArrayLike,
+    radius: float,
+    falloff: _Falloff = "smooth",
+    scale_factor: float = 0.0,
+    curve: ArrayLike | None = None,
+) -> _Floats: ...

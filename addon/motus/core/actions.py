@@ -17,6 +17,13 @@ def fcurves(id_data):
     return bag.fcurves if bag else ()
 
 
+def all_fcurves(action):
+    """The F-curves of an action, of all its slots, as an iterable of collections."""
+    if not capabilities.has_slotted_actions():
+        return (action.fcurves,)
+    return (bag.fcurves for layer in action.layers for strip in layer.strips for bag in strip.channelbags)
+
+
 def find(id_data, data_path, index=0):
     """The F-curve of one property, or None."""
     curves = fcurves(id_data)

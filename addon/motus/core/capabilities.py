@@ -44,3 +44,18 @@ def point_shader():
     if bpy.app.version >= (4, 5, 0):
         return "POINT_UNIFORM_COLOR"
     return "UNIFORM_COLOR" if bpy.app.version >= (4, 0, 0) else "3D_UNIFORM_COLOR"
+
+
+def has_tree_interface():
+    """Sockets of a node group belong to its interface (4.0), not to two lists."""
+    return "interface" in bpy.types.NodeTree.bl_rna.properties
+
+
+def has_modifier_inputs():
+    """Inputs of a Geometry Nodes modifier are properties (5.2), where they were custom properties before."""
+    return "properties" in bpy.types.NodesModifier.bl_rna.properties
+
+
+def has_modifier_order():
+    """Modifiers can be moved in the stack (4.0) without an operator."""
+    return "move" in bpy.types.ObjectModifiers.bl_rna.functions

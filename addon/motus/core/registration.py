@@ -35,6 +35,9 @@ def _register(systems, extra_classes, extra_add_menu):
     _call(overlay.register, overlay.unregister)
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
     _call(translations.register, translations.unregister)
+    for one in systems:
+        for extra in one.extras:
+            _call(extra.register, extra.unregister)
 
 
 def _call(do, undo):
@@ -49,12 +52,19 @@ def _register_classes(classes):
 
 
 def _register_settings(systems):
-    """Object.motus holds one group a system and what baking remembers; Scene.motus the viewport switches."""
+    """Object.motus holds one group a system and what baking remembers; Scene.motus the viewport switches and tools."""
     annotations = {
         one.name: bpy.props.PointerProperty(type=one.settings, override={'LIBRARY_OVERRIDABLE'}) for one in systems}
     annotations["bake"] = bpy.props.PointerProperty(type=bake.MOTUS_PG_bake)
     group = type("MOTUS_PG_object", (bpy.types.PropertyGroup,), {"__annotations__": annotations})
     _register_classes((group,))
+    for one in systems:
+        if one.scene_settings is not None:
+            _register_pointer(preferences.MOTUS_PG_scene, one.name, one.scene_settings)
     for owner, kind in ((bpy.types.Object, group), (bpy.types.Scene, preferences.MOTUS_PG_scene)):
-        owner.motus = bpy.props.PointerProperty(type=kind, name="Motus", override={'LIBRARY_OVERRIDABLE'})
-        _undo.append(lambda owner=owner: delattr(owner, "motus"))
+        _register_pointer(owner, "motus", kind, name="Motus", override={'LIBRARY_OVERRIDABLE'})
+
+
+def _register_pointer(owner, attribute, kind, **options):
+    setattr(owner, attribute, bpy.props.PointerProperty(type=kind, **options))
+    _undo.append(lambda: delattr(owner, attribute))

@@ -7,6 +7,7 @@ import zlib
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
+from . import copies
 from .lazy import numpy as np
 from .per_thread import kept
 from .wiring.scratch import scratch
@@ -31,7 +32,8 @@ class Still(NamedTuple):
     places: Any       # for each row the place in Bone order, None where they are the same
     inheritance: Any  # (B,) int32: motus::InheritScale | INHERITS_ROTATION | HAS_LOCAL_LOCATION
     rest: Any         # as in Arrays
-    bones: bytes      # the same in Bone order
+    lengths: Any      # (B,) float32
+    bones: tuple      # bytes of rest and lengths in Bone order
 
 
 class Arrays(NamedTuple):
@@ -41,7 +43,7 @@ class Arrays(NamedTuple):
     rest: Any         # (B, 16) float32, column by column: Bone.matrix_local
     poses: Any        # (B, 16) float32: PoseBone.matrix, right for bones that stand already
     basis: Any        # (B, 16) float32: PoseBone.matrix_basis, the animated transform
-    lengths: Any      # (B,) float32
+    lengths: Any      # as in Still
     inheritance: Any  # as in Still
     world: Any        # (16,) float64, column by column: the rig's matrix_world
 
@@ -60,8 +62,11 @@ def still(rig, names):
         rows = {name: row for row, name in enumerate(order)}
         places = np.array([rows[name] for name in names])
     inheritance = np.array([_inheritance(bones[name]) for name in names], np.int32)
-    rest = _matrices("rest", bones, "matrix_local", len(names))
-    return Still(names, places, inheritance, rest.copy() if places is None else rest[places], rest.tobytes())
+    rest, lengths = (array.copy() for array in _at_rest(bones, len(names)))
+    as_bytes = rest.tobytes(), lengths.tobytes()
+    if places is not None:
+        rest, lengths = rest[places], lengths[places]
+    return Still(names, places, inheritance, rest, lengths, as_bytes)
 
 
 def is_still(rig, known):
@@ -71,7 +76,13 @@ def is_still(rig, known):
     """
     bones, count = rig.data.bones, len(known.names)
     # foreach_get says nothing where the array is longer than need be.
-    return len(bones) == count and _matrices("rest", bones, "matrix_local", count).tobytes() == known.bones
+    return len(bones) == count and tuple(array.tobytes() for array in _at_rest(bones, count)) == known.bones
+
+
+def _at_rest(bones, count):
+    lengths = scratch("rig_lengths", (count,), np.float32)
+    bones.foreach_get("length", lengths)
+    return _matrices("rest", bones, "matrix_local", count), lengths
 
 
 def _inheritance(bone):
@@ -82,14 +93,10 @@ def _inheritance(bone):
 def read(rig, known=None):
     """Arrays of an evaluated rig. known: its Still, where plan() has just given that."""
     known = known or still(rig, names_of(rig))
-    pose, bones, count = rig.pose.bones, rig.data.bones, len(known.names)
+    pose, count = rig.pose.bones, len(known.names)
     poses = _matrices("poses", pose, "matrix", count)
     basis = _matrices("basis", pose, "matrix_basis", count)
-    lengths = scratch("rig_lengths", (count,), np.float32)
-    bones.foreach_get("length", lengths)
-    if known.places is not None:
-        lengths = lengths[known.places]
-    return Arrays(known.names, known.rest, poses, basis, lengths, known.inheritance, columns(rig.matrix_world))
+    return Arrays(known.names, known.rest, poses, basis, known.lengths, known.inheritance, columns(rig.matrix_world))
 
 
 def columns(matrix):
@@ -121,6 +128,10 @@ def plan(rig, key, make):
     plans = kept("plans", OrderedDict)
     place = (key, rig.name)
     found = plans.get(place)
+    copy = copies.number_of(rig.data)
+    if found is not None and copy and found.copy == copy:
+        plans.move_to_end(place)
+        return found
     if found is None or not is_still(rig, found.still):
         names = names_of(rig)
         if found is not None and found.still.names == names:
@@ -129,8 +140,8 @@ def plan(rig, key, make):
             found = plans[place] = make(rig, {name: row for row, name in enumerate(names)})
         if len(plans) > LARGEST_CACHE:
             plans.popitem(last=False)
-    else:
-        plans.move_to_end(place)
+    found.copy = copy
+    plans.move_to_end(place)
     return found
 
 
@@ -139,21 +150,26 @@ class Standing:
 
     def __init__(self):
         self._every = self._wanted = self._rows = None
+        self._copy = 0
 
-    def matrices(self, view_layer, objects):
+    def matrices(self, view_layer, objects, copy=0):
         """World matrices of evaluated objects, (n, 16) float32 column by column; None: they are to be asked one by one.
 
         So it is where one of them is None or not in the evaluated view layer, and where that has a great many others.
+        objects(): the list of them. copy: number of the owner's copy (core/copies.py) that names them, and goes on to name the
+        same; 0 where they may be others each time.
         """
         layer = view_layer.id_data.name, view_layer.name
-        if _layer_sizes.get(layer, 0) > LARGE_SCENE * len(objects):
+        wanted = self._wanted if copy and copy == self._copy else list(map(hash, objects()))
+        if _layer_sizes.get(layer, 0) > LARGE_SCENE * len(wanted):
             return None
         # Of evaluated data no references are kept; what is compared is where it lies in memory.
         found = view_layer.objects
-        every, wanted = list(map(hash, found.values())), list(map(hash, objects))
+        every = list(map(hash, found.values()))
         if every != self._every or wanted != self._wanted:
-            self._find(every, wanted, objects)
+            self._find(every, wanted, objects())
             _layer_sizes[layer] = len(every)
+        self._copy = copy
         if self._rows is None:
             return None
         matrices = scratch("world_matrices", (len(every), 16), np.float32)

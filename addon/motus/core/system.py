@@ -86,6 +86,23 @@ class Splines:
 
 
 @dataclass(frozen=True)
+class Vertices:
+    """The evaluated mesh of the owner, as its datablock has it: without shape keys and modifiers; None without it.
+
+    The solver runs again whenever that mesh is edited.
+    """
+
+    name: str
+
+    def variable(self, owner, settings):
+        return Variable('MESH', owner.data, "vertices") if owner.type == 'MESH' else None
+
+    @staticmethod
+    def read(value, _settings):
+        return value.id_data if hasattr(value, "id_data") else None
+
+
+@dataclass(frozen=True)
 class Deformed:
     """Makes Blender evaluate the geometry of the object that `of` names first (hooks, shape keys, modifiers).
 
@@ -169,14 +186,20 @@ class Entry:
 
 @dataclass(frozen=True)
 class System:
-    """One system; see docs/architecture.md."""
+    """One system; see docs/architecture.md.
+
+    solve: None where nothing is solved; the settings are then never active. moves_points: the solver moves the points of
+    the owner's mesh, by a modifier, and has no members. unbakeable: a sentence that says why there is nothing to bake.
+    scene_settings: a PropertyGroup that becomes Scene.motus.<name>. extras: with register() and unregister() of their own.
+    settle: called after an evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner.
+    """
 
     name: str
     label: str
     settings: type
     classes: tuple
-    solve: Callable
-    problems: tuple
+    solve: Optional[Callable] = None
+    problems: tuple = ()
     inputs: tuple = ()
     outputs: tuple = ()
     channels: Callable = lambda settings: frozenset({"location", "rotation"})
@@ -186,6 +209,11 @@ class System:
     groups: Optional[Callable] = None
     entries: Optional[Callable] = None
     bone_renamed: Optional[Callable] = None
+    moves_points: bool = False
+    settle: Optional[Callable] = None
+    unbakeable: str = ""
+    scene_settings: Optional[type] = None
+    extras: tuple = ()
     overlay: Optional[Callable] = None
     add_menu: tuple = ()
     object_menu: tuple = ()
@@ -207,6 +235,8 @@ class Context:
     member_data: Any = None
     group: str = ""
     data: Any = field(default_factory=dict)
+    offsets: Any = None
+    wants_to_settle: bool = False
 
     @property
     def fps(self):

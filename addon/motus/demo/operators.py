@@ -7,7 +7,7 @@ import bpy
 from ..core.translations import tr
 
 # Imported when one is built, and NumPy with it: most users build none.
-SCENES = {"PATH": "banked_flight", "IK": "reaching"}
+SCENES = {"PATH": "banked_flight", "IK": "reaching", "PULL": "pulling"}
 
 
 class MOTUS_OT_demo_scene(bpy.types.Operator):
@@ -24,6 +24,8 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
             ("PATH", "Banked Flight", "An aeroplane on a curved course over a lake, with a chasing camera"),
             ("IK", "Reaching Pilot", "A wooden figure whose hand and eyes follow a butterfly, while its feet and other "
              "hand stay put"),
+            ("PULL", "Pulled from Clay", "A landscape that rises from the sea and a face full of feeling, both pulled "
+             "into shape and moved by pins"),
         ),
         default="PATH",
     )

@@ -6,8 +6,8 @@ import bpy
 from mathutils import Euler, Matrix, Vector
 
 from . import (
-    butterfly, character, character_limbs, character_rig, flight, landscape, lighting, lookout, reaching_motion, shapes,
-    woods,
+    butterfly, character, character_limbs, character_rig, flight, keying, landscape, lighting, lookout, reaching_motion,
+    shapes, woods,
 )
 
 SCENE_NAME = "Motus Reach"
@@ -39,7 +39,7 @@ def build(context):
     context.window.scene = scene
     scene.render.fps = FRAMES_PER_SECOND
     scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    scene.frame_start, scene.frame_end = 1, reaching_motion.CYCLE
+    scene.frame_start, scene.frame_end = 1, keying.CYCLE
     scene.frame_set(1)
     land, place, figure, marks = (_collection(scene, name) for name in ("Land", "Lookout", "Pilot", "Targets"))
     _build_land(scene, land)
@@ -81,7 +81,7 @@ def _add_camera(scene, collection, stage):
     camera = shapes.link_object(collection, "Lookout Camera", data, stage)
     constraint = camera.constraints.new("TRACK_TO")
     constraint.target, constraint.track_axis, constraint.up_axis = aim, "TRACK_NEGATIVE_Z", "UP_Y"
-    reaching_motion.key_cycle(camera, "location", CAMERA_KEYS)
+    keying.key_cycle(camera, "location", CAMERA_KEYS)
     scene.camera = camera
 
 
@@ -106,7 +106,7 @@ def _release_butterfly(collection, marks, stage):
     )
     reaching_motion.pin_pace(carrier)
     carrier.motus.path.timing = "PINS"
-    butterfly.build(collection, carrier, reaching_motion.CYCLE)
+    butterfly.build(collection, carrier, keying.CYCLE)
     return carrier
 
 

@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-CYCLE = 216  # frames: nine seconds, then all of it begins again
+from .keying import CYCLE, key_cycle
 
 # Frames of the cycle with values: metres in the bone's axes (X to its left, Y up, Z to the front), degrees about them.
 PELVIS_PLACE = (
@@ -74,14 +74,3 @@ def pin_pace(carrier):
             )
             if result != {"FINISHED"}:
                 raise RuntimeError(f"{carrier.name} could not be pinned")
-
-
-def key_cycle(thing, name, keys, index=-1):
-    """Key a property, or one of its axes, at frames of the cycle and of those before and after: it closes smoothly."""
-    for turn in (-1, 0, 1):
-        for frame, value in keys:
-            if index < 0:
-                setattr(thing, name, value)
-            else:
-                getattr(thing, name)[index] = value
-            thing.keyframe_insert(name, index=index, frame=frame + turn * CYCLE)

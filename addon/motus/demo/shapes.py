@@ -81,6 +81,27 @@ def box(size, centre=(0.0, 0.0, 0.0)):
     return corners * np.asarray(size) + np.asarray(centre), faces
 
 
+def beam(size, centre, bevel):
+    """A beam with chamfered edges along its longest side."""
+    size = np.asarray(size, dtype=float)
+    along = int(np.argmax(size))
+    first, second = ((1, 2), (2, 0), (0, 1))[along]
+    a, b = size[first] / 2.0, size[second] / 2.0
+    outline = np.array((
+        (a, b - bevel), (a - bevel, b), (bevel - a, b), (-a, b - bevel),
+        (-a, bevel - b), (bevel - a, -b), (a - bevel, -b), (a, bevel - b),
+    ))
+    half = size[along] / 2.0
+    sections = np.zeros((4, 8, 3))
+    for row, (place, inset) in enumerate(((half, bevel), (half - bevel, 0.0), (bevel - half, 0.0), (-half, bevel))):
+        sections[row][:, (first, second)] = outline * (1.0 - inset / a, 1.0 - inset / b)
+        sections[row][:, along] = place
+    vertices, sides = loft(sections)
+    octagon = np.array(((0, 1, 2, 3), (0, 3, 4, 7), (4, 5, 6, 7)))
+    ends = np.concatenate((octagon, octagon[:, ::-1] + len(vertices) - 8))
+    return vertices + np.asarray(centre), np.concatenate((sides[:, ::-1], ends))
+
+
 def torus(radius, thickness, segments=64, sides=10):
     """A ring around the Y axis."""
     angle = np.linspace(0.0, 2.0 * np.pi, sides + 1)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Euler
 
-from ..core import native, rigs
+from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
 from ..core.wiring.scratch import scratch
 from .groups import PLAN, PLAN_KEY
@@ -50,34 +50,59 @@ def gather_wired(rig, data, depsgraph):
     return _gather(rig, rigs.plan(rig, data[PLAN_KEY], lambda rig, rows: Wired(rig, rows, data[PLAN])), depsgraph)
 
 
+class _Settings(NamedTuple):
+    """What the entries say, group by group: read once for each copy of the rig where nothing animates them.
+
+    numbers: as in Gathered. places: see _places. weights: of the rotation, None where no entry takes one; offsets: (C, 3)
+    with it. copy: number of the copy, 0 where the next frame may say otherwise.
+    """
+
+    numbers: Any
+    places: Any
+    muted: Any
+    weights: Any
+    offsets: Any
+    is_stiff: bool
+    copy: int
+
+
 def _gather(rig, wired, depsgraph):
     arrays = rigs.read(rig, wired.still)
-    settings = rig.motus.ik
-    entries = list(settings.entries)
-    places = _places(entries, wired.names)
-    numbers, is_stiff = _settings(rig, settings, len(entries), places, wired)
-    muted = _column(settings.entries, "is_muted", places, dtype="?")
-    if places is not None:
-        entries = [entries[place] for place in places]
-    weights = numbers[:, ANIMATED.index("rotation_weight")]
-    is_turned = np.count_nonzero(weights) > 0
+    entries = rig.motus.ik.entries
+    known = _settings_of(rig, wired)
+    numbers = known.numbers
     presence = rigs.Presence(depsgraph.view_layer, depsgraph.scene)
-    reasons = np.zeros(len(entries))
-    targets = _targets(entries, wired, arrays, weights if is_turned else None, depsgraph, presence, reasons)
-    if is_turned:
-        _turn(targets, _column(settings.entries, "rotation_offset", places, 3), weights)
-    if np.count_nonzero(muted):
-        reasons[muted] = MUTED
+    reasons = np.zeros(len(numbers))
+    listed = _Listed(entries, known.places)
+    targets = _targets(listed, wired, arrays, known, depsgraph, presence, reasons)
+    if known.weights is not None:
+        _turn(targets, known.offsets, known.weights)
+    if known.muted is not None:
+        reasons[known.muted] = MUTED
     if np.count_nonzero(reasons):
+        numbers = numbers.copy()
         numbers[reasons != 0.0, native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
-    poles = _poles(entries, wired, arrays, depsgraph, presence)
+    poles = _poles(listed, wired, arrays, known.copy, depsgraph, presence)
     limits = _limits(rig, wired) if wired.has_limits else None
-    return Gathered(wired, arrays, numbers, targets, poles, limits, reasons, is_stiff)
+    return Gathered(wired, arrays, numbers, targets, poles, limits, reasons, known.is_stiff)
+
+
+class _Listed:
+    """The group's entries, made into a list when somebody needs them."""
+
+    def __init__(self, entries, places):
+        self._entries, self._places, self._list = entries, places, None
+
+    def __call__(self):
+        if self._list is None:
+            every = list(self._entries)
+            self._list = every if self._places is None else [every[place] for place in self._places]
+        return self._list
 
 
 def _places(entries, names):
     """Index of each of the group's entries among all; None where they are the same."""
-    keys = [entry.name for entry in entries]
+    keys = entries.keys()
     if keys == names:
         return None
     if not set(names) <= set(keys):
@@ -85,12 +110,36 @@ def _places(entries, names):
     return [keys.index(name) for name in names]
 
 
-def _settings(rig, settings, count, places, wired):
+def _settings_of(rig, wired):
+    copy = copies.of(rig)
+    if copy is None:
+        return _read_settings(rig, wired, _is_animated(rig), 0)
+    if copy.is_animated(rig):
+        return _read_settings(rig, wired, True, 0)
+    key = "ik", wired.key
+    if key not in copy.found:
+        copy.found[key] = _read_settings(rig, wired, False, copy.number)
+    return copy.found[key]
+
+
+def _read_settings(rig, wired, is_animated, copy):
+    settings = rig.motus.ik
+    places = _places(settings.entries, wired.names)
+    numbers, is_stiff = _numbers(settings, places, wired, is_animated)
+    muted = _column(settings.entries, "is_muted", places, dtype="?")
+    weights = numbers[:, ANIMATED.index("rotation_weight")]
+    is_turned = np.count_nonzero(weights) > 0
+    return _Settings(
+        numbers, places, muted if np.count_nonzero(muted) else None, weights if is_turned else None,
+        _column(settings.entries, "rotation_offset", places, 3) if is_turned else None, is_stiff, copy)
+
+
+def _numbers(settings, places, wired, is_animated):
     """(C, len(IkPlan.SETTINGS)) float64, and whether a chain should stretch that was wired when it could not."""
     numbers = wired.settings.copy()
-    rows = scratch("ik_settings", (len(ANIMATED), count), np.float32)
+    rows = scratch("ik_settings", (len(ANIMATED), len(settings.entries)), np.float32)
     # Without animation, what was wired without stretch has none.
-    reads_stretch = wired.is_elastic or _is_animated(rig)
+    reads_stretch = wired.is_elastic or is_animated
     for row, name in zip(rows, ANIMATED):
         if name != "stretch" or reads_stretch:
             settings.entries.foreach_get(name, row)
@@ -121,26 +170,30 @@ def _column(entries, name, places, size=1, dtype="f4"):
     return found if places is None else found[places]
 
 
-def _targets(entries, wired, arrays, weights, depsgraph, presence, reasons):
-    """(C, 16) world matrices. weights: of the rotation, None where no orientation is taken."""
+def _targets(entries, wired, arrays, known, depsgraph, presence, reasons):
+    """(C, 16) world matrices."""
     found = wired.no_targets.copy()
     if len(wired.targets.own[0]):
         _take_own(found, wired.targets, arrays)
-    _take_others(found, entries, wired.targets, weights, depsgraph, presence, reasons)
+    _take_others(found, entries, wired.targets, known, depsgraph, presence, reasons)
     if wired.targets.none:
         reasons[wired.targets.none] = NO_TARGET
     if wired.is_blended:
-        _blend(found, entries, presence)
+        _blend(found, entries(), presence)
     return found
 
 
-def _take_others(found, entries, goals, weights, depsgraph, presence, reasons):
+def _take_others(found, entries, goals, known, depsgraph, presence, reasons):
     """Fill in world matrices of targets that are no bones of the rig; where there is no weight, maybe places only."""
     rows, bones = goals.other_rows, goals.other_bones
     if not rows:
         return
-    targets = [entry.target for entry in (entries if goals.are_others else [entries[row] for row in rows])]
-    matrices = goals.standing.matrices(depsgraph.view_layer_eval, targets)
+
+    def listed():
+        return [entry.target for entry in (entries() if goals.are_others else [entries()[row] for row in rows])]
+
+    matrices = goals.standing.matrices(depsgraph.view_layer_eval, listed, known.copy)
+    targets = listed() if matrices is None or bones else ()
     if matrices is not None:
         found[slice(None) if goals.are_others else rows] = matrices
     else:
@@ -151,7 +204,7 @@ def _take_others(found, entries, goals, weights, depsgraph, presence, reasons):
         for index in presence.deleted(targets):
             reasons[rows[index]] = TARGET_DELETED
         for row, target in zip(rows, targets):
-            if weights is not None and weights[row]:
+            if known.weights is not None and known.weights[row]:
                 found[row] = rigs.columns(target.matrix_world)
             else:
                 found[row, 12:15] = target.matrix_world.translation
@@ -213,7 +266,7 @@ def _turn(targets, offsets, weights):
         axes[:] = turn.T @ axes
 
 
-def _poles(entries, wired, arrays, depsgraph, presence):
+def _poles(entries, wired, arrays, copy, depsgraph, presence):
     """(C, 3) places in the world; NaN where there is no pole."""
     goals = wired.poles
     rows, bones = goals.own
@@ -225,11 +278,14 @@ def _poles(entries, wired, arrays, depsgraph, presence):
         found[rows] = heads[:, :3]
     if not goals.other_rows:
         return found
-    poles = [entries[row].pole for row in goals.other_rows]
-    matrices = goals.standing.matrices(depsgraph.view_layer_eval, poles)
+
+    def listed():
+        return [entries()[row].pole for row in goals.other_rows]
+
+    matrices = goals.standing.matrices(depsgraph.view_layer_eval, listed, copy)
     if matrices is not None:
         found[goals.other_rows] = matrices[:, 12:15]
-    for row, pole in zip(goals.other_rows, poles) if matrices is None or goals.other_bones else ():
+    for row, pole in zip(goals.other_rows, listed()) if matrices is None or goals.other_bones else ():
         bone = goals.other_bones.get(row, "")
         if pole and (bone or matrices is None) and not presence.is_deleted(pole):
             matrix = world_matrix(pole, bone)

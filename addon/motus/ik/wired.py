@@ -24,6 +24,7 @@ class Wired:
         except KeyError as error:
             raise RigChanged from error
         self.still = rigs.still(rig, tuple(rows))
+        self.key = text  # nothing else makes the same
         self.names = [chain["name"] for chain in chains]
         self.stretches = np.array([chain["stretches"] for chain in chains])
         self.is_elastic = bool(self.stretches.any())

@@ -16,10 +16,15 @@ class BakeError(Exception):
 
 def owner_and_systems(thing, name=""):
     """(owner, systems) to bake where the user names an owner or one of its members; name "" means every system."""
+    refusals = []
     for owner, systems in _candidates(thing):
         chosen = [one for one in systems if name in ("", one.name)]
+        refusals += [one.unbakeable for one in chosen if one.unbakeable]
+        chosen = [one for one in chosen if not one.unbakeable]
         if chosen:
             return owner, chosen
+    if refusals:
+        raise BakeError(tr(refusals[0]))
     raise BakeError(tr("{object} is not driven by Motus: add a system to it first").format(object=thing.name))
 
 

@@ -2,9 +2,10 @@
 
 import bpy
 
-from .. import actions
+from .. import actions, copies
 from ..system import groups_of, of_owner, registered
-from . import anchor, attribute_sink, carriers, drivers, healing, limit_sink, order, outbox, proxy_sink, solver_driver
+from . import (
+    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, proxy_sink, solver_driver)
 from .sinks import led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -23,6 +24,8 @@ def _attach(system, owner):
     for group, kind in zip(groups, carriers.kinds(system, owner, groups)):
         _wire(system, owner, group, kind)
     settings.wired = carriers.signature(system, owner, groups)
+    if owner.type == 'ARMATURE':
+        copies.prepare(owner)
     _tag(system, owner)
 
 
@@ -31,8 +34,13 @@ def _wire(system, owner, group, kind):
     uses_attribute = kind == carriers.ATTRIBUTE
     if uses_attribute:
         attribute_sink.prepare(carrier, group)
+    elif kind == carriers.POINTS:
+        geometry_sink.prepare(carrier)
     outbox.create(system, carrier, group, 0 if uses_attribute else len(group.members))
     solver_driver.add(system, owner, group, carrier)
+    if kind == carriers.POINTS:
+        geometry_sink.add(system, owner, outbox.hub_of(system, owner, group.key))
+        return
     settings = of_owner(system, owner)
     direct = solver_driver.direct(system, owner, group) if carrier == owner else None
     hub = outbox.hub_of(system, owner, group.key)
@@ -61,6 +69,8 @@ def _needs_proxy(member, driven):
 def detach(system, owner):
     """Remove everything attach() made; the owner's and members' own transforms, keys and constraints stay."""
     _detach(system, owner)
+    if system.moves_points:
+        geometry_sink.remove(system, owner)
     refresh_others(system, owner)
 
 
@@ -81,6 +91,8 @@ def _detach(system, owner):
     order.release(settings)
     settings.is_active = False
     settings.wired = ""
+    if not any(of_owner(one, owner).is_active for one in registered.values()):
+        copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
 

@@ -6,7 +6,7 @@ from .. import capabilities
 from ..system import groups_of, of_owner, registered
 from . import drivers, healing, outbox
 
-OWN, HUB, ATTRIBUTE = "own", "hub", "attribute"
+OWN, HUB, ATTRIBUTE, POINTS = "own", "hub", "attribute", "points"
 FEW = 24
 """Up to so many members a carrier of the owner's own is cheap enough; it goes along with copies, which a hub does not."""
 
@@ -15,7 +15,10 @@ def kinds(system, owner, groups):
     """For each of the groups of a system, which kind of carrier it is to have.
 
     OWN: the owner itself. HUB: the mesh of a hidden object. ATTRIBUTE: that too, and sinks that sample its attribute.
+    POINTS: that too, for a system that moves the points of the owner's mesh.
     """
+    if system.moves_points:
+        return [POINTS] * len(groups)
     hub = ATTRIBUTE if capabilities.has_geometry_attribute_constraint() else HUB
     if system.groups is not None and not of_owner(system, owner).use_direct_drivers and _want_hubs(system, owner, groups):
         return [hub] * len(groups)
@@ -28,7 +31,7 @@ def _want_hubs(system, owner, groups):
     A hub waits for all that is driven on the owner, the outboxes that the owner carries itself included: one of each would
     make a loop where they read each other's bones.
     """
-    systems = [one for one in registered.values() if one.groups is not None]
+    systems = [one for one in registered.values() if one.groups is not None and not one.moves_points]
     if any(healing.has_driven_settings(owner, of_owner(one, owner)) for one in systems):
         return True
     if not capabilities.has_geometry_attribute_constraint():

@@ -3,6 +3,7 @@
 - Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
 - The bones of an armature were renamed, removed, or given other parents.
+- An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 
 Solvers and Blender's handlers notice; the wiring is done when Blender has finished the evaluation, which it then does once
 more. Each happens once, and its result is the same whoever evaluates first.
@@ -14,7 +15,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..system import of_owner, registered
-from . import outbox, proxy_sink
+from . import geometry_sink, outbox, proxy_sink
 
 log = logging.getLogger(__name__)
 
@@ -23,6 +24,10 @@ _driver_counts = {}
 """(system, owner) -> how many drivers the owner had when it was last looked through."""
 _object_count = [-1]
 """How many objects the file had when they were last looked through."""
+_watched = set()
+"""(system, owner) whose points are moved."""
+_unsettled = set()
+"""(system, owner) that have asked to settle."""
 _given_up = set()
 """(system, owner) that could not be given carriers of their own."""
 
@@ -34,6 +39,17 @@ def check(system, owner):
     if _driver_counts.get(place) != count:
         _driver_counts[place] = count
         _asked.add(place)
+
+
+def watch(system, owner):
+    """Called by the solver with the evaluated owner whose points it moves; None where that was removed."""
+    if owner is not None:
+        _watched.add((system.name, owner.name))
+
+
+def ask_to_settle(system, owner):
+    """Have System.settle called with the original of an evaluated owner, after the evaluation."""
+    _unsettled.add((system.name, owner.name))
 
 
 def has_driven_settings(owner, settings):
@@ -56,6 +72,7 @@ def _heal(_scene=None, depsgraph=None):
     try:
         _heal_driven()
         _heal_copies()
+        _heal_meshes()
         if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
             _heal_edited(depsgraph)
     except Exception:
@@ -78,6 +95,28 @@ def _heal_driven():
             attaching.refresh_changed(system, owner)
         elif has_driven_settings(owner, of_owner(system, owner)) and not _is_direct(owner):
             attaching.refresh(system, owner)
+
+
+def _heal_meshes():
+    from . import attaching
+    for place in list(_watched):
+        system, owner = _find(*place)
+        if owner is None:
+            _watched.discard(place)
+        elif geometry_sink.is_stale(system, owner):
+            attaching.refresh(system, owner)
+    while _unsettled:
+        system, owner = _find(*_unsettled.pop())
+        if owner is not None:
+            system.settle(owner)
+
+
+def _find(name, owner_name):
+    """The system and the owner of these names; (None, None) where they are not there or not wired in this file."""
+    system, owner = registered.get(name), bpy.data.objects.get(owner_name)
+    if not system or not owner or owner.library or not owner.is_property_set("motus") or not of_owner(system, owner).is_active:
+        return None, None
+    return system, owner
 
 
 def _is_direct(owner):
@@ -115,6 +154,8 @@ def _heal_edited(depsgraph):
 def _forget(*_):
     _asked.clear()
     _driver_counts.clear()
+    _watched.clear()
+    _unsettled.clear()
     _given_up.clear()
     _object_count[0] = -1
 

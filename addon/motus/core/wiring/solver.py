@@ -9,8 +9,8 @@ from bpy.app.handlers import persistent
 
 from .. import native
 from ..lazy import numpy as np
-from ..system import Context, groups_of, of_owner, registered
-from . import healing, outbox
+from ..system import Context, Vertices, groups_of, of_owner, registered
+from . import geometry_sink, healing, outbox
 from .attribute_sink import ATTRIBUTE, store_own_poses, write, write_neutral
 from .scratch import scratch
 
@@ -29,13 +29,23 @@ def motus_solve(self, name, frame, depsgraph, *values):
         system = registered[name]
         out = self[outbox.out_key(system, key)]
         _solve(system, key, self, memoryview(out), frame, depsgraph, values)
-        if system.groups is not None or isinstance(self, _Object):
+        if system.moves_points:
+            healing.watch(system, self.get(outbox.OWNER_KEY))
+        elif system.groups is not None or isinstance(self, _Object):
             healing.check(system, self.get(outbox.OWNER_KEY) or self)
     except Exception:
         # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
         log.exception("Motus: %s could not be computed on %s", name, self.name)
         return _fail(self, name, key)
     return out[outbox.STATUS]
+
+
+class _Points:
+    """Lets drivers call motus_solve by a subscript, for systems that read neither the frame nor the depsgraph."""
+
+    def __getitem__(self, arguments):
+        carrier, name, *values = arguments
+        return motus_solve(carrier, name, 0.0, None, *values)
 
 
 def motus_direct(self, name, slot, frame, depsgraph, *values):
@@ -80,6 +90,8 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
     owner = carrier.get(outbox.OWNER_KEY) if isinstance(carrier, _Mesh) else carrier
     if native.module is None or owner is None:  # owner: of a hub, removed from the file
         _do_nothing(box, layout)
+        if system.moves_points:
+            geometry_sink.write_nothing(carrier)
         return
     count = layout.members
     settings = of_owner(system, owner)
@@ -90,6 +102,7 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
         member_data=_member_data(system, carrier, owner), group=key, data={} if info is None else info["data"])
     _reset(context)
     inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
+    offsets = _room(system, carrier, inputs, context) if system.moves_points else None
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
     is_blocked = problem is not None and problem.blocking
@@ -98,11 +111,26 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
     box[outbox.WEIGHT] = weight
     if is_blocked:
         _reset(context)
-    if layout.has_attribute:
+    if offsets is not None:
+        if weight != 1.0:
+            offsets *= np.float32(weight)
+        geometry_sink.write(carrier, offsets)
+        if context.wants_to_settle:
+            healing.ask_to_settle(system, owner)
+    elif layout.has_attribute:
         write(carrier, lambda: groups_of(system, owner)[0].members, context.locations, context.rotations,
               context.scales if layout.has_scales else None, weight)
     elif weight > 0.0 or layout.is_relative:
         _pack(box, layout, context)
+
+
+def _room(system, carrier, inputs, context):
+    """Zero vectors for the points of the evaluated mesh that the system moves, in the context too; all of the hub's."""
+    mesh = next((inputs[declared.name] for declared in system.inputs if isinstance(declared, Vertices)), None)
+    count = len(mesh.vertices) if mesh else 0
+    offsets = geometry_sink.room(carrier, count)
+    context.offsets = offsets[:count]
+    return offsets
 
 
 def _reset(context):
@@ -151,10 +179,12 @@ def _fail(carrier, name, key):
         _do_nothing(np.frombuffer(memoryview(out)), layout)
         if layout.has_attribute and layout.is_relative:
             write_neutral(carrier)
+        elif system.moves_points:
+            geometry_sink.write_nothing(carrier)
     return float(outbox.INTERNAL)
 
 
-_FUNCTIONS = {"motus_solve": motus_solve, "motus_direct": motus_direct}
+_FUNCTIONS = {"motus_solve": motus_solve, "motus_direct": motus_direct, "motus_points": _Points()}
 
 
 @persistent

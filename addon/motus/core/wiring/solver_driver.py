@@ -7,8 +7,12 @@ from . import drivers, healing, outbox
 def add(system, owner, group, carrier):
     """Give the carrier the driver on its outbox."""
     expression, variables = _call(system, owner, group, with_settings=carrier != owner)
-    drivers.add(carrier, outbox.out_path(system, group=group.key),
-                f'motus_solve(self,"{_name(system, group)}",{expression}', variables, index=outbox.STATUS, use_self=True)
+    call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
+    if system.moves_points:
+        # Blender takes any expression with a call or the frame in it for one that changes with time. Where it does not,
+        # meshes are not evaluated anew on every frame; nothing but a subscript is neither.
+        call = f'motus_points[self,"{_name(system, group)}"{expression}]'
+    drivers.add(carrier, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
 
 
 def direct(system, owner, group):
@@ -17,7 +21,7 @@ def direct(system, owner, group):
     if not settings.use_direct_drivers and (system.groups or not healing.has_driven_settings(owner, settings)):
         return None
     expression, variables = _call(system, owner, group)
-    return f'motus_direct(self,"{_name(system, group)}",{{slot}},{expression}', variables
+    return f'motus_direct(self,"{_name(system, group)}",{{slot}},frame,depsgraph{expression})', variables
 
 
 def _awaited(group):
@@ -43,14 +47,14 @@ def _name(system, group):
 
 
 def _call(system, owner, group, with_settings=True):
-    """Argument list of a solver call, with its driver variables; what has no variable is passed as 0.
+    """Further arguments of a solver call, with its driver variables; what has no variable is passed as 0.
 
     with_settings: whether the solver waits for the owner's settings. A driver on the owner's own custom property cannot:
     to Blender's dependency graph all of an object's plain properties are one node, which waits for that driver in turn.
     It still sees keyed and edited settings, for an object's animation comes before its drivers. Where a setting is driven,
     a hub carries the solver, which can wait, or the sinks compute for themselves, since drivers of constraints can wait.
     """
-    arguments, variables = ["frame", "depsgraph"], {}
+    arguments, variables = [""], {}
     for index, (declared, variable) in enumerate(input_variables(system, owner)):
         if variable is None or (isinstance(declared, Setting) and not with_settings):
             arguments.append("0")
@@ -62,4 +66,4 @@ def _call(system, owner, group, with_settings=True):
     if with_settings:
         # Read by the solver itself; declared so that it comes first.
         variables["influence"] = Variable('OBJECT', owner, f"{of_owner(system, owner).path_from_id()}.influence")
-    return ",".join(arguments) + ")", variables
+    return ",".join(arguments), variables

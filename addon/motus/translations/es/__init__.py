@@ -1,8 +1,8 @@
 """Spanish, a file for each part of the add-on."""
 
-from . import base, ik, look_at, wiring
+from . import base, ik, lattice, look_at, pins, pull, wiring
 
-_PARTS = (base, wiring, ik, look_at)
+_PARTS = (base, wiring, ik, look_at, pull, pins, lattice)
 
 CONTEXTS = {
     "*": {text: translated for part in _PARTS for text, translated in part.INTERFACE.items()},

@@ -1,0 +1,96 @@
+"""What was read of an evaluated object, kept for as long as Blender keeps that copy of it.
+
+Blender evaluates copies of datablocks. Whatever is edited, undone or linked otherwise reaches the evaluation by a fresh
+copy; animation and drivers alone write into the copy that is there. So a number that is written into an evaluated copy,
+where the original has none, tells a fresh copy from one that was read before: all that is not animated is as it was.
+"""
+
+import itertools
+import random
+from collections import OrderedDict
+
+import bpy
+
+from . import actions
+
+KEY = "motus_copy"
+"""Custom property of an owner: one integer, 0 on the original. An array, since an item of it is written where it lies."""
+LARGEST = 256  # copies that are known at a time
+
+# From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
+_numbers = itertools.count(random.randrange(1, 2**30))
+_copies = OrderedDict()
+_actions = OrderedDict()
+
+
+class Copy:
+    """One evaluated copy. number: no other copy has had it. found: what was read of it, by name."""
+
+    def __init__(self, evaluated, number):
+        self.number = number
+        self.found = {}
+        animation = evaluated.animation_data
+        self._is_driven = animation is not None and _reach_settings(animation.drivers)
+
+    def is_animated(self, evaluated):
+        """Whether an action or driver sets any of the owner's Motus settings."""
+        animation = evaluated.animation_data
+        if animation is None:
+            return False
+        return (self._is_driven or len(animation.nla_tracks) > 0
+                or (animation.action is not None and _animates_settings(animation.action)))
+
+
+def prepare(owner):
+    """Let evaluated copies of a rig, and of its armature, be told apart. Called when it is wired."""
+    for datablock in (owner, owner.data):
+        if not datablock.library and KEY not in datablock:
+            datablock[KEY] = [0]
+            datablock.update_tag()
+
+
+def release(owner):
+    """Take that back."""
+    if owner.pop(KEY, None) is None:
+        return
+    data = owner.data
+    if not data.library and all(KEY not in other for other in bpy.data.objects if other.data == data):
+        data.pop(KEY, None)
+
+
+def of(evaluated):
+    """The Copy of an evaluated object; None where it was not prepared, as in a file of an older version."""
+    number = number_of(evaluated)
+    found = _copies.get(number)
+    if number and found is None:
+        found = _copies[number] = Copy(evaluated, number)
+        if len(_copies) > LARGEST:
+            _copies.popitem(last=False)
+    return found
+
+
+def number_of(evaluated):
+    """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
+    mark = evaluated.get(KEY)
+    if mark is None:
+        return 0
+    mark = memoryview(mark)
+    if not mark[0]:
+        mark[0] = next(_numbers)
+    return mark[0]
+
+
+def _animates_settings(action):
+    """Whether a curve of an evaluated action, in any slot, sets Motus settings. Looked up once for each copy of it."""
+    known = _actions.get(action.get(KEY, 0))
+    if known is None:
+        number = next(_numbers)
+        action[KEY] = number
+        known = _actions[number] = any(_reach_settings(curves) for curves in actions.all_fcurves(action))
+        if len(_actions) > LARGEST:
+            _actions.popitem(last=False)
+    return known
+
+
+def _reach_settings(curves):
+    return any(curve.data_path.startswith("motus.") for curve in curves)

@@ -1,0 +1,50 @@
+"""The scene "Motus Pull": a clay face and a landscape, both pulled into shape, and moved by pins that are keyed."""
+
+import bpy
+
+from . import keying, lighting, pull_face, pull_land, pull_studio, shapes
+
+SCENE_NAME = "Motus Pull"
+FRAMES_PER_SECOND = 24
+
+CAMERA_LENS = 44.5
+CAMERA_KEYS = ((1, (-0.70, -9.45, 3.45)), (109, (0.45, -9.25, 3.75)))  # there and back in a cycle
+CAMERA_AIM = (-0.08, 0.0, 1.06)
+
+
+def build(context):
+    """Build the scene, show it in the window and return it."""
+    scene = bpy.data.scenes.new(SCENE_NAME)
+    context.window.scene = scene
+    scene.render.fps = FRAMES_PER_SECOND
+    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
+    scene.frame_start, scene.frame_end = 1, keying.CYCLE
+    scene.frame_set(1)
+    studio, land, face = (_collection(scene, name) for name in ("Studio", "Landscape", "Face"))
+    lighting.set_color_management(scene)
+    scene.world = pull_studio.build_world()
+    pull_studio.build(studio)
+    pull_land.build(context, land)
+    pull_face.build(context, face)
+    _add_camera(scene, studio)
+    scene.frame_set(1)
+    return scene
+
+
+def _collection(scene, name):
+    collection = bpy.data.collections.new(f"Motus {name}")
+    scene.collection.children.link(collection)
+    return collection
+
+
+def _add_camera(scene, collection):
+    """A camera that swings to the side and back while it keeps its aim."""
+    aim = shapes.link_object(collection, "Camera Aim", None)
+    aim.location, aim.empty_display_size = CAMERA_AIM, 0.2
+    data = bpy.data.cameras.new("Studio Camera")
+    data.lens = CAMERA_LENS
+    camera = shapes.link_object(collection, "Studio Camera", data)
+    constraint = camera.constraints.new("TRACK_TO")
+    constraint.target, constraint.track_axis, constraint.up_axis = aim, "TRACK_NEGATIVE_Z", "UP_Y"
+    keying.key_cycle(camera, "location", CAMERA_KEYS)
+    scene.camera = camera

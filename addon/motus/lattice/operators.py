@@ -1,0 +1,137 @@
+"""Operators that fit a lattice, and take it off again."""
+
+import bpy
+
+from ..core import native
+from ..core.translations import tr
+from . import fitting, pulling, removal, targets
+from .properties import FitKeywords
+from .targets import Refused
+
+KEYWORDS = tuple(FitKeywords.__annotations__)
+
+
+class MOTUS_OT_lattice_fit(FitKeywords, bpy.types.Operator):
+    bl_idname = "motus.lattice_fit"
+    bl_label = "Fit Lattice"
+    bl_description = ("Lay a lattice around the selected objects, or the selected vertices in Edit Mode, and let it "
+                      "deform them; what is modelled stays untouched")
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    objects: bpy.props.StringProperty(
+        name="Objects", options={'SKIP_SAVE'},
+        description="Names of the objects with commas between, or of a collection; empty takes the selected ones")
+    vertex_group: bpy.props.StringProperty(
+        name="Vertex Group", description="Deform only the vertices of the vertex group of this name",
+        options={'SKIP_SAVE'})
+
+    @classmethod
+    def poll(cls, context):
+        if native.module is None:
+            cls.poll_message_set(native.status.sentence)
+            return False
+        if context.mode not in {'OBJECT', 'EDIT_MESH'}:
+            cls.poll_message_set(tr("Go to Object Mode, or to Edit Mode of a mesh"))
+            return False
+        return True
+
+    def execute(self, context):
+        try:
+            lattice, objects = self._fit(context)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        for obj in context.selected_objects:
+            obj.select_set(False)
+        lattice.select_set(True)
+        context.view_layer.objects.active = lattice
+        self.report({'INFO'}, tr("{lattice} deforms {objects}").format(
+            lattice=lattice.name, objects=", ".join(obj.name for obj in objects)))
+        return {'FINISHED'}
+
+    def _fit(self, context):
+        targets.check_finite(self, ("margin",))
+        is_editing = context.mode == 'EDIT_MESH'
+        if is_editing and not self.objects:
+            vertices = targets.selected_vertices(context)
+            objects = list(vertices)
+        else:
+            objects = targets.objects_for(context, self.objects)
+            vertices = targets.group_vertices(objects, self.vertex_group) if self.vertex_group else {}
+        if not objects:
+            raise Refused(tr("Select a mesh, a curve, a surface, a text or a lattice"))
+        for obj in objects:
+            targets.check_fittable(obj)
+            if vertices:
+                targets.check_grouped(obj)
+        keywords = {name: getattr(self, name) for name in KEYWORDS}
+        if is_editing:
+            # So that one step of undo has it all: in Edit Mode it would hold the mesh alone.
+            bpy.ops.object.mode_set(mode='OBJECT')
+        try:
+            return fitting.fit(context, objects, vertices, keywords), objects
+        except Refused:
+            if is_editing:
+                bpy.ops.object.mode_set(mode='EDIT')
+            raise
+
+
+class MOTUS_OT_lattice_remove(bpy.types.Operator):
+    bl_idname = "motus.lattice_remove"
+    bl_label = "Remove Lattice"
+    bl_description = "Take fitted lattices off again: the objects are as they were before, or keep the deformation"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    objects: bpy.props.StringProperty(
+        name="Objects", options={'SKIP_SAVE'},
+        description="Names of the objects with commas between, or of a collection; empty takes the selected ones")
+    modifier: bpy.props.StringProperty(
+        name="Modifier", description="Name of the lattice's modifier; empty takes all that Motus has added",
+        options={'SKIP_SAVE'})
+    use_apply: bpy.props.BoolProperty(
+        name="Apply", description="Keep the deformation", options={'SKIP_SAVE'})
+
+    poll = classmethod(pulling.in_object_mode)
+
+    def execute(self, context):
+        try:
+            uses = removal.uses_for(targets.objects_for(context, self.objects))
+            if self.modifier:
+                uses = [use for use in uses if use[1] == self.modifier]
+            if not uses:
+                raise Refused(tr("Nothing here has a lattice that Motus has fitted"))
+            removal.check_removable(uses, self.use_apply)
+            names = ", ".join(obj.name for obj, _ in uses)
+            removal.remove(context, uses, self.use_apply)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        self.report({'INFO'}, tr("{objects} without a lattice").format(objects=names))
+        return {'FINISHED'}
+
+
+class MOTUS_OT_lattice_reset(bpy.types.Operator):
+    bl_idname = "motus.lattice_reset"
+    bl_label = "Reset Lattice"
+    bl_description = "Put the lattice's points back to where they deform nothing"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the lattice; empty takes the active one", options={'SKIP_SAVE'})
+
+    poll = classmethod(pulling.in_object_mode)
+
+    def execute(self, context):
+        try:
+            lattice = targets.named(self.object) if self.object else context.object
+            if lattice is None or lattice.type != 'LATTICE':
+                raise Refused(tr("Select a lattice"))
+            pulling.check_pullable(lattice)
+            removal.reset(lattice)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        return {'FINISHED'}
+
+
+classes = (MOTUS_OT_lattice_fit, MOTUS_OT_lattice_remove, MOTUS_OT_lattice_reset)

@@ -1,0 +1,69 @@
+"""Which point of an object's surface lies under the mouse."""
+
+from bpy_extras.view3d_utils import region_2d_to_origin_3d, region_2d_to_vector_3d
+from mathutils import Vector
+
+from ..core import native
+from ..core.lazy import numpy as np
+
+NEAR = 20.0
+"""Pixels, at the interface's normal size, within which a vertex is taken where no face lies under the mouse."""
+
+
+def view_at(window, x, y):
+    """(region, its RegionView3D) of the 3D viewport at a place of the window; None where there is another thing."""
+    for area in window.screen.areas:
+        if area.type != 'VIEW_3D' or not _contains(area, x, y):
+            continue
+        # The sidebar and the toolbar may lie over the viewport.
+        found = [region for region in area.regions if _contains(region, x, y)]
+        if found and all(region.type == 'WINDOW' for region in found):
+            return found[0], found[0].data
+    return None
+
+
+def _contains(part, x, y):
+    return part.x <= x < part.x + part.width and part.y <= y < part.y + part.height
+
+
+def pick(shapes, region, view, mouse, near):
+    """(shape, [(vertex, share)]) under a place of the region: on the nearest face, else the nearest vertex; or None."""
+    origin, direction = region_2d_to_origin_3d(region, view, mouse), region_2d_to_vector_3d(region, view, mouse)
+    hits = []
+    for shape in shapes:
+        triangles = shape.triangles()
+        hit = native.module.Picker(shape.after, triangles).ray(origin, direction)
+        if hit is not None:
+            hits.append((hit[2], shape, _corners(shape, triangles[hit[0]], np.array(hit[1], np.float64))))
+    if hits:
+        return min(hits, key=lambda hit: hit[0])[1:]
+    found = [(*_nearest_vertex(shape, region, view, mouse), shape) for shape in shapes]
+    distance, vertex, shape = min(found, key=lambda one: one[0])
+    return (shape, [(vertex, 1.0)]) if distance < near else None
+
+
+def _corners(shape, vertices, place):
+    """[(vertex, barycentric coordinate)] of a place on a triangle of three vertices."""
+    a, b, c = shape.after[vertices].astype(np.float64)
+    # The triangle may be a needle: the least squares are those of its plane then, or of its line.
+    shares = np.linalg.lstsq(np.column_stack((b - a, c - a)), place - a, rcond=None)[0]
+    return [(int(vertex), float(share)) for vertex, share in zip(vertices, (1.0 - shares.sum(), *shares))]
+
+
+def _nearest_vertex(shape, region, view, mouse):
+    """(pixels, index) of the vertex that is seen nearest to the mouse."""
+    rows = np.array(view.perspective_matrix)
+    clip = shape.after @ rows[:, :3].T + rows[:, 3]
+    in_front = clip[:, 3] > 0.0
+    if not in_front.any():
+        return float("inf"), 0
+    with np.errstate(divide='ignore', invalid='ignore'):
+        screen = (clip[:, :2] / clip[:, 3:] + 1.0) * (0.5 * region.width, 0.5 * region.height)
+    distance = np.where(in_front, np.hypot(*(screen - np.array(mouse)).T), np.inf)
+    vertex = int(distance.argmin())
+    return float(distance[vertex]), vertex
+
+
+def place_of(shape, corners):
+    """World place of a point of the deformed surface."""
+    return Vector(sum(share * shape.after[vertex].astype(np.float64) for vertex, share in corners).tolist())

@@ -1,0 +1,199 @@
+"""The operator that pulls a lattice by a point of what it deforms."""
+
+import bpy
+from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_location_3d
+from mathutils import Vector
+
+from ..core.translations import tr
+from . import picking, pulling, removal, targets
+from .targets import Refused
+
+REACHED = 1e-3
+"""Share of the displacement within which the point counts as brought there."""
+
+
+class MOTUS_OT_lattice_pull(bpy.types.Operator):
+    bl_idname = "motus.lattice_pull"
+    bl_label = "Pull Lattice"
+    bl_description = (
+        "Take hold of any point of what a lattice deforms; the lattice's points follow so that it goes along")
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", options={'SKIP_SAVE'},
+        description="Name of the object that the lattice deforms; empty takes the active one, or those of the active "
+                    "lattice")
+    modifier: bpy.props.StringProperty(
+        name="Modifier", description="Name of the lattice's modifier; empty takes the last one", options={'SKIP_SAVE'})
+    vertex: bpy.props.IntProperty(
+        name="Vertex", description="Index of the vertex that is pulled, of the object with all its modifiers",
+        default=-1, min=-1, options={'SKIP_SAVE'})
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Place in the world whose nearest vertex is pulled, where no vertex is named",
+        size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+    displacement: bpy.props.FloatVectorProperty(
+        name="Displacement", description="How far it is pulled, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        options={'SKIP_SAVE'})
+    held: bpy.props.StringProperty(
+        name="Held", description="Indices, with commas between, of vertices that stay where they are",
+        options={'SKIP_SAVE'})
+    mirror: bpy.props.EnumProperty(
+        name="Mirror", description="Axes of the lattice across whose middle the pull is repeated", default=set(),
+        options={'ENUM_FLAG'}, items=(('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", "")))
+
+    poll = classmethod(pulling.in_object_mode)
+
+    def execute(self, context):
+        try:
+            held = self._held_by_name(context)
+        except Refused as refusal:
+            return self._refused(refusal)
+        wanted = Vector(self.displacement)
+        left = held.pull(wanted)
+        context.view_layer.update()
+        if left > REACHED * wanted.length:
+            self.report({'WARNING'}, tr("The point stays {length} away").format(length=_length(context, left)))
+        return {'FINISHED'}
+
+    def _held_by_name(self, context):
+        targets.check_finite(self, ("displacement", "location"))
+        if not self.properties.is_property_set("displacement"):
+            raise Refused(tr("Say how far: displacement is missing"))
+        objects = self._objects(context)
+        if len(objects) > 1:
+            raise Refused(tr("Say which object is pulled: the lattice deforms several"))
+        shape = pulling.Shape(context, objects[0], pulling.modifier_of(objects[0], self.modifier))
+        if self.vertex >= 0:
+            vertex = self.vertex
+        elif self.properties.is_property_set("location"):
+            vertex = shape.nearest(self.location)
+        else:
+            raise Refused(tr("Say where: vertex or location is missing"))
+        corners = [(self._checked(shape, vertex), 1.0)]
+        return pulling.Held(context, shape, corners, self._held_vertices(shape), self.mirror)
+
+    def _objects(self, context):
+        """What is deformed by the lattice that is to be pulled."""
+        obj = targets.named(self.object) if self.object else context.object
+        if obj is None:
+            raise Refused(tr("Select an object that a lattice deforms"))
+        if obj.type != 'LATTICE' or any(one.type == 'LATTICE' for one in obj.modifiers):
+            return [obj]
+        found = [one for one in removal.deformed_by(obj) if one.visible_get(view_layer=context.view_layer)]
+        if not found:
+            raise Refused(tr("{object} deforms nothing that is shown").format(object=obj.name))
+        return found
+
+    def _held_vertices(self, shape):
+        try:
+            return [self._checked(shape, int(word)) for word in self.held.split(",") if word.strip()]
+        except ValueError:
+            raise Refused(tr("{keyword} is not a list of whole numbers").format(keyword="held")) from None
+
+    @staticmethod
+    def _checked(shape, vertex):
+        if not 0 <= vertex < len(shape.after):
+            raise Refused(tr("{object} has no vertex {number}").format(object=shape.object.name, number=vertex))
+        return vertex
+
+    def _refused(self, refusal):
+        self.report({'ERROR'}, str(refusal))
+        return {'CANCELLED'}
+
+    def invoke(self, context, event):
+        if context.window is None or self.properties.is_property_set("displacement"):
+            return self.execute(context)
+        self._held = None
+        try:
+            objects = self._objects(context)
+            for obj in objects:
+                pulling.check_pullable(pulling.modifier_of(obj, self.modifier).object)
+            self.object = objects[0].name if len(objects) == 1 else self.object
+            if event.type == 'LEFTMOUSE' and event.value == 'PRESS' and not self._take(context, event):
+                return {'CANCELLED', 'PASS_THROUGH'}
+        except Refused as refusal:
+            return self._refused(refusal)
+        self._show_keys(context)
+        context.window_manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        if self._held is None:
+            return self._wait(context, event)
+        if event.type == 'MOUSEMOVE':
+            self._follow(event)
+        elif event.type == 'LEFTMOUSE' and event.value == 'RELEASE':
+            context.workspace.status_text_set(None)
+            return {'FINISHED'} if self._has_moved else {'CANCELLED'}
+        return {'RUNNING_MODAL'}
+
+    def cancel(self, context):
+        context.workspace.status_text_set(None)
+        if self._held:
+            self._held.restore()
+
+    def _wait(self, context, event):
+        if event.type in {'X', 'Y', 'Z'} and event.value == 'PRESS' and not (event.ctrl or event.alt or event.oskey):
+            self.mirror ^= {event.type}
+            self._show_keys(context)
+            return {'RUNNING_MODAL'}
+        if event.type != 'LEFTMOUSE' or event.value != 'PRESS':
+            return {'PASS_THROUGH'}  # the view can be turned in the meantime
+        try:
+            self._take(context, event)
+        except Refused as refusal:
+            self.cancel(context)
+            return self._refused(refusal)
+        # A press beside all objects is meant for what lies there.
+        return {'RUNNING_MODAL'} if self._held else {'PASS_THROUGH'}
+
+    def _show_keys(self, context):
+        context.workspace.status_text_set(
+            tr("Press the left mouse button on the surface and drag it; X, Y, Z: mirror ({axes}); Esc or the right "
+               "button cancels").format(axes=", ".join(sorted(self.mirror)) or "-"))
+
+    def _take(self, context, event):
+        """Take hold of the point under the mouse; returns whether there is one."""
+        found = picking.view_at(context.window, event.mouse_x, event.mouse_y)
+        if found is None:
+            return False
+        region, view = found
+        mouse = Vector((event.mouse_x - region.x, event.mouse_y - region.y))
+        shapes = [
+            pulling.Shape(context, obj, pulling.modifier_of(obj, self.modifier)) for obj in self._objects(context)]
+        picked = picking.pick(shapes, region, view, mouse, picking.NEAR * context.preferences.system.ui_scale)
+        if picked is None:
+            return False
+        shape, corners = picked
+        self._held = pulling.Held(context, shape, corners, self._held_vertices(shape), self.mirror)
+        self._has_moved = False
+        self._point = picking.place_of(shape, corners)
+        # For Adjust Last Operation, which pulls the nearest vertex.
+        self.object, self.vertex = shape.object.name, max(corners, key=lambda corner: corner[1])[0]
+        self._region, self._view = region, view
+        # The mouse keeps its distance from the point, so that nothing jumps.
+        self._offset = location_3d_to_region_2d(region, view, self._point) - mouse
+        self._pressed = event.mouse_x, event.mouse_y
+        return True
+
+    def _follow(self, event):
+        if not self._has_moved and (event.mouse_x, event.mouse_y) == self._pressed:
+            return
+        self._has_moved = True
+        mouse = Vector((event.mouse_x - self._region.x, event.mouse_y - self._region.y))
+        place = region_2d_to_location_3d(self._region, self._view, mouse + self._offset, self._point)
+        self.displacement = place - self._point
+        self._held.pull(self.displacement)
+
+
+def _length(context, value):
+    """A length in the scene's units."""
+    units = context.scene.unit_settings
+    name = 'METRIC' if units.system == 'NONE' else units.system
+    return bpy.utils.units.to_string(name, 'LENGTH', value * units.scale_length, precision=4)
+
+
+classes = (MOTUS_OT_lattice_pull,)

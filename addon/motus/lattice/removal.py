@@ -1,0 +1,110 @@
+"""Takes fitted lattices off again, or makes their deformation permanent."""
+
+import bpy
+
+from ..core.translations import tr
+from . import shapes
+from .targets import Refused, check_editable
+
+
+def fitted(modifier):
+    """Whether this is the modifier of a lattice that Motus has fitted."""
+    return modifier.type == 'LATTICE' and modifier.object is not None and modifier.object.motus.lattice.is_fitted
+
+
+def deformed_by(lattice):
+    """The objects that a lattice object deforms, by name."""
+    return sorted((obj for obj in bpy.data.objects if any(
+        modifier.type == 'LATTICE' and modifier.object == lattice for modifier in obj.modifiers)),
+        key=lambda obj: obj.name)
+
+
+def uses_for(objects):
+    """[(object, modifier name)] of the fitted lattices of objects; a lattice stands for those that it deforms."""
+    found = {}
+    for obj in objects:
+        own = [(obj, modifier.name) for modifier in obj.modifiers if fitted(modifier)]
+        if obj.type == 'LATTICE' and obj.motus.lattice.is_fitted:
+            own += [(one, modifier.name) for one in deformed_by(obj) for modifier in one.modifiers
+                    if modifier.type == 'LATTICE' and modifier.object == obj]
+        found.update(dict.fromkeys(own))
+    return list(found)
+
+
+def check_removable(uses, is_applied):
+    """Refuse, before anything is changed, where one of the modifiers cannot go."""
+    for obj, name in uses:
+        check_editable(obj)
+        if is_applied:
+            _check_applicable(obj, name)
+
+
+def _check_applicable(obj, name):
+    if obj.type == 'FONT':
+        raise Refused(tr("{object} is a text, to which nothing can be applied: convert it to a mesh first").format(
+            object=obj.name))
+    if obj.data.library:
+        raise Refused(tr("The shape of {object} is linked from another file: make it local first").format(
+            object=obj.name))
+    if obj.data.users > 1:
+        raise Refused(tr("{object} shares its shape with other objects: make it a single user first").format(
+            object=obj.name))
+    if getattr(obj.data, "shape_keys", None):
+        raise Refused(tr("{object} has shape keys, to which nothing can be applied").format(object=obj.name))
+    if not obj.modifiers[name].show_viewport:
+        raise Refused(tr("The modifier {modifier} of {object} is switched off in the viewport").format(
+            modifier=name, object=obj.name))
+
+
+def remove(context, uses, is_applied):
+    """Take modifiers off, applied or not; with them the vertex groups and lattices that nothing else uses."""
+    lattices = {obj.modifiers[name].object: None for obj, name in uses}
+    for obj, name in uses:
+        modifier = obj.modifiers[name]
+        group, lattice = modifier.vertex_group, modifier.object
+        if is_applied:
+            _apply(context, obj, name)
+        else:
+            obj.modifiers.remove(modifier)
+        if group and group == lattice.motus.lattice.vertex_group:
+            _remove_group(obj, group)
+    for lattice in lattices:
+        if not deformed_by(lattice) and not lattice.library:
+            _remove_lattice(context, lattice, uses[0][0])
+
+
+def _apply(context, obj, name):
+    with context.temp_override(object=obj, active_object=obj, selected_objects=[obj], selected_editable_objects=[obj]):
+        try:
+            bpy.ops.object.modifier_apply(modifier=name)
+        except RuntimeError as error:
+            raise Refused(tr("{modifier} of {object} cannot be applied: {error}").format(
+                modifier=name, object=obj.name, error=str(error).strip())) from error
+
+
+def _remove_group(obj, name):
+    users = [modifier for modifier in obj.modifiers if getattr(modifier, "vertex_group", "") == name]
+    group = obj.vertex_groups.get(name)
+    if group is None or users or obj.data.library:
+        return
+    active = obj.vertex_groups.active_index
+    before = active if active < group.index else active - 1
+    obj.vertex_groups.remove(group)
+    if obj.vertex_groups:
+        obj.vertex_groups.active_index = max(before, 0)
+
+
+def _remove_lattice(context, lattice, successor):
+    data = lattice.data
+    if context.view_layer.objects.active == lattice:
+        context.view_layer.objects.active = successor
+        successor.select_set(True)
+    bpy.data.objects.remove(lattice)
+    if not data.users and not data.library:
+        bpy.data.lattices.remove(data)
+
+
+def reset(lattice):
+    """Put a lattice's points back to rest."""
+    lattice.data.points.foreach_set("co_deform", shapes.lattice_points(lattice.data, "co").ravel())
+    lattice.data.update_tag()

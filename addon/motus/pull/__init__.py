@@ -1,0 +1,29 @@
+"""Pick & Pull: meshes are sculpted by pulling, and pulls are kept as pins that can be animated."""
+
+from ..core.system import System
+from . import (
+    adjust, grid, operators, panel, pins_apply, pins_operators, pins_panel, pins_properties, pins_setup, pins_solve,
+    presets, properties, tool)
+
+SYSTEM = System(
+    name="pull",
+    label="Pick & Pull",
+    settings=pins_properties.MOTUS_PG_pull,
+    scene_settings=properties.MOTUS_PG_brush,
+    classes=(
+        # Groups before those that hold them.
+        *properties.classes, *pins_properties.classes,
+        *operators.classes, *adjust.classes, *grid.classes, *pins_operators.classes, *pins_apply.classes,
+        *presets.classes, *panel.classes, *pins_panel.classes,
+    ),
+    inputs=pins_solve.INPUTS,
+    solve=pins_solve.solve,
+    problems=pins_solve.PROBLEMS,
+    groups=pins_solve.groups,
+    moves_points=True,
+    unbakeable=pins_solve.UNBAKEABLE,
+    settle=pins_setup.settle,
+    extras=(tool,),
+    add_menu=("motus.grid_add",),
+    object_menu=("motus.pick_pull", "motus.pin_add"),
+)

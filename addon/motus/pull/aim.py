@@ -1,0 +1,46 @@
+"""Which 3D viewport the mouse is over, and what its ray and scale are there."""
+
+from typing import Any, NamedTuple
+
+from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_origin_3d, region_2d_to_vector_3d
+from mathutils import Vector
+
+
+class View(NamedTuple):
+    """A 3D viewport; `data` is its RegionView3D."""
+
+    area: Any
+    region: Any
+    data: Any
+
+    def ray(self, x, y):
+        """Origin and direction, in the world, of the ray through a place of the window."""
+        place = (x - self.region.x, y - self.region.y)
+        return (region_2d_to_origin_3d(self.region, self.data, place),
+                region_2d_to_vector_3d(self.region, self.data, place))
+
+    def toward_viewer(self):
+        """World direction from the screen to whoever looks at it."""
+        return self.data.view_rotation @ Vector((0.0, 0.0, 1.0))
+
+    def pixels_for(self, point, length):
+        """How many pixels a length at a point of the world is on the screen, across the view."""
+        across = self.data.view_rotation @ Vector((length, 0.0, 0.0))
+        ends = [location_3d_to_region_2d(self.region, self.data, place) for place in (point, point + across)]
+        return (ends[1] - ends[0]).length if None not in ends else 0.0
+
+
+def view_at(window, x, y):
+    """The viewport at a place of the window; None where there is another thing."""
+    for area in window.screen.areas:
+        if area.type != 'VIEW_3D' or not _contains(area, x, y):
+            continue
+        # The sidebar and the toolbar may lie over the viewport.
+        found = [region for region in area.regions if _contains(region, x, y)]
+        if found and all(region.type == 'WINDOW' for region in found):
+            return View(area, found[0], found[0].data)
+    return None
+
+
+def _contains(part, x, y):
+    return part.x <= x < part.x + part.width and part.y <= y < part.y + part.height

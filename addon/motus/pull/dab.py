@@ -1,0 +1,303 @@
+"""A session of pulls on one mesh: used by the operator, from scripts or by the mouse."""
+
+from typing import Any, NamedTuple
+
+from mathutils import Vector
+
+from ..core import native
+from ..core.lazy import numpy as np
+from ..core.translations import tr
+from . import meshes
+from .brush import AXIS_INDEX, Space
+from .history import Done, History
+from .puller import Puller
+from .surface import Surface
+
+
+NONE_MOVED = ()
+"""No indices."""
+
+
+class Hit(NamedTuple):
+    """What a ray meets, in the world; vertex: the root, the corner of the triangle that is nearest."""
+
+    point: Any
+    normal: Any
+    triangle: int
+    vertex: int
+
+
+class Session:
+    """The mesh as it was, as it is, and what changes it. Raises Refused where the mesh cannot be edited.
+
+    accumulate on: each pull builds on the last; distances are those of the shape when the stroke began. Off: each pull
+    starts from the shape when the session began. Nothing here makes an undo step or a report.
+    """
+
+    def __init__(self, context, obj, brush):
+        if native.module is None:
+            raise meshes.Refused(native.status.sentence)
+        self.brush = brush
+        self.mesh = meshes.open_mesh(obj)
+        self.object_name = obj.name
+        depsgraph = context.evaluated_depsgraph_get()
+        self.space = Space(obj.evaluated_get(depsgraph).matrix_world)
+        self.current = self.mesh.positions()
+        self._surface = Surface(self.mesh, depsgraph)
+        self._puller = Puller(self.mesh, self._surface, self.space)
+        self._begin()
+
+    def begin_again(self, context, obj, brush):
+        """What is there now becomes what the session began with; False where the mesh is not as the session left it."""
+        mesh = meshes.open_mesh(obj)
+        depsgraph = context.evaluated_depsgraph_get()
+        space = Space(obj.evaluated_get(depsgraph).matrix_world)
+        is_same = obj.name == self.object_name and type(mesh) is type(self.mesh)
+        if not is_same or not _same(self.current, mesh.positions()):
+            return False
+        self.brush, self.mesh, self.space = brush, mesh, space
+        self._surface.reopen(mesh, depsgraph)
+        self._puller.reopen(mesh, space)
+        self._begin()
+        return True
+
+    def _begin(self):
+        # These shapes are never changed in place, so that others may keep them.
+        self._original = self._base = self._start = self.current.copy()
+        self._surface.start_is_current()
+        self._is_fresh = True
+        self._history = History()
+        self._unwritten = []
+        self._last_moved = NONE_MOVED
+
+    # --- Where it pulls ---------------------------------------------------------------------------------------------
+
+    def pick(self, origin, direction):
+        """What a world ray meets first: a Hit, or None."""
+        found = self._surface.ray(
+            self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self._start,
+            self.current if self.brush.accumulate and not self._is_fresh else None)
+        if found is None:
+            return None
+        triangle, point, corners, places = found
+        away = (places - point) @ self.metric.T
+        vertex = int(corners[np.einsum("ij,ij->i", away, away).argmin()])
+        normal = self.space.normal_to_world(np.cross(places[1] - places[0], places[2] - places[0]))
+        return Hit(Vector(self.space.point_to_world(point)), Vector(normal), triangle, vertex)
+
+    def nearest(self, location):
+        """(index, distance) of the visible vertex nearest to a place of the world; the distance in the brush's unit."""
+        return meshes.nearest(
+            self.current, self.space.point_to_local(location), self.metric, self.mesh.hidden())
+
+    def place(self, vertex):
+        """Where a vertex is in the world now."""
+        return Vector(self.space.point_to_world(self.current[vertex]))
+
+    def normal(self, vertex):
+        """World normal of the surface at a vertex, as the stroke began; zero for a loose one."""
+        return Vector(self.space.normal_to_world(self._surface.normal(vertex, self._start)))
+
+    def world_positions(self, indices=None):
+        """(m, 3) world positions of these vertices, or of all, as they are now."""
+        return self.space.point_to_world(self.current if indices is None else self.current[indices])
+
+    def to_world_vector(self, vector):
+        """A vector in the space that the brush's unit says, in the world."""
+        return Vector(vector if self.brush.unit == 'WORLD' else self.space.linear @ np.asarray(vector, float))
+
+    def to_world_point(self, point):
+        """A point in the space that the brush's unit says, in the world."""
+        return Vector(point if self.brush.unit == 'WORLD' else self.space.point_to_world(point))
+
+    def forces(self, vertex):
+        """(indices, forces) of a pull at a vertex, without mirror images and weights: what the cursor shows."""
+        return self._puller.forces(vertex, self.brush, self.brush.radius, self._start)
+
+    @property
+    def metric(self):
+        """3x3: |metric @ v| is the length of a local vector v in the brush's unit."""
+        return self.space.metric(self.brush.unit)
+
+    @property
+    def reach_radius(self):
+        """The distance from the root, in the brush's unit, at and beyond which nothing moves."""
+        return self.brush.reach_of(self.brush.radius)
+
+    # --- What it does -----------------------------------------------------------------------------------------------
+
+    def begin_stroke(self):
+        """From here on distances and normals are those of the shape of now."""
+        if not self._is_fresh:
+            if self.brush.accumulate:
+                self._start_now()
+            elif self._start is not self._base:
+                self._start_at_base()
+        before = self._start if self._is_fresh else self.current.copy()
+        self._history.begin_stroke(before, self.current, self._base)
+
+    def displacement(self, vertex, sign=1.0, view=None):
+        """World vector that the brush moves a root by. view: world direction to the viewer. May raise Refused."""
+        brush, space = self.brush, self.space
+        if brush.direction in AXIS_INDEX:
+            local = np.eye(3)[AXIS_INDEX[brush.direction]]
+            local = space.inverse @ local if brush.unit == 'WORLD' else local
+        elif brush.direction == 'VIEW':
+            if view is None:
+                raise meshes.Refused(tr("There is no view to pull towards: choose another direction"))
+            local = space.inverse @ np.asarray(view, float)
+        else:
+            local = self._surface.normal(vertex, self._start)
+            if not local.any():
+                raise meshes.Refused(tr("Vertex {index} has no normal: choose another direction").format(index=vertex))
+            if brush.unit == 'WORLD':
+                local = space.inverse @ space.normal_to_world(local)
+        local = local / np.linalg.norm(self.metric @ local)
+        return Vector(sign * brush.strength * (space.linear @ local))
+
+    def pull(self, vertex, displacement, pressure=1.0, write=True):
+        """Move a vertex by a world vector and let those in reach follow; False where there is nothing to do.
+
+        write=False leaves the mesh to flush(), after more dabs.
+        """
+        brush = self.brush
+        local = self.space.inverse @ np.asarray(displacement, float)
+        if brush.use_pressure_strength:
+            local = local * pressure
+        radius = brush.radius * (pressure if brush.use_pressure_size else 1.0)
+        return self.repeat(Done('PULL', vertex, local, radius), write)
+
+    def smooth(self, vertex, strength=0.5, pressure=1.0, write=True):
+        """Even the surface out around a vertex; what is pulled afterwards starts from the result, whether or not it
+        accumulates. False where there is nothing to do."""
+        brush = self.brush
+        if brush.use_pressure_strength:
+            strength *= pressure
+        radius = brush.radius * (pressure if brush.use_pressure_size else 1.0)
+        return self.repeat(Done('SMOOTH', vertex, (0.0, 0.0, 0.0), radius, strength), write)
+
+    def repeat(self, dab, write=False):
+        """Do a dab whose numbers are known: a Done, whose displacement is local. False where there is nothing to do."""
+        dab = dab._replace(displacement=tuple(np.asarray(dab.displacement, np.float32).tolist()))
+        if dab.radius <= 0.0 or not (dab.strength if dab.kind == 'SMOOTH' else any(dab.displacement)):
+            return False
+        if dab.kind == 'SMOOTH':
+            self._smooth(dab, write)
+        elif self.brush.accumulate:
+            self._pull_on(dab, write)
+        else:
+            self._pull_afresh(dab, write)
+        return True
+
+    def flush(self):
+        """Write what pull(write=False) and smooth(write=False) have left."""
+        if not self._unwritten:
+            return
+        moved = self._unwritten[0]
+        for more in self._unwritten[1:]:
+            moved = _union(moved, more)
+        self.mesh.write(self.current, moved)
+        self._unwritten = []
+
+    def step_back(self):
+        """Undo the last stroke; False where there is none."""
+        found = self._history.pop_stroke(self.current)
+        if found is None:
+            return False
+        shape, self._base = found
+        self._go_to(shape)
+        return True
+
+    def restore(self):
+        """Everything as it was when the session began, bit for bit."""
+        self._base = self._original
+        self._go_to(self._original.copy())
+        self._history = History()
+
+    def finish(self):
+        """Leave the mesh in order; True where anything has changed. The session may begin again afterwards."""
+        self.flush()
+        self.mesh.finish()
+        return self.has_changed
+
+    @property
+    def has_changed(self):
+        """Whether any vertex is elsewhere than when the session began."""
+        return not _same(self._original, self.current)
+
+    @property
+    def dabs(self):
+        """What has been done, in order: Done values."""
+        return self._history.dabs
+
+    @property
+    def last(self):
+        """The last pull, a Pulled value; None after smoothing and where there is none."""
+        return self._history.last
+
+    def _pull_on(self, dab, write):
+        place = tuple(self.current[dab.vertex].tolist())
+        moved, before = self._puller.pull(
+            self.current, dab.vertex, dab.displacement, self.brush, dab.radius, self._start, self._is_fresh)
+        self._history.add(dab, self.brush, place, moved, before)
+        self._changed(moved, write)
+
+    def _pull_afresh(self, dab, write):
+        place = tuple(self._base[dab.vertex].tolist())
+        moved = self._puller.pull_from(
+            self._base, self.current, self._last_moved, dab.vertex, dab.displacement, self.brush, dab.radius)
+        self._history.add(dab, self.brush, place, None, self._base)
+        # What the dab before has moved is back in its place, which is a change too.
+        changed, self._last_moved = _union(moved, self._last_moved), moved
+        self._changed(changed, write)
+
+    def _smooth(self, dab, write):
+        place = tuple(self.current[dab.vertex].tolist())
+        moved, before = self._puller.smooth(
+            self.current, dab.vertex, dab.strength, self.brush, dab.radius, self._start)
+        self._history.add(dab, self.brush, place, moved, before)
+        self._changed(moved, write)
+        if not self.brush.accumulate:
+            self._start_now()
+            self._base = self._start
+            self._last_moved = NONE_MOVED
+
+    def _changed(self, moved, write):
+        self._is_fresh = False
+        self._surface.moved(moved)
+        self._unwritten.append(moved)
+        if write:
+            self.flush()
+
+    def _go_to(self, shape):
+        self.current = shape
+        self._changed(None, write=True)
+        if self.brush.accumulate:
+            self._start_now()
+        else:
+            self._start_at_base()
+
+    def _start_now(self):
+        self._start = self.current.copy()
+        self._surface.start_is_current()
+        self._puller.forget()
+        self._is_fresh = True
+
+    def _start_at_base(self):
+        self._start = self._base
+        self._surface.start_moved(None)
+        self._puller.forget()
+        # Where the shape differs from the base is not known.
+        self._last_moved = None
+
+
+def _union(one, other):
+    """Two sets of indices together; None, which means all, where either is None."""
+    if one is None or other is None:
+        return None
+    return np.union1d(one, other) if len(one) and len(other) else one if len(one) else other
+
+
+def _same(one, other):
+    """Whether two shapes are equal bit for bit, NaNs included."""
+    return one.shape == other.shape and np.array_equal(one.view(np.uint32), other.view(np.uint32))

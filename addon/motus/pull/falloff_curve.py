@@ -1,0 +1,43 @@
+"""The user's own falloff: a Float Curve node in a hidden node group, as no property of Blender's holds a curve."""
+
+import bpy
+
+from ..core.lazy import numpy as np
+from .properties import CURVE_SAMPLES
+
+GROUP_NAME = ".Motus Falloff"
+NODE_TYPE = 'ShaderNodeFloatCurve'
+
+
+def ensure(brush):
+    """The brush's curve node; made, as the smooth falloff, where there is none. Not for draw()."""
+    found = node(brush)
+    if found is not None:
+        return found
+    if brush.curve_nodes is None:
+        brush.curve_nodes = bpy.data.node_groups.new(GROUP_NAME, 'ShaderNodeTree')
+    made = brush.curve_nodes.nodes.new(NODE_TYPE)
+    points = made.mapping.curves[0].points
+    for t in (0.25, 0.5, 0.75):
+        points.new(t, t * t * (3.0 - 2.0 * t))
+    made.mapping.update()
+    return made
+
+
+def node(brush):
+    """The brush's curve node, for template_curve_mapping(node, "mapping"); None where there is none yet."""
+    if brush.curve_nodes is None:
+        return None
+    return next((found for found in brush.curve_nodes.nodes if found.bl_idname == NODE_TYPE), None)
+
+
+def samples(brush, count=CURVE_SAMPLES):
+    """Forces at equal steps from the radius to the root: float32 (count,). Linear where there is no curve."""
+    steps = np.linspace(0.0, 1.0, count)
+    found = node(brush)
+    if found is None:
+        return steps.astype(np.float32)
+    mapping = found.mapping
+    mapping.initialize()
+    curve = mapping.curves[0]
+    return np.array([mapping.evaluate(curve, step) for step in steps], np.float32)

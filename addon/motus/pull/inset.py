@@ -1,0 +1,143 @@
+"""A perspective view from another side, in the corner of the viewport while a mesh is pulled."""
+
+import inspect
+import logging
+import math
+
+import bpy
+from mathutils import Matrix, Vector
+
+from ..core import native
+from . import drawing, hover, stage
+
+log = logging.getLogger(__name__)
+
+classes = ()
+
+SHARE = 0.3
+"""Of the viewport's width."""
+ASPECT = 1.5
+MARGIN = 12.0
+FRAME = (0.9, 0.9, 0.9, 0.8)
+TURN = math.radians(90.0)
+"""About the vertical, from the view that is worked in."""
+RISE = math.radians(25.0)
+"""Above the horizon; more where the work is seen from straight above or below."""
+LENS = 2.4
+"""Half the picture's height lies so many times nearer than the eye."""
+SMALLEST = 96
+
+_handle = []
+_buffers = {}
+_failed = set()
+
+
+def start(area):
+    """Draw from now on, in this viewport and the others; does nothing the second time."""
+    if not _handle:
+        _handle.append(bpy.types.SpaceView3D.draw_handler_add(_draw, (), 'WINDOW', 'POST_PIXEL'))
+        area.tag_redraw()
+
+
+def stop():
+    """Draw no more."""
+    while _handle:
+        bpy.types.SpaceView3D.draw_handler_remove(_handle.pop(), 'WINDOW')
+    for buffer in _buffers.values():
+        buffer.free()
+    _buffers.clear()
+    _failed.clear()
+
+
+def rectangle(region):
+    """(x, y, width, height) of the inset in a region, pixels; None where there is no room."""
+    width = int(region.width * SHARE)
+    height = int(width / ASPECT)
+    if width < SMALLEST or height > region.height // 2:
+        return None
+    return int(region.width - width - MARGIN), int(MARGIN), width, height
+
+
+def camera(view_rotation, center, radius, aspect):
+    """View and projection matrix from another side. center, radius: of a ball round what is shown."""
+    backward = view_rotation @ Vector((0.0, 0.0, 1.0))
+    right = view_rotation @ Vector((1.0, 0.0, 0.0))
+    # Round the vertical from the screen's right, which a view from above has too.
+    azimuth = math.atan2(right.y, right.x) - math.pi / 2.0 + TURN
+    is_level = abs(backward.z) < 0.9
+    rise = RISE if is_level else 1.4 * RISE
+    toward = Vector((math.cos(rise) * math.cos(azimuth), math.cos(rise) * math.sin(azimuth), math.sin(rise)))
+    distance = max(radius, 1e-6) * math.hypot(LENS, 1.0) * 1.05
+    rotation = toward.to_track_quat('Z', 'Y')
+    view = Matrix.LocRotScale(center + distance * toward, rotation, None).inverted()
+    near, far = max(distance - 2.0 * radius, distance * 0.01), distance + 50.0 * radius
+    projection = Matrix((
+        (LENS / aspect, 0.0, 0.0, 0.0), (0.0, LENS, 0.0, 0.0),
+        (0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)), (0.0, 0.0, -1.0, 0.0)))
+    return view, projection
+
+
+def ball(obj):
+    """Middle and radius of a ball round an object, in the world."""
+    corners = [obj.matrix_world @ Vector(corner) for corner in obj.bound_box]
+    low = Vector(min(corner[axis] for corner in corners) for axis in range(3))
+    high = Vector(max(corner[axis] for corner in corners) for axis in range(3))
+    return (low + high) / 2.0, (high - low).length / 2.0
+
+
+def _is_wanted(context):
+    if native.module is None or context.object is None or not context.scene.motus.pull.show_inset:
+        return False
+    return stage.current() is not None or hover.is_tool_active(context)
+
+
+def _draw():
+    context = bpy.context
+    if not _is_wanted(context):
+        return
+    place = rectangle(context.region)
+    if place is None:
+        return
+    try:
+        _draw_view(context, place)
+    except Exception as error:
+        # A graphics card may refuse; said once, and the work goes on without an inset.
+        if repr(error) not in _failed:
+            _failed.add(repr(error))
+            log.exception("Motus: the inset view could not be drawn")
+
+
+def _draw_view(context, place):
+    import gpu
+    from gpu_extras.presets import draw_texture_2d
+
+    x, y, width, height = place
+    buffer = _buffer(width, height)
+    matrices = camera(context.region_data.view_rotation, *ball(context.object), width / height)
+    buffer.draw_view3d(
+        context.scene, context.view_layer, context.space_data, context.region, *matrices,
+        do_color_management=_takes_display_colors(draw_texture_2d))
+    gpu.state.depth_mask_set(False)
+    gpu.state.blend_set('NONE')
+    draw_texture_2d(buffer.texture_color, (x, y), width, height)
+    gpu.state.blend_set('ALPHA')
+    corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
+    drawing.line(corners, FRAME, 1.5 * context.preferences.system.pixel_size)
+    gpu.state.blend_set('NONE')
+    gpu.state.depth_mask_set(True)
+
+
+def _takes_display_colors(draw_texture):
+    """Whether textures are drawn with the colours that they have; before Blender 5 they are taken for linear ones."""
+    return "is_scene_linear_with_rec709_srgb_target" in inspect.signature(draw_texture).parameters
+
+
+def _buffer(width, height):
+    """The picture's buffer; one for each size, and few sizes."""
+    import gpu
+
+    if (width, height) not in _buffers:
+        if len(_buffers) >= 4:
+            _buffers.pop(next(iter(_buffers))).free()
+        _buffers[width, height] = gpu.types.GPUOffScreen(width, height)
+    return _buffers[width, height]

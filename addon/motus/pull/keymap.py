@@ -1,0 +1,26 @@
+"""Keys of the tool in the toolbar."""
+
+
+def _stroke(button, **options):
+    """A stroke that begins with a press. options: modifiers of the keymap item, and switches of the operator."""
+    modifiers = {name: options.pop(name) for name in ("ctrl", "shift") if name in options}
+    properties = [("is_stroke", True), *options.items()]
+    return "motus.pick_pull", {"type": button, "value": 'PRESS', **modifiers}, {"properties": properties}
+
+
+def _adjust(key, number, steps=0, **modifiers):
+    properties = [("number", number)] + ([("steps", steps)] if steps else [])
+    return "motus.pull_adjust", {"type": key, "value": 'PRESS', **modifiers}, {"properties": properties}
+
+
+TOOL_KEYMAP = (
+    _stroke('LEFTMOUSE'),
+    _stroke('LEFTMOUSE', ctrl=True, is_down=True),
+    _stroke('LEFTMOUSE', shift=True, is_smooth=True),
+    # Where the right button selects, the operator passes it on.
+    _stroke('RIGHTMOUSE', is_down=True),
+    _adjust('F', 'RADIUS'),
+    _adjust('F', 'STRENGTH', shift=True),
+    _adjust('LEFT_BRACKET', 'RADIUS', steps=-1),
+    _adjust('RIGHT_BRACKET', 'RADIUS', steps=1),
+)

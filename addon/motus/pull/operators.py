@@ -1,0 +1,151 @@
+"""Pulling from a script, by keywords alone; modal.py has the mouse."""
+
+import bpy
+
+from ..core.lazy import numpy as np
+from ..core.translations import tr
+from . import history, keywords, modal, properties
+from .dab import Session
+from .history import Done
+from .meshes import Refused
+from .properties import BrushKeywords
+
+
+class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator):
+    bl_idname = "motus.pick_pull"
+    bl_label = "Pick & Pull"
+    bl_description = "Pull the surface at a vertex; what is near follows"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the mesh object; empty takes the active one", options={'SKIP_SAVE'})
+    vertex: bpy.props.IntProperty(
+        name="Vertex", description="Index of the vertex that is pulled; -1 takes the one nearest to the location",
+        default=-1, min=-1, options={'SKIP_SAVE'})
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Where it is pulled, in the world or in the object as the unit says", size=3,
+        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+    displacement: bpy.props.FloatVectorProperty(
+        name="Displacement", description="How far the root goes, instead of a direction and a strength", size=3,
+        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+    curve: bpy.props.FloatVectorProperty(
+        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root",
+        size=properties.CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
+    dabs: bpy.props.CollectionProperty(
+        type=properties.MOTUS_PG_dab, name="Dabs", description="What was done with the mouse",
+        options={'HIDDEN', 'SKIP_SAVE'})
+
+    def execute(self, context):
+        try:
+            session = start(self, context)
+            has_acted = replay(session, self.dabs) if self.dabs else self._pull_once(context, session)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        if not session.finish() and has_acted:
+            self.report({'ERROR'}, tr("Nothing moved: what is in reach is hidden, masked or held by a limit"))
+            return {'CANCELLED'}
+        self.remember(context, session, with_dabs=False)
+        if session.mesh.is_muted():
+            self.report({'WARNING'}, tr("The shape key {key} is not seen, as its value is 0 or it is muted").format(
+                key=session.mesh.key.name))
+        return {'FINISHED'}
+
+    def remember(self, context, session, with_dabs=True):
+        """Keep what a session did: for Redo, and as the last pull of the scene."""
+        keywords.show(self, session.brush)
+        self.object = session.object_name
+        if with_dabs:
+            keep_dabs(self.dabs, session)
+        if session.last is not None:
+            keep_last(context.scene.motus.pull.last, session)
+
+    def _pull_once(self, context, session):
+        vertex = self._root(session)
+        session.begin_stroke()
+        if self.properties.is_property_set("displacement"):
+            displacement = session.to_world_vector(self.displacement)
+        else:
+            displacement = session.displacement(vertex, view=toward_viewer(context))
+        return session.pull(vertex, displacement)
+
+    def _root(self, session):
+        """The vertex that the keywords name. Raises Refused where they name none."""
+        if self.vertex >= 0:
+            if self.vertex >= len(session.current):
+                raise no_such_vertex(session, self.vertex)
+            hidden = session.mesh.hidden()
+            if hidden is not None and hidden[self.vertex]:
+                raise Refused(tr("Vertex {index} is hidden").format(index=self.vertex))
+            found = self.vertex
+        elif not self.properties.is_property_set("location"):
+            raise Refused(tr("Say where: a location or a vertex"))
+        else:
+            found, away = session.nearest(session.to_world_point(self.location))
+            if not away < session.reach_radius and session.brush.distance != 'EDGES':
+                raise Refused(tr("No vertex lies within the radius of this location"))
+        if not np.isfinite(session.current[found]).all():
+            raise Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(index=found))
+        return found
+
+
+def start(operator, context):
+    """A Session by an operator's keywords, where given, and else by the scene's brush. Raises Refused."""
+    return Session(context, keywords.object_of(operator, context), keywords.brush_of(operator, context))
+
+
+def replay(session, dabs):
+    """Do again what the mouse did, with the radius and strength of the brush now. Whether there was anything to do."""
+    brush = session.brush
+    has_acted = False
+    for dab in dabs:
+        if dab.is_first:
+            session.begin_stroke()
+        if dab.vertex >= len(session.current):
+            raise no_such_vertex(session, dab.vertex)
+        displacement = np.array(dab.displacement, np.float32) * brush.strength
+        done = Done(dab.kind, dab.vertex, displacement, dab.radius * brush.radius, dab.strength)
+        has_acted = session.repeat(done) or has_acted
+    session.flush()
+    return has_acted
+
+
+def keep_dabs(items, session):
+    """What replay() needs; lengths as shares of the brush's."""
+    items.clear()
+    strength, radius = session.brush.strength or 1.0, session.brush.radius
+    for dab in session.dabs:
+        item = items.add()
+        item.kind, item.vertex, item.is_first = dab.kind, dab.vertex, dab.is_first
+        item.displacement = [part / strength for part in dab.displacement]
+        item.radius, item.strength = dab.radius / radius, dab.strength
+
+
+def keep_last(record, session):
+    """Let the scene remember the last pull."""
+    pulled = session.last
+    keywords.copy(pulled.brush, record)
+    record.radius = pulled.dab.radius
+    record.object, record.vertex = session.object_name, pulled.dab.vertex
+    record.place, record.displacement = pulled.place, pulled.dab.displacement
+    record.metric = session.space.metric(pulled.brush.unit).ravel().tolist()
+    if pulled.brush.curve:
+        record.curve = pulled.brush.curve
+    history.last_shapes = session.object_name, pulled.shape_before(session.current), session.current.copy()
+
+
+def no_such_vertex(session, vertex):
+    """What is raised where a mesh has fewer vertices than it would need."""
+    return Refused(tr("{object} has no vertex {index}: it has {count}").format(
+        object=session.object_name, index=vertex, count=len(session.current)))
+
+
+def toward_viewer(context):
+    """World direction to whoever looks at the 3D view that the operator runs in; None outside of one."""
+    view = getattr(context, "region_data", None)
+    if view is None or not hasattr(view, "view_rotation"):
+        return None
+    return tuple(view.view_matrix.inverted().to_3x3().col[2])
+
+
+classes = (MOTUS_OT_pick_pull,)

@@ -1,0 +1,84 @@
+"""Keys and drivers of pins: they are known by the pin's place in the list, and go along when that changes."""
+
+import re
+
+import bpy
+
+from ..core import actions
+
+_PATH = re.compile(r"^motus\.pull\.pins\[(?P<index>\d+)\](?P<rest>.*)$")
+_KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",
+               "back", "amplitude", "period", "type")
+
+
+def reorder(owner, places):
+    """Let keys and drivers follow their pins. places: new index of each pin by its old one; None: it is removed."""
+    for holder in (actions.fcurves(owner), owner.animation_data.drivers if owner.animation_data else ()):
+        found = [(curve, _PATH.match(curve.data_path)) for curve in holder]
+        for curve, match in [pair for pair in found if pair[1]]:
+            place = places.get(int(match["index"]))
+            if place is None:
+                holder.remove(curve)
+            else:
+                curve.data_path = f"motus.pull.pins[{place}]{match['rest']}"
+
+
+def drop_empty(owner):
+    """Leave neither an action behind that was there for pins alone, nor animation data without anything."""
+    animation = owner.animation_data
+    if animation is None or animation.nla_tracks:
+        return
+    action = animation.action
+    if action and not actions.fcurves(owner):
+        animation.action = None
+        if action.users == 0:
+            bpy.data.actions.remove(action)
+    if animation.action is None and not animation.drivers:
+        owner.animation_data_clear()
+
+
+def curve(owner, index, name):
+    """The F-curve of one setting of a pin, or None."""
+    return actions.find(owner, f"motus.pull.pins[{index}].{name}")
+
+
+def driver(owner, index, name):
+    """The driver of one setting of a pin, or None."""
+    animation = owner.animation_data
+    return animation.drivers.find(f"motus.pull.pins[{index}].{name}") if animation else None
+
+
+def copy_curve(source, holder, name):
+    """Let a setting of a datablock's item be keyed like the F-curve `source`; returns the F-curve."""
+    holder.keyframe_insert(name, frame=source.keyframe_points[0].co.x if source.keyframe_points else 0.0)
+    target = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
+    for point in reversed(target.keyframe_points):
+        target.keyframe_points.remove(point)
+    target.keyframe_points.add(len(source.keyframe_points))
+    for old, new in zip(source.keyframe_points, target.keyframe_points):
+        for field in _KEY_FIELDS:
+            setattr(new, field, getattr(old, field))
+    target.extrapolation = source.extrapolation
+    for modifier in source.modifiers:
+        _copy_settings(modifier, target.modifiers.new(modifier.type))
+    target.update()
+    return target
+
+
+def copy_driver(source, holder, name):
+    """Let a setting of a datablock's item be driven like `source`."""
+    animation = holder.id_data.animation_data or holder.id_data.animation_data_create()
+    made = animation.drivers.from_existing(src_driver=source)
+    made.data_path = f"{holder.path_from_id()}.{name}"
+
+
+def _copy_settings(source, target):
+    for prop in source.bl_rna.properties:
+        if not prop.is_readonly and prop.identifier != "rna_type":
+            setattr(target, prop.identifier, getattr(source, prop.identifier))
+
+
+def is_animated(owner, path):
+    """Whether a setting of a datablock is keyed or driven."""
+    animation = owner.animation_data
+    return actions.find(owner, path) is not None or bool(animation and animation.drivers.find(path))

@@ -1,0 +1,146 @@
+"""Settings of the pull brush: Scene.motus.pull; and what is remembered of a pull."""
+
+import bpy
+
+CURVE_SAMPLES = 32
+"""Forces of the user's curve at equal steps from the radius to the root."""
+
+LARGEST = 1e18
+"""Its square is just within single precision."""
+
+UNITS = (
+    ('WORLD', "World", "Lengths and directions are those of the world, whatever the object's scale"),
+    ('LOCAL', "Local", "Lengths and directions are those of the object"),
+)
+FALLOFFS = (
+    ('SMOOTH', "Smooth", "Rounded at the root and at the rim"),
+    ('SPHERE', "Sphere", "A half sphere"),
+    ('ROOT', "Root", "Steep at the rim and pointed at the root"),
+    ('LINEAR', "Linear", "A cone"),
+    ('SHARP', "Sharp", "A thorn with a wide foot"),
+    ('CONSTANT', "Constant", "All move alike"),
+    ('GAUSSIAN', "Gaussian", "A bell"),
+    ('CLASSIC', "Classic", "Compares the squared distance with the radius: reaches as far as its square root"),
+    ('CURVE', "Curve", "A curve of your own"),
+)
+DISTANCES = (
+    ('STRAIGHT', "Straight", "In a straight line through space"),
+    ('SURFACE', "Surface", "Along the surface, so that lips and fingers stay apart"),
+    ('EDGES', "Edges", "The number of edges; the radius counts them"),
+)
+DIRECTIONS = (
+    ('NORMAL', "Normal", "Out of the surface at the root"),
+    ('VIEW', "View", "Towards the viewer"),
+    ('X', "X", "Along the X axis"),
+    ('Y', "Y", "Along the Y axis"),
+    ('Z', "Z", "Along the Z axis"),
+)
+AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
+DAB_KINDS = (('PULL', "Pull", ""), ('SMOOTH', "Smooth", ""))
+
+
+class BrushKeywords:
+    """What the brush, the operator and the record of a pull have: the names are the keywords of scripts."""
+
+    radius: bpy.props.FloatProperty(
+        name="Radius", description="How far from the root it reaches; for edges, how many of them", default=1.0,
+        min=1e-6, soft_min=0.01, soft_max=100.0, subtype='DISTANCE', options=set())
+    unit: bpy.props.EnumProperty(
+        name="Unit", description="Whose lengths and directions count", items=UNITS, default='WORLD', options=set())
+    strength: bpy.props.FloatProperty(
+        name="Strength", description="How far one dab moves the root; negative pushes", default=0.1, soft_min=-10.0,
+        soft_max=10.0, subtype='DISTANCE', options=set())
+    falloff: bpy.props.EnumProperty(
+        name="Falloff", description="How the force fades from the root to the radius", items=FALLOFFS, default='SMOOTH',
+        options=set(), update=lambda settings, context: _ensure_curve(settings))
+    scale_factor: bpy.props.FloatProperty(
+        name="Scale Factor", description="Steepness of the classic falloff", default=0.0, soft_min=-10.0, soft_max=10.0,
+        options=set())
+    distance: bpy.props.EnumProperty(
+        name="Distance", description="How the distance to the root is measured", items=DISTANCES, default='STRAIGHT',
+        options=set())
+    direction: bpy.props.EnumProperty(
+        name="Direction", description="Which way it pulls", items=DIRECTIONS, default='NORMAL', options=set())
+    accumulate: bpy.props.BoolProperty(
+        name="Accumulate", description="Each pull builds on the last; otherwise each starts from the original shape",
+        default=True, options=set())
+    mirror: bpy.props.EnumProperty(
+        name="Mirror", description="Pull on the other side of the object too, across these of its axes", items=AXES,
+        default=set(), options={'ENUM_FLAG'})
+    use_minimum: bpy.props.BoolProperty(
+        name="Use Minimum", description="Nothing is moved below a height", default=False, options=set())
+    minimum: bpy.props.FloatProperty(
+        name="Minimum", description="Lowest height of what moves", default=-1.0, subtype='DISTANCE', options=set())
+    use_maximum: bpy.props.BoolProperty(
+        name="Use Maximum", description="Nothing is moved above a height", default=False, options=set())
+    maximum: bpy.props.FloatProperty(
+        name="Maximum", description="Largest height of what moves", default=1.0, subtype='DISTANCE', options=set())
+    clamp_axis: bpy.props.EnumProperty(
+        name="Height Axis", description="Axis along which the height is measured", items=AXES, default='Z',
+        options=set())
+    vertex_group: bpy.props.StringProperty(
+        name="Vertex Group", description="Its weights tell how far each vertex follows; empty moves all", options=set())
+
+
+KEYWORDS = tuple(BrushKeywords.__annotations__)
+
+
+def _ensure_curve(settings):
+    # Only the brush keeps a curve; the operator has the same property.
+    if isinstance(settings, MOTUS_PG_brush) and settings.falloff == 'CURVE':
+        from . import falloff_curve
+        falloff_curve.ensure(settings)
+
+
+class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
+    """The last pull, so that it can be kept as a pin."""
+
+    object: bpy.props.StringProperty(name="Object", description="Name of the object that was pulled", options=set())
+    vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
+    place: bpy.props.FloatVectorProperty(
+        name="Place", description="Where the root was before, in the object", size=3, subtype='XYZ', options=set())
+    displacement: bpy.props.FloatVectorProperty(
+        name="Displacement", description="How far the root went, in the object", size=3, subtype='XYZ', options=set())
+    metric: bpy.props.FloatVectorProperty(
+        name="Metric", description="Matrix, row by row, that takes the object's vectors to those that are measured",
+        size=9, default=(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0), options=set())
+    curve: bpy.props.FloatVectorProperty(
+        name="Curve", description="Forces at equal steps from the radius to the root", size=CURVE_SAMPLES,
+        options=set())
+
+
+class MOTUS_PG_dab(bpy.types.PropertyGroup):
+    """One dab of a session, so that Redo can do it again."""
+
+    kind: bpy.props.EnumProperty(name="Kind", description="What the dab did", items=DAB_KINDS, options=set())
+    vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
+    displacement: bpy.props.FloatVectorProperty(
+        name="Displacement", description="How far the root went, in the object", size=3, subtype='XYZ', options=set())
+    radius: bpy.props.FloatProperty(name="Radius", description="How far it reached", options=set())
+    strength: bpy.props.FloatProperty(name="Strength", description="How much it smoothed", options=set())
+    is_first: bpy.props.BoolProperty(name="First", description="A stroke begins with it", options=set())
+
+
+class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
+    curve_nodes: bpy.props.PointerProperty(
+        type=bpy.types.NodeTree, name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
+    use_pressure_strength: bpy.props.BoolProperty(
+        name="Strength Pressure", description="The pen's pressure sets the strength", default=True, options=set())
+    use_pressure_size: bpy.props.BoolProperty(
+        name="Size Pressure", description="The pen's pressure sets the radius", default=False, options=set())
+    show_inset: bpy.props.BoolProperty(
+        name="Inset View", description="Show a perspective view in the corner while pulling", default=False,
+        options=set())
+    last: bpy.props.PointerProperty(
+        type=MOTUS_PG_pull_record, name="Last Pull", description="What was pulled last")
+
+
+def is_finite(value):
+    """Whether a number, or each of several, is one and its square fits into single precision.
+
+    Blender makes the largest number it has of an infinite one.
+    """
+    return all(abs(one) < LARGEST for one in (value if hasattr(value, "__len__") else (value,)))
+
+
+classes = (MOTUS_PG_pull_record, MOTUS_PG_dab, MOTUS_PG_brush)

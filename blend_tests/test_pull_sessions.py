@@ -1,0 +1,276 @@
+"""Sessions of many dabs, as the mouse makes them: picking, accumulation, smoothing, steps back, and doing it again."""
+
+import math
+import sys
+
+import bmesh
+import bpy
+import numpy as np
+import support
+from pull_cases import PullTestCase, forces
+
+DOWN = (0.0, 0.0, -1.0)
+
+
+class SessionTestCase(PullTestCase):
+    def setUp(self):
+        super().setUp()
+        package = support.addon("pull").__name__
+        names = "dab", "brush", "history"
+        self.dab, self.brushes, self.history = (sys.modules[f"{package}.{name}"] for name in names)
+
+    def session(self, obj, **changes):
+        values = {"radius": 0.5, "strength": 0.2, "direction": 'Z', **changes}
+        return self.dab.Session(bpy.context, obj, self.brushes.Brush(**values))
+
+    def stroke(self, session, *vertices):
+        session.begin_stroke()
+        for vertex in vertices:
+            self.assertTrue(session.pull(vertex, session.displacement(vertex)))
+
+    def bits(self, obj):
+        found = np.empty(3 * len(obj.data.vertices), np.float32)
+        obj.data.vertices.foreach_get("co", found)
+        return found.tobytes()
+
+
+class Picking(SessionTestCase):
+    def test_a_ray_meets_what_is_there(self):
+        obj = self.ball(3)
+        obj.location = 1.0, 0.0, 0.0
+        obj.scale = 1.0, 1.0, 2.0
+        session = self.session(obj)
+        hit = session.pick((1.05, 0.02, 9.0), DOWN)
+        self.assertNear(hit.point[:2], (1.05, 0.02))
+        self.assertAlmostEqual(hit.point[2], 2.0, delta=0.02)
+        self.assertGreater(hit.normal[2], 0.95)
+        places = self.in_world(obj, self.places(obj))
+        self.assertEqual(hit.vertex, int(np.linalg.norm(places - np.array(hit.point), axis=1).argmin()))
+        self.assertIsNone(session.pick((5.0, 0.0, 9.0), DOWN))
+
+    def test_while_it_accumulates_the_shape_of_now_is_met(self):
+        obj = self.plane()
+        session = self.session(obj)
+        self.stroke(session, 220, 220)
+        self.assertAlmostEqual(session.pick((0.001, 0.001, 5.0), DOWN).point[2], 0.4, delta=0.01)
+        session = self.session(obj, accumulate=False)
+        self.stroke(session, 220, 200)
+        self.assertAlmostEqual(session.pick((0.001, 0.001, 5.0), DOWN).point[2], 0.4, delta=0.01)
+
+    def test_what_modifiers_make_of_it_is_met(self):
+        obj = self.plane()
+        lift = obj.modifiers.new("Lift", 'DISPLACE')
+        lift.strength, lift.mid_level, lift.direction = 1.0, 0.0, 'Z'
+        session = self.session(obj)
+        self.assertAlmostEqual(session.pick((0.001, 0.001, 5.0), DOWN).point[2], 1.0, places=5)
+        self.stroke(session, 220)
+        self.assertAlmostEqual(session.pick((0.001, 0.001, 5.0), DOWN).point[2], 1.2, delta=0.01)
+        obj.modifiers.new("Subdivision", 'SUBSURF')
+        self.assertAlmostEqual(self.session(obj).pick((0.001, 0.001, 5.0), DOWN).point[2], 0.2, delta=0.01)
+
+    def test_hidden_faces_are_not_met_where_they_are_not_shown(self):
+        obj = self.plane()
+        bpy.ops.object.mode_set(mode='EDIT')
+        edit = bmesh.from_edit_mesh(obj.data)
+        for face in edit.faces:
+            face.hide_set(face.calc_center_median().x > 0.0)
+        self.assertIsNone(self.session(obj).pick((0.55, 0.0, 5.0), DOWN))
+        self.assertIsNotNone(self.session(obj).pick((-0.55, 0.01, 5.0), DOWN))
+
+
+class Accumulation(SessionTestCase):
+    def test_each_builds_on_the_last(self):
+        obj = self.plane()
+        distances = np.linalg.norm(self.places(obj), axis=1)
+        self.stroke(self.session(obj), 220, 220, 220)
+        self.assertNear(self.places(obj)[:, 2], 0.6 * forces('SMOOTH', distances, 0.5), 4e-6)
+
+    def test_distances_are_those_when_the_stroke_began(self):
+        """A hill as high as the radius does not shrink the circle, within the stroke."""
+        for distance in ('STRAIGHT', 'SURFACE'):
+            obj = self.plane()
+            places = self.places(obj)
+            session = self.session(obj, strength=2.0, distance=distance, falloff='LINEAR')
+            session.pick((0.0, 0.0, 5.0), DOWN)
+            self.stroke(session, 220, 222)
+            for root in (220, 222):
+                places[:, 2] += 2.0 * forces('LINEAR', np.linalg.norm((places - places[root])[:, :2], axis=1), 0.5)
+            self.assertNear(self.places(obj)[:, 2], places[:, 2], 4e-2 if distance == 'SURFACE' else 1e-5)
+
+    def test_a_large_radius_does_the_same_in_another_way(self):
+        """With limits that hold nothing back it has to go through the tree."""
+        results = []
+        for limits in ({}, {"use_maximum": True, "maximum": 1e6}):
+            for mode in ('OBJECT', 'EDIT'):
+                obj = self.ball(4)
+                bpy.ops.object.mode_set(mode=mode)
+                session = self.session(obj, radius=1.2, direction='NORMAL', **limits)
+                session.pick((0.0, 0.0, 5.0), DOWN)
+                self.stroke(session, 500, 30, 600)
+                session.finish()
+                bpy.ops.object.mode_set(mode='OBJECT')
+                results.append(self.places(obj))
+        for other in results[1:]:
+            self.assertNear(other, results[0], 1e-6)
+        self.assertGreater(np.linalg.norm(results[0], axis=1).max(), 1.15)
+
+    def test_from_the_original_the_bump_follows(self):
+        for has_tree in (False, True):
+            obj = self.plane()
+            before = self.places(obj)
+            session = self.session(obj, accumulate=False, radius=0.15)
+            if has_tree:
+                session.pick((0.0, 0.0, 5.0), DOWN)
+            self.stroke(session, 220, 225, 230)
+            self.stroke(session, 235, 210)
+            wanted = 0.2 * forces('SMOOTH', np.linalg.norm(before - before[210], axis=1), 0.15)
+            self.assertNear(self.places(obj)[:, 2], wanted)
+
+    def test_with_the_tree_and_without_it_the_same(self):
+        results = []
+        for has_tree in (False, True):
+            for mode in ('OBJECT', 'EDIT'):
+                obj = self.ball(5)
+                bpy.ops.object.mode_set(mode=mode)
+                session = self.session(obj, radius=0.08, mirror=frozenset("XZ"), direction='NORMAL')
+                if has_tree:
+                    session.pick((0.0, 0.0, 5.0), DOWN)
+                self.stroke(session, 500)
+                session.finish()
+                bpy.ops.object.mode_set(mode='OBJECT')
+                results.append(self.bits(obj))
+        self.assertEqual(len(set(results)), 1)
+
+
+class Smoothing(SessionTestCase):
+    def test_a_bump_gets_flatter_and_nothing_else_moves(self):
+        obj = self.plane()
+        obj.data.vertices[220].co.z = 0.5
+        before = self.places(obj)
+        session = self.session(obj, radius=0.35)
+        session.begin_stroke()
+        self.assertTrue(session.smooth(220, 0.5))
+        after = self.places(obj)
+        self.assertAlmostEqual(after[220, 2], 0.25, places=6)
+        self.assertNear(after[:, :2], before[:, :2], 1e-6)
+        far = np.linalg.norm(before - (0.0, 0.0, 0.5), axis=1) >= 0.65
+        self.assertNear(after[far], before[far], 0.0)
+
+    def test_a_border_stays_where_it_is(self):
+        obj = self.plane()
+        before = self.places(obj)
+        session = self.session(obj, radius=0.45, falloff='CONSTANT')
+        for _ in range(5):
+            session.begin_stroke()
+            session.smooth(10, 1.0)
+        self.assertNear(self.places(obj), before, 1e-6)
+
+    def test_pulls_from_the_original_start_from_what_was_smoothed(self):
+        obj = self.plane()
+        obj.data.vertices[220].co.z = 0.5
+        session = self.session(obj, accumulate=False, radius=0.15)
+        session.begin_stroke()
+        session.smooth(220, 1.0)
+        self.stroke(session, 30, 40)
+        self.assertNear(self.places(obj)[[220, 30, 40], 2], (0.0, 0.0, 0.2))
+
+
+class Undoing(SessionTestCase):
+    def test_restored_bit_for_bit(self):
+        for mode in ('OBJECT', 'EDIT', 'SCULPT'):
+            for accumulate in (True, False):
+                with self.subTest(mode=mode, accumulate=accumulate):
+                    obj = self.ball(3)
+                    obj.shape_key_add(name="Basis")
+                    obj.shape_key_add(name="Key")
+                    obj.active_shape_key_index = 0
+                    keys = [[tuple(point.co) for point in key.data] for key in obj.data.shape_keys.key_blocks]
+                    before = self.bits(obj)
+                    bpy.ops.object.mode_set(mode=mode)
+                    session = self.session(obj, accumulate=accumulate, direction='NORMAL')
+                    session.pick((0.0, 0.0, 5.0), DOWN)
+                    self.stroke(session, 5, 9, 33)
+                    session.smooth(40)
+                    self.stroke(session, 70)
+                    self.assertTrue(session.has_changed)
+                    session.restore()
+                    self.assertFalse(session.finish())
+                    bpy.ops.object.mode_set(mode='OBJECT')
+                    self.assertEqual(self.bits(obj), before)
+                    after = [[tuple(point.co) for point in key.data] for key in obj.data.shape_keys.key_blocks]
+                    self.assertEqual(after, keys)
+
+    def test_a_step_back_is_one_stroke(self):
+        for accumulate in (True, False):
+            obj = self.plane()
+            session = self.session(obj, accumulate=accumulate)
+            shapes = [self.places(obj)]
+            for vertices in ((220, 222), (150,), (300, 301)):
+                self.stroke(session, *vertices)
+                shapes.append(self.places(obj))
+            for left in (2, 1, 0):
+                self.assertTrue(session.step_back())
+                self.assertNear(self.places(obj), shapes[left], 0.0)
+            self.assertFalse(session.step_back())
+            self.assertFalse(session.has_changed)
+            self.assertEqual(session.dabs, [])
+            self.stroke(session, 220, 222)
+            self.assertNear(self.places(obj), shapes[1], 1e-7)
+
+    def test_a_session_begins_again(self):
+        obj = self.plane()
+        session = self.session(obj, accumulate=False)
+        self.stroke(session, 220)
+        session.finish()
+        self.assertTrue(session.begin_again(bpy.context, obj, session.brush))
+        self.assertFalse(session.has_changed)
+        self.stroke(session, 40)
+        self.assertNear(self.places(obj)[[220, 40], 2], (0.2, 0.2))
+        session.restore()
+        self.assertNear(self.places(obj)[[220, 40], 2], (0.2, 0.0))
+        obj.data.vertices[3].co.z = 1.0
+        self.assertFalse(session.begin_again(bpy.context, obj, session.brush))
+
+
+class Redo(SessionTestCase):
+    def test_the_same_dabs_by_the_operator(self):
+        for accumulate in (True, False):
+            obj = self.ball(4, name="First")
+            session = self.session(obj, accumulate=accumulate, direction='NORMAL', radius=0.3)
+            self.stroke(session, 5, 9, 33)
+            session.smooth(40)
+            self.stroke(session, 70)
+            session.finish()
+            dabs = [{"name": "", "kind": dab.kind, "vertex": dab.vertex, "is_first": dab.is_first,
+                     "strength": dab.strength, "radius": dab.radius / 0.3,
+                     "displacement": tuple(part / 0.2 for part in dab.displacement)} for dab in session.dabs]
+            again = self.ball(4, name="Second")
+            self.pull(object=again.name, dabs=dabs, radius=0.3, strength=0.2, accumulate=accumulate)
+            self.assertNear(self.places(again), self.places(obj), 2e-6)
+            twice = self.ball(4, name="Third")
+            self.pull(object=twice.name, dabs=dabs[:1], radius=0.3, strength=0.4, accumulate=accumulate)
+            moved = np.linalg.norm(self.places(twice) - self.places(self.ball(4)), axis=1)
+            self.assertAlmostEqual(moved.max(), 0.4, places=5)
+
+    def test_the_last_pull_is_remembered(self):
+        obj = self.plane()
+        obj.scale = 2.0, 1.0, 1.0
+        before = self.places(obj)
+        self.pull(vertex=220, radius=0.6, strength=0.3, falloff='LINEAR', mirror={'X'}, direction='Z')
+        last = self.brush.last
+        self.assertEqual((last.object, last.vertex, last.falloff, last.mirror), (obj.name, 220, 'LINEAR', {'X'}))
+        self.assertNear(last.displacement, (0.0, 0.0, 0.3))
+        self.assertNear(last.metric, (2, 0, 0, 0, 1, 0, 0, 0, 1))
+        name, shape, after = self.history.last_shapes
+        self.assertEqual(name, obj.name)
+        self.assertNear(shape, before, 0.0)
+        self.assertNear(after, self.places(obj), 0.0)
+
+    def test_dabs_at_one_root_are_one_pull(self):
+        obj = self.plane()
+        session = self.session(obj)
+        self.stroke(session, 5, 220, 220, 220)
+        self.assertNear(session.last.dab.displacement, (0.0, 0.0, 0.6))
+        shape = session.last.shape_before(session.current)
+        self.assertNear(shape[:, 2], 0.2 * forces('SMOOTH', np.linalg.norm(shape[:, :2] - shape[5, :2], axis=1), 0.5))
+        self.assertTrue(math.isclose(session.last.dab.radius, 0.5))

@@ -1,0 +1,36 @@
+"""The panel of Pick & Pull and the tool's settings in the header."""
+
+import bpy
+import pull_support as pull
+import window_support
+
+
+def test_panel():
+    pull.build()
+    brush = bpy.context.scene.motus.pull
+    brush.falloff = 'CURVE'
+    drawn = yield from window_support.open_tab("Motus")
+    panels = [panel for panel in bpy.types.Panel.__subclasses__() if getattr(panel, "bl_category", "") == "Motus"]
+    assert any(panel.__name__ == "MOTUS_PT_pull" for panel in panels)
+    yield from window_support.picture("pull_panel_curve")
+    brush.falloff = 'CLASSIC'
+    bpy.context.object.vertex_groups.new(name="Group")
+    yield from window_support.picture("pull_panel_classic")
+    assert any(name.startswith("MOTUS_PT_pull") for name in drawn), drawn
+    brush.falloff = 'SMOOTH'
+
+
+def test_header_of_the_tool():
+    pull.build()
+    pull.take_tool()
+    window_support.area().spaces.active.show_region_tool_header = True
+    window_support.area().spaces.active.show_region_toolbar = True
+    yield 0.5
+    yield from window_support.picture("pull_header")
+
+
+def test_panel_says_why_not():
+    pull.build()
+    bpy.ops.object.modifier_add(type='MULTIRES')
+    yield from window_support.open_tab("Motus")
+    yield from window_support.picture("pull_problem")

@@ -1,0 +1,58 @@
+#include "motus/falloff.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "pull_kernel.hpp"
+
+namespace motus {
+namespace {
+
+constexpr std::size_t most_samples = 65536;
+
+void require(bool condition, const char* message) {
+    if (!condition) throw std::invalid_argument(message);
+}
+
+}  // namespace
+
+float reach_of(const Profile& profile, float radius) {
+    return profile.falloff == Falloff::classic ? std::sqrt(radius) : radius;
+}
+
+ForceTerms force_terms(const Profile& profile, float radius) {
+    require(radius > 0.0f && std::isfinite(radius), "radius: must be > 0 and finite");
+    ForceTerms terms;
+    terms.falloff = profile.falloff;
+    terms.reach = reach_of(profile, radius);
+    // A radius so small that its reciprocal is infinite must not make 0 / R undefined.
+    terms.scale = std::min(1.0f / radius, std::numeric_limits<float>::max());
+    if (profile.falloff == Falloff::classic) {
+        require(std::isfinite(profile.scale_factor), "scale_factor: must be finite");
+        terms.scale = 1.0f / (radius + 1.0f);
+        terms.exponent = 1.0f + std::abs(profile.scale_factor);
+    }
+    if (profile.falloff == Falloff::curve) {
+        require(profile.curve.size() >= 2 && profile.curve.size() <= most_samples,
+                "curve: must have 2 to 65536 samples");
+        require(std::all_of(profile.curve.begin(), profile.curve.end(),
+                            [](float sample) { return std::isfinite(sample); }),
+                "curve: every sample must be finite");
+        terms.samples = profile.curve.data();
+        terms.last_sample = static_cast<int>(profile.curve.size()) - 1;
+    }
+    return terms;
+}
+
+void forces(const Profile& profile, float radius, std::span<const float> distances, std::span<float> out) {
+    require(distances.size() == out.size(), "out: must be as long as distances");
+    const ForceTerms terms = force_terms(profile, radius);
+    const PullKernel& kernel = pull_kernels().back();
+    if (out.data() != distances.data()) std::copy(distances.begin(), distances.end(), out.begin());
+    for (std::size_t i = 0; i < out.size(); i += pull_block)
+        kernel.force(terms, out.data() + i, std::min(pull_block, out.size() - i));
+}
+
+}  // namespace motus

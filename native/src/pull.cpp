@@ -1,0 +1,103 @@
+#include "motus/pull.hpp"
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+
+#include "motus/parallel.hpp"
+#include "puller.hpp"
+
+namespace motus {
+namespace {
+
+// Vertices that are worth a thread: some 50 us of work.
+constexpr std::size_t grain = 1 << 17;            // next to each other
+constexpr std::size_t scattered_grain = 1 << 14;  // from all over the mesh
+
+[[nodiscard]] const float* pointer(std::span<const float> weights) {
+    return weights.empty() ? nullptr : weights.data();
+}
+
+void bring(std::span<const glm::vec3> positions, std::span<glm::vec3> out) {
+    if (out.data() == positions.data()) return;
+    in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
+        std::copy(positions.begin() + static_cast<std::ptrdiff_t>(first),
+                  positions.begin() + static_cast<std::ptrdiff_t>(last),
+                  out.begin() + static_cast<std::ptrdiff_t>(first));
+    });
+}
+
+void check(std::span<const Reach> reaches, std::size_t images, std::size_t vertex_count) {
+    if (reaches.size() != images) throw std::invalid_argument("reach: there must be one for each image");
+    for (const Reach& reach : reaches) {
+        if (reach.vertices.size() != reach.distances.size())
+            throw std::invalid_argument("reach: there must be a distance for each vertex");
+        const bool ascends = std::adjacent_find(reach.vertices.begin(), reach.vertices.end(),
+                                                std::greater_equal<>()) == reach.vertices.end();
+        if (!ascends) throw std::invalid_argument("reach: its vertices must ascend, each of them once");
+        if (!reach.vertices.empty() && reach.vertices.back() >= vertex_count)
+            throw std::invalid_argument("reach: every vertex must be below the number of positions");
+    }
+}
+
+[[nodiscard]] std::vector<std::uint32_t> united(std::span<const Reach> reaches) {
+    std::vector<std::uint32_t> all = reaches.front().vertices;
+    for (const Reach& reach : reaches.subspan(1)) {
+        std::vector<std::uint32_t> both;
+        both.reserve(all.size() + reach.vertices.size());
+        std::set_union(all.begin(), all.end(), reach.vertices.begin(), reach.vertices.end(),
+                       std::back_inserter(both));
+        all.swap(both);
+    }
+    return all;
+}
+
+}  // namespace
+
+std::vector<PullImage> images_of(const Dab& dab) {
+    std::vector<PullImage> images;
+    for (unsigned mirrored = 0; mirrored < 8; ++mirrored) {
+        if ((mirrored & ~dab.mirror) != 0) continue;
+        const glm::vec3 signs((mirrored & 1u) != 0 ? -1.0f : 1.0f, (mirrored & 2u) != 0 ? -1.0f : 1.0f,
+                              (mirrored & 4u) != 0 ? -1.0f : 1.0f);
+        images.push_back({signs * dab.root, signs * dab.displacement});
+    }
+    return images;
+}
+
+void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
+          std::span<glm::vec3> out) {
+    const Puller puller(dab, positions.size(), weights.size(), out.size());
+    in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
+        puller.act_whole(positions.data(), pointer(weights), first, last, out.data());
+    });
+    puller.report();
+}
+
+void pull_among(std::span<const glm::vec3> positions, const Dab& dab, std::span<const std::uint32_t> vertices,
+                std::span<const float> weights, std::span<glm::vec3> out) {
+    const Puller puller(dab, positions.size(), weights.size(), out.size());
+    bring(positions, out);
+    in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
+        puller.act_among(positions.data(), pointer(weights), vertices.subspan(first, last - first),
+                         out.data());
+    });
+    puller.report();
+}
+
+void pull_along(std::span<const glm::vec3> positions, const Dab& dab, std::span<const Reach> reaches,
+                std::span<const float> weights, std::span<glm::vec3> out) {
+    const Puller puller(dab, positions.size(), weights.size(), out.size());
+    check(reaches, puller.images().size(), positions.size());
+    bring(positions, out);
+    const std::vector<std::uint32_t> several =
+        reaches.size() > 1 ? united(reaches) : std::vector<std::uint32_t>{};
+    const std::span<const std::uint32_t> vertices = reaches.size() > 1 ? several : reaches.front().vertices;
+    in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
+        puller.act_along(positions.data(), pointer(weights), vertices.subspan(first, last - first), reaches,
+                         out.data());
+    });
+    puller.report();
+}
+
+}  // namespace motus

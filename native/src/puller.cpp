@@ -1,0 +1,193 @@
+#include "puller.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace motus {
+namespace {
+
+void require(bool condition, const char* message) {
+    if (!condition) throw std::invalid_argument(message);
+}
+
+[[nodiscard]] bool is_finite(const glm::vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+[[nodiscard]] const float* numbers(const glm::vec3* positions) {
+    return reinterpret_cast<const float*>(positions);
+}
+
+[[nodiscard]] float* numbers(glm::vec3* positions) {
+    return reinterpret_cast<float*>(positions);
+}
+
+/// Vertices of a block that another image's Reach doesn't hold.
+constexpr float out_of_reach = std::numeric_limits<float>::infinity();
+
+}  // namespace
+
+/// Vertices from all over the mesh, next to each other.
+struct Puller::Gathered {
+    PerVertex<glm::vec3> positions;
+    PerVertex<float> weights;
+};
+
+Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_count, std::size_t out_count,
+               const PullKernel& kernel)
+    : force_(force_terms(dab.profile, dab.radius)),
+      move_{dab.displacement, dab.minimum, dab.maximum, dab.clamp_axis},
+      metric_(dab.metric),
+      is_plain_(dab.metric == glm::mat3(1.0f)),
+      vertex_count_(vertex_count),
+      kernel_(kernel) {
+    require(is_finite(dab.root), "root: must be finite");
+    require(is_finite(dab.displacement), "displacement: must be finite");
+    require(is_finite(dab.metric[0]) && is_finite(dab.metric[1]) && is_finite(dab.metric[2]),
+            "metric: must be finite");
+    require(dab.minimum <= dab.maximum, "minimum: must be <= maximum, and neither NaN");
+    require(dab.clamp_axis >= 0 && dab.clamp_axis <= 2, "clamp_axis: must be 0, 1 or 2");
+    require(dab.mirror < 8, "mirror: must be bits of x 1, y 2, z 4");
+    require(weight_count == 0 || weight_count == vertex_count, "weights: must be one for each vertex");
+    require(out_count == vertex_count, "out: must be as long as positions");
+    require(vertex_count <= std::numeric_limits<std::uint32_t>::max(), "positions: are too many");
+    images_ = images_of(dab);
+}
+
+void Puller::report() const {
+    require(!saw_strange_position_, "positions: every value must be finite");
+    require(!saw_strange_weight_, "weights: every value must lie in [0, 1]");
+}
+
+void Puller::look_at_positions(const glm::vec3* positions, std::size_t count) const {
+    if (!std::all_of(positions, positions + count, is_finite)) saw_strange_position_ = true;
+}
+
+void Puller::look_at_weights(const float* weights, std::size_t count) const {
+    if (!kernel_.are_weights(weights, count)) saw_strange_weight_ = true;
+}
+
+bool Puller::measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
+                     float* distances) const {
+    const Seen seen =
+        is_plain_
+            ? kernel_.measure(numbers(positions), count, image.root, force_.reach, distances)
+            : kernel_.measure_by(metric_, numbers(positions), count, image.root, force_.reach, distances);
+    // Far away the square is infinite while the position is not.
+    if (seen.is_strange) look_at_positions(positions, count);
+    return seen.is_near;
+}
+
+/// distances(image, values) fills in the distances to the image with that number; false where all are out of
+/// reach. False where nothing moves: then `out` is as it was.
+template <class Distances>
+bool Puller::act(const glm::vec3* positions, const float* weights, std::size_t count, Distances&& distances,
+                 glm::vec3* out) const {
+    PerVertex<float> numbers_of_block;
+    float* const values = numbers_of_block.data();
+    const auto make_forces = [&](std::size_t image) {
+        if (!distances(image, values)) return false;
+        kernel_.force(force_, values, count);
+        if (weights != nullptr) kernel_.weigh(weights, count, values);
+        return true;
+    };
+    if (weights != nullptr) look_at_weights(weights, count);
+    if (images_.size() == 1) {
+        if (!make_forces(0)) return false;
+        if (out != positions) std::copy_n(positions, count, out);
+        kernel_.move(move_, values, count, numbers(out));
+        return true;
+    }
+    Shares shares;
+    bool is_near = false;
+    for (std::size_t image = 0; image < images_.size(); ++image) {
+        if (!make_forces(image)) continue;
+        if (!is_near) shares.clear();
+        is_near = true;
+        kernel_.share(images_[image].displacement, values, count, shares);
+    }
+    if (!is_near) return false;
+    if (out != positions) std::copy_n(positions, count, out);
+    kernel_.move_by(move_, shares, count, numbers(out));
+    return true;
+}
+
+void Puller::act_whole(const glm::vec3* positions, const float* weights, std::size_t first, std::size_t last,
+                       glm::vec3* out) const {
+    for (std::size_t begin = first; begin < last; begin += pull_block) {
+        const std::size_t count = std::min(pull_block, last - begin);
+        const glm::vec3* from = positions + begin;
+        const auto distances = [&](std::size_t image, float* values) {
+            return measure(images_[image], from, count, values);
+        };
+        const bool moved =
+            act(from, weights != nullptr ? weights + begin : nullptr, count, distances, out + begin);
+        if (!moved && out != positions) std::copy_n(from, count, out + begin);
+    }
+}
+
+void Puller::gather(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
+                    Gathered& block) const {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        if (vertices[i] >= vertex_count_)
+            throw std::invalid_argument("vertices: every index must be below the number of positions");
+        block.positions[i] = positions[vertices[i]];
+        block.weights[i] = weights != nullptr ? weights[vertices[i]] : 1.0f;
+    }
+}
+
+void Puller::act_among(const glm::vec3* positions, const float* weights,
+                       std::span<const std::uint32_t> vertices, glm::vec3* out) const {
+    Gathered block;
+    for (std::size_t begin = 0; begin < vertices.size(); begin += pull_block) {
+        const auto part = vertices.subspan(begin, std::min(pull_block, vertices.size() - begin));
+        gather(positions, weights, part, block);
+        const auto distances = [&](std::size_t image, float* values) {
+            return measure(images_[image], block.positions.data(), part.size(), values);
+        };
+        glm::vec3* moved = block.positions.data();
+        if (!act(moved, weights != nullptr ? block.weights.data() : nullptr, part.size(), distances, moved))
+            continue;
+        for (std::size_t i = 0; i < part.size(); ++i) out[part[i]] = moved[i];
+    }
+}
+
+void Puller::act_along(const glm::vec3* positions, const float* weights,
+                       std::span<const std::uint32_t> vertices, std::span<const Reach> reaches,
+                       glm::vec3* out) const {
+    if (vertices.empty()) return;
+    Gathered block;
+    std::array<std::size_t, 8> next{};  // of each Reach, what comes after the vertices done
+    for (std::size_t image = 0; image < reaches.size(); ++image) {
+        const auto& all = reaches[image].vertices;
+        next[image] = static_cast<std::size_t>(std::lower_bound(all.begin(), all.end(), vertices.front()) -
+                                               all.begin());
+    }
+    for (std::size_t begin = 0; begin < vertices.size(); begin += pull_block) {
+        const auto part = vertices.subspan(begin, std::min(pull_block, vertices.size() - begin));
+        gather(positions, weights, part, block);
+        look_at_positions(block.positions.data(), part.size());
+        const auto distances = [&](std::size_t image, float* values) {
+            const Reach& reach = reaches[image];
+            std::size_t& at = next[image];
+            const std::size_t first = at;
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                const bool is_held = at < reach.vertices.size() && reach.vertices[at] == part[i];
+                values[i] = out_of_reach;
+                if (!is_held) continue;
+                if (is_finite(block.positions[i])) values[i] = reach.distances[at];
+                ++at;
+            }
+            return at > first;
+        };
+        glm::vec3* moved = block.positions.data();
+        if (!act(moved, weights != nullptr ? block.weights.data() : nullptr, part.size(), distances, moved))
+            continue;
+        for (std::size_t i = 0; i < part.size(); ++i) out[part[i]] = moved[i];
+    }
+}
+
+}  // namespace motus

@@ -1,0 +1,55 @@
+// Random lattices and what their tests share.
+#pragma once
+#include <array>
+#include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
+#include <random>
+#include <span>
+
+#include "motus/lattice.hpp"
+
+namespace motus::lattice_checks {
+
+inline constexpr std::array all_bases{LatticeBasis::bernstein, LatticeBasis::linear, LatticeBasis::cardinal,
+                                      LatticeBasis::catmull_rom, LatticeBasis::bspline};
+
+class Dice {
+  public:
+    explicit Dice(unsigned seed) : engine_(seed) {}
+    double number(double low, double high) { return std::uniform_real_distribution<>(low, high)(engine_); }
+    int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(engine_); }
+    glm::dvec3 point(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
+    glm::dquat rotation() {
+        return glm::normalize(glm::dquat(number(-1, 1), number(-1, 1), number(-1, 1), number(0.1, 1)));
+    }
+    Lattice lattice(int most = 7) {
+        Lattice result;
+        result.origin = point(3.0);
+        result.axes = glm::mat3_cast(rotation());
+        for (int axis = 0; axis < 3; ++axis) {
+            result.axes[axis] *= number(0.5, 4.0);
+            result.resolution[static_cast<std::size_t>(axis)] = whole(1, most);
+            result.basis[static_cast<std::size_t>(axis)] = all_bases[static_cast<std::size_t>(whole(0, 4))];
+        }
+        result.axes[1] += 0.3 * result.axes[0];  // sheared
+        return result;
+    }
+    /// A place within the lattice.
+    glm::dvec3 place(const Lattice& lattice) {
+        return lattice.origin + lattice.axes * glm::dvec3(number(0, 1), number(0, 1), number(0, 1));
+    }
+
+  private:
+    std::mt19937 engine_;
+};
+
+/// How far a place of these weights moves.
+[[nodiscard]] inline glm::dvec3 moved_by(const LatticeWeights& weights,
+                                         std::span<const glm::dvec3> displacements) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < weights.points.size(); ++i)
+        sum += weights.weights[i] * displacements[weights.points[i]];
+    return sum;
+}
+
+}  // namespace motus::lattice_checks

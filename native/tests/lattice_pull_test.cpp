@@ -1,0 +1,150 @@
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "lattice_checks.hpp"
+#include "motus/lattice.hpp"
+
+using namespace motus;
+using namespace motus::lattice_checks;
+
+namespace {
+
+[[nodiscard]] double size_of(std::span<const glm::dvec3> vectors) {
+    double sum = 0.0;
+    for (const glm::dvec3& v : vectors) sum += glm::dot(v, v);
+    return std::sqrt(sum);
+}
+
+}  // namespace
+
+TEST_CASE("a pulled point arrives, by the smallest change", "[lattice]") {
+    Dice dice(7);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Lattice lattice = dice.lattice(5);
+        const LatticePart part{0, dice.place(lattice), 1.0, trial % 3 ? 1.0 : 0.4};
+        const glm::dvec3 displacement = dice.point(2.0);
+        std::vector<glm::dvec3> out(point_count(lattice));
+        const auto left = pull_lattice(lattice, {&part, 1}, {&displacement, 1}, {}, out);
+        CHECK(glm::length(left[0]) < 1e-13);
+        const LatticeWeights weights = lattice_weights(lattice, part.place);
+        CHECK(glm::distance(part.influence * moved_by(weights, out), displacement) < 1e-13);
+        // Any other change with the same effect is larger: take off what the place feels of a random one.
+        std::vector<glm::dvec3> other(out.size());
+        for (glm::dvec3& v : other) v = dice.point(0.1);
+        const double square =
+            std::inner_product(weights.weights.begin(), weights.weights.end(), weights.weights.begin(), 0.0);
+        const glm::dvec3 felt = moved_by(weights, other);
+        for (std::size_t i = 0; i < weights.points.size(); ++i)
+            other[weights.points[i]] -= weights.weights[i] / square * felt;
+        for (std::size_t i = 0; i < out.size(); ++i) other[i] += out[i];
+        CHECK(size_of(out) <= size_of(other) + 1e-12);
+    }
+}
+
+TEST_CASE("several pulls at once, some of which hold", "[lattice]") {
+    Dice dice(8);
+    for (int trial = 0; trial < 60; ++trial) {
+        Lattice lattice = dice.lattice(5);
+        lattice.resolution = {4, 4, 4};
+        std::vector<LatticePart> parts;
+        std::vector<glm::dvec3> displacements;
+        for (std::size_t pull = 0; pull < 4; ++pull) {
+            // In corners of the lattice of their own.
+            const glm::dvec3 corner(pull & 1 ? 0.8 : 0.2, pull & 2 ? 0.8 : 0.2, dice.number(0, 1));
+            parts.push_back({pull, lattice.origin + lattice.axes * corner});
+            displacements.push_back(pull ? glm::dvec3(0.0) : dice.point(1.0));
+        }
+        std::vector<glm::dvec3> out(point_count(lattice));
+        const auto left = pull_lattice(lattice, parts, displacements, {}, out);
+        for (std::size_t pull = 0; pull < 4; ++pull) {
+            CHECK(glm::length(left[pull]) < 1e-12);
+            CHECK(glm::distance(moved_by(lattice_weights(lattice, parts[pull].place), out),
+                                displacements[pull]) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("a point of a triangle is pulled by its corners", "[lattice]") {
+    Dice dice(9);
+    const Lattice lattice = dice.lattice(4);
+    const std::vector<LatticePart> parts{{0, dice.place(lattice), 0.5, 1.0},
+                                         {0, dice.place(lattice), 0.3, 0.6},
+                                         {0, dice.place(lattice), 0.2, 0.9}};
+    const glm::dvec3 displacement(0.3, -0.2, 1.0);
+    std::vector<glm::dvec3> out(point_count(lattice));
+    (void)pull_lattice(lattice, parts, {&displacement, 1}, {}, out);
+    glm::dvec3 moved(0.0);
+    for (const LatticePart& part : parts)
+        moved += part.share * part.influence * moved_by(lattice_weights(lattice, part.place), out);
+    CHECK(glm::distance(moved, displacement) < 1e-13);
+}
+
+TEST_CASE("opposite pulls on one place meet in the middle", "[lattice]") {
+    Lattice lattice;
+    lattice.resolution = {3, 3, 3};
+    const std::vector<LatticePart> parts{{0, glm::dvec3(0.4)}, {1, glm::dvec3(0.4)}};
+    const std::vector<glm::dvec3> displacements{{1.0, 0.5, 0.0}, {-1.0, 0.5, 0.0}};
+    std::vector<glm::dvec3> out(point_count(lattice));
+    const auto left = pull_lattice(lattice, parts, displacements, {}, out);
+    const glm::dvec3 moved = moved_by(lattice_weights(lattice, glm::dvec3(0.4)), out);
+    CHECK(glm::distance(moved, glm::dvec3(0.0, 0.5, 0.0)) < 1e-12);
+    CHECK(glm::distance(left[0], glm::dvec3(1.0, 0.0, 0.0)) < 1e-12);
+}
+
+TEST_CASE("what cannot be reached stays bounded, and changes continuously", "[lattice]") {
+    Lattice lattice;
+    lattice.resolution = {4, 4, 4};
+    const std::vector<glm::dvec3> apart{{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}};
+    std::vector<glm::dvec3> out(point_count(lattice)), last;
+    const LatticePullOptions options;
+    // Two neighbours, nearer and nearer, that are pulled apart; and one vertex of less and less influence.
+    for (double nearness = 0.5; nearness > 1e-9; nearness *= 0.9) {
+        const std::vector<LatticePart> pair{{0, glm::dvec3(0.3, 0.4, 0.5)},
+                                            {1, glm::dvec3(0.3 + nearness, 0.4, 0.5)}};
+        (void)pull_lattice(lattice, pair, apart, options, out);
+        const double square = [&] {
+            double least = std::numeric_limits<double>::infinity();
+            for (const LatticePart& part : pair) {
+                const LatticeWeights weights = lattice_weights(lattice, part.place);
+                least = std::min(least, std::inner_product(weights.weights.begin(), weights.weights.end(),
+                                                           weights.weights.begin(), 0.0));
+            }
+            return least;
+        }();
+        REQUIRE(size_of(out) <= options.max_gain * size_of(apart) / std::sqrt(square));
+        if (!last.empty()) {
+            for (std::size_t i = 0; i < out.size(); ++i) last[i] -= out[i];
+            REQUIRE(size_of(last) < 0.25 * options.max_gain * size_of(apart) / std::sqrt(square));
+        }
+        last = out;
+
+        const LatticePart weak{0, glm::dvec3(0.3, 0.4, 0.5), 1.0, nearness};
+        (void)pull_lattice(lattice, {&weak, 1}, {apart.data(), 1}, options, out);
+        REQUIRE(size_of(out) <= 1.001 * options.max_gain / std::sqrt(square));
+    }
+    CHECK(size_of(out) < 1e-3);  // a vertex that the lattice does not move at all moves no point either
+}
+
+TEST_CASE("the inside follows the outside", "[lattice]") {
+    Dice dice(10);
+    Lattice lattice;
+    lattice.resolution = {5, 4, 3};
+    lattice.basis.fill(LatticeBasis::linear);
+    LatticePullOptions options;
+    options.outside_only = true;
+    const LatticePart part{0, glm::dvec3(0.45, 0.4, 0.55)};
+    const glm::dvec3 displacement(0.2, 0.7, -0.1);
+    std::vector<glm::dvec3> out(point_count(lattice));
+    const auto left = pull_lattice(lattice, {&part, 1}, {&displacement, 1}, options, out);
+    CHECK(glm::length(left[0]) < 1e-13);
+    CHECK(glm::distance(moved_by(lattice_weights(lattice, part.place), out), displacement) < 1e-13);
+    // Point (2, 1, 1), from the six points of the outside in line with it.
+    const auto at = [&](int u, int v, int w) { return out[static_cast<std::size_t>(u + 5 * (v + 4 * w))]; };
+    const glm::dvec3 wanted = (0.5 * (at(0, 1, 1) + at(4, 1, 1)) + (2.0 * at(2, 0, 1) + at(2, 3, 1)) / 3.0 +
+                               0.5 * (at(2, 1, 0) + at(2, 1, 2))) /
+                              3.0;
+    CHECK(glm::distance(at(2, 1, 1), wanted) < 1e-14);
+}

@@ -1,0 +1,111 @@
+// The loops for each instruction set give the same bits, and so does any number of threads.
+#include "pull_kernel.hpp"
+
+#include <catch2/catch.hpp>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "motus/parallel.hpp"
+#include "pull_checks.hpp"
+#include "puller.hpp"
+
+using namespace motus;
+using namespace motus::checks;
+
+namespace {
+
+constexpr Falloff all_falloffs[] = {Falloff::classic,  Falloff::smooth,   Falloff::sphere,
+                                    Falloff::root,     Falloff::linear,   Falloff::sharp,
+                                    Falloff::constant, Falloff::gaussian, Falloff::curve};
+const std::vector<float> hill{0.0f, 0.3f, -0.2f, 1.0f, 0.5f};
+
+Dab dab_with(Falloff falloff, float radius) {
+    Dab dab;
+    dab.root = {0.2f, -0.1f, 0.3f};
+    dab.displacement = {0.1f, 0.3f, -0.2f};
+    dab.radius = radius;
+    dab.profile = {falloff, 1.3f, hill};
+    dab.minimum = -0.4f;
+    dab.maximum = 0.8f;
+    return dab;
+}
+
+std::vector<glm::vec3> pulled_by(const PullKernel& kernel, std::span<const glm::vec3> points, const Dab& dab,
+                                 std::span<const float> weights) {
+    const Puller puller(dab, points.size(), weights.size(), points.size(), kernel);
+    std::vector<glm::vec3> out(points.size());
+    puller.act_whole(points.data(), weights.empty() ? nullptr : weights.data(), 0, points.size(), out.data());
+    puller.report();
+    return out;
+}
+
+}  // namespace
+
+TEST_CASE("every instruction set gives the same bits", "[pull]") {
+    const std::span<const PullKernel> kernels = pull_kernels();
+    if (kernels.size() == 1) WARN("this processor has no AVX2: there is nothing to compare with");
+    for (const std::size_t count : {1u, 3u, 4u, 7u, 8u, 9u, 511u, 512u, 1029u, 5000u}) {
+        const std::vector<glm::vec3> points = cloud(count);
+        const std::vector<float> weights = random_weights(count);
+        for (const Falloff falloff : all_falloffs) {
+            for (const unsigned mirror : {0u, 3u}) {
+                for (const float radius : {0.3f, 0.9f, 5.0f}) {
+                    Dab dab = dab_with(falloff, radius);
+                    dab.mirror = mirror;
+                    if (count % 2 == 1) dab.metric = {1.5f, 0.2f, 0.0f, -0.3f, 0.7f, 0.1f, 0.0f, 0.4f, 2.0f};
+                    const auto plain = pulled_by(kernels.front(), points, dab, {});
+                    const auto weighed = pulled_by(kernels.front(), points, dab, weights);
+                    for (const PullKernel& kernel : kernels) {
+                        INFO(kernel.name << ", " << count << " vertices, falloff "
+                                         << static_cast<int>(falloff));
+                        CHECK(same_bits(plain, pulled_by(kernel, points, dab, {})));
+                        CHECK(same_bits(weighed, pulled_by(kernel, points, dab, weights)));
+                    }
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("every instruction set gives the same forces", "[pull]") {
+    std::mt19937 random(2);
+    std::vector<float> distances(pull_block);
+    for (int round = 0; round < 200; ++round) {
+        std::uniform_real_distribution<float> spread(0.0f, round % 2 == 0 ? 1.0f : 3.0f);
+        for (float& distance : distances) distance = spread(random);
+        distances[5] = std::numeric_limits<float>::quiet_NaN();
+        distances[6] = std::numeric_limits<float>::infinity();
+        distances[7] = 0.0f;
+        for (const Falloff falloff : all_falloffs) {
+            const ForceTerms terms = force_terms({falloff, 0.1f * static_cast<float>(round), hill}, 1.1f);
+            std::vector<float> first = distances;
+            pull_kernels().front().force(terms, first.data(), first.size());
+            for (const PullKernel& kernel : pull_kernels()) {
+                std::vector<float> found = distances;
+                kernel.force(terms, found.data(), found.size());
+                CHECK(std::memcmp(first.data(), found.data(), found.size() * sizeof(float)) == 0);
+            }
+        }
+    }
+}
+
+TEST_CASE("results do not depend on how the vertices are shared out", "[pull]") {
+    const std::vector<glm::vec3> points = cloud(600000);
+    const std::vector<float> weights = random_weights(points.size());
+    const Dab dab = dab_with(Falloff::gaussian, 0.8f);
+    const std::vector<glm::vec3> one = pulled_by(pull_kernels().back(), points, dab, weights);
+    CHECK(same_bits(pulled(points, dab, weights), one));
+    for (const std::size_t threads : {2u, 3u, 5u}) {
+        const Puller puller(dab, points.size(), weights.size(), points.size());
+        std::vector<glm::vec3> out(points.size());
+        in_parts(
+            points.size(), 1000,
+            [&](std::size_t first, std::size_t last) {
+                puller.act_whole(points.data(), weights.data(), first, last, out.data());
+            },
+            threads);
+        CHECK(same_bits(out, one));
+    }
+}
