@@ -289,8 +289,8 @@ class Toolbar(unittest.TestCase):
         """In the newest Blender; an older one may lack some, and shows the text alone."""
         known = bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
         status = support.addon("pull.status")
-        for icons, _ in status.SESSION_KEYS + status.ADJUSTING_KEYS:
-            for icon in icons:
+        for key in status.SESSION_KEYS + status.ADJUSTING_KEYS:
+            for icon in key.icons:
                 if bpy.app.version >= (4, 3, 0):
                     self.assertIn(icon, known)
 

@@ -3,9 +3,9 @@
 import math
 
 import bpy
-from bpy_extras.view3d_utils import region_2d_to_location_3d
 from mathutils import Vector
 
+from ..core.drag import PointDrag
 from ..core.translations import tr
 from . import grab, picking, status, targets
 from .operators import OfARig, in_a_mode_of_objects, refused
@@ -15,7 +15,7 @@ REACHED = 1e-4
 """Share of the bone's length within which the point counts as brought there."""
 
 
-class MOTUS_OT_ik_drag(OfARig, bpy.types.Operator):
+class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
     bl_idname = "motus.ik_drag"
     bl_label = "Drag Chain"
     bl_description = "Take hold of a bone at any point; the chain follows the mouse"
@@ -34,6 +34,7 @@ class MOTUS_OT_ik_drag(OfARig, bpy.types.Operator):
         description="How many bones without inverse kinematics follow; 0 takes those that are connected up to a branch")
 
     poll = classmethod(in_a_mode_of_objects)
+    _refusal = Refused
 
     def execute(self, context):
         try:
@@ -58,77 +59,33 @@ class MOTUS_OT_ik_drag(OfARig, bpy.types.Operator):
     def invoke(self, context, event):
         if context.window is None or self.properties.is_property_set("location"):
             return self.execute(context)
-        self._held = None
         try:
             self.object = targets.rig_for(context, self.object).name
-            if event.type == 'LEFTMOUSE' and event.value == 'PRESS' and not self._take(context, event):
-                return {'CANCELLED', 'PASS_THROUGH'}
+            return self._begin(context, event)
         except Refused as refusal:
-            return refused(self, refusal)
+            return self._refused(refusal)
+
+    def _refused(self, refusal):
+        return refused(self, refusal)
+
+    def _show_keys(self, context):
         context.workspace.status_text_set(
             tr("Press the left mouse button on a bone and drag it; Esc or the right button cancels"))
-        context.window_manager.modal_handler_add(self)
-        return {'RUNNING_MODAL'}
 
-    def modal(self, context, event):
-        if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
-        if self._held is None:
-            return self._wait(context, event)
-        if event.type == 'MOUSEMOVE':
-            self._follow(event)
-        elif event.type == 'LEFTMOUSE' and event.value == 'RELEASE':
-            context.workspace.status_text_set(None)
-            if not self._has_moved:
-                return {'CANCELLED'}
-            self._key(context, self._held)
-            return {'FINISHED'}
-        return {'RUNNING_MODAL'}
-
-    def cancel(self, context):
-        context.workspace.status_text_set(None)
-        if self._held:
-            self._held.restore()
-
-    def _wait(self, context, event):
-        if event.type != 'LEFTMOUSE' or event.value != 'PRESS':
-            return {'PASS_THROUGH'}  # the view can be turned in the meantime
-        try:
-            self._take(context, event)
-        except Refused as refusal:
-            self.cancel(context)
-            return refused(self, refusal)
-        # A press beside all bones is meant for what lies there.
-        return {'RUNNING_MODAL'} if self._held else {'PASS_THROUGH'}
-
-    def _take(self, context, event):
-        """Take hold of the bone under the mouse; returns whether there is one."""
-        found = picking.view_at(context.window, event.mouse_x, event.mouse_y)
-        if found is None:
-            return False
-        region, view = found
-        rig = targets.named(self.object)
-        mouse = Vector((event.mouse_x - region.x, event.mouse_y - region.y))
-        picked = picking.pick(context, rig, region, view, mouse)
+    def _hold(self, context, region, view, mouse):
+        picked = picking.pick(context, targets.named(self.object), region, view, mouse)
         if picked is None:
-            return False
+            return None
         self.bone, self.factor = picked.bone, picked.factor
-        self._held = grab.grab(context, rig, picked.bone, picked.factor, self.chain_length)
-        self._has_moved = False
-        self._region, self._view = region, view
-        # The mouse keeps its distance from the point, so that nothing jumps.
-        self._offset = picked.place - mouse
-        self._pressed = event.mouse_x, event.mouse_y
-        return True
+        self._held = grab.grab(context, targets.named(self.object), picked.bone, picked.factor, self.chain_length)
+        return self._held.point, picked.place
 
-    def _follow(self, event):
-        if not self._has_moved and (event.mouse_x, event.mouse_y) == self._pressed:
-            return
-        self._has_moved = True
-        mouse = Vector((event.mouse_x - self._region.x, event.mouse_y - self._region.y))
-        self.location = region_2d_to_location_3d(self._region, self._view, mouse + self._offset, self._held.point)
-        self._held.pull(Vector(self.location))
+    def _move(self, place):
+        self.location = place
+        self._held.pull(Vector(place))
+
+    def _finish(self, context):
+        self._key(context, self._held)
 
     @staticmethod
     def _key(context, held):

@@ -19,22 +19,6 @@ class Picked(NamedTuple):
     place: Vector
 
 
-def view_at(window, x, y):
-    """(region, its RegionView3D) of the 3D viewport at a place of the window; None where there is another thing."""
-    for area in window.screen.areas:
-        if area.type != 'VIEW_3D' or not _contains(area, x, y):
-            continue
-        # The sidebar and the toolbar may lie over the viewport.
-        found = [region for region in area.regions if _contains(region, x, y)]
-        if found and all(region.type == 'WINDOW' for region in found):
-            return found[0], found[0].data
-    return None
-
-
-def _contains(part, x, y):
-    return part.x <= x < part.x + part.width and part.y <= y < part.y + part.height
-
-
 def pick(context, rig, region, view, mouse):
     """The shown bone that is nearest to the mouse, a place in the region; None where none is near."""
     matrix = view.perspective_matrix

@@ -10,22 +10,6 @@ NEAR = 20.0
 """Pixels, at the interface's normal size, within which a vertex is taken where no face lies under the mouse."""
 
 
-def view_at(window, x, y):
-    """(region, its RegionView3D) of the 3D viewport at a place of the window; None where there is another thing."""
-    for area in window.screen.areas:
-        if area.type != 'VIEW_3D' or not _contains(area, x, y):
-            continue
-        # The sidebar and the toolbar may lie over the viewport.
-        found = [region for region in area.regions if _contains(region, x, y)]
-        if found and all(region.type == 'WINDOW' for region in found):
-            return found[0], found[0].data
-    return None
-
-
-def _contains(part, x, y):
-    return part.x <= x < part.x + part.width and part.y <= y < part.y + part.height
-
-
 def pick(shapes, region, view, mouse, near):
     """(shape, [(vertex, share)]) under a place of the region: on the nearest face, else the nearest vertex; or None."""
     origin, direction = region_2d_to_origin_3d(region, view, mouse), region_2d_to_vector_3d(region, view, mouse)

@@ -1,9 +1,10 @@
 """The operator that pulls a lattice by a point of what it deforms."""
 
 import bpy
-from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_location_3d
+from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
+from ..core.drag import PointDrag
 from ..core.translations import tr
 from . import picking, pulling, removal, targets
 from .targets import Refused
@@ -12,7 +13,7 @@ REACHED = 1e-3
 """Share of the displacement within which the point counts as brought there."""
 
 
-class MOTUS_OT_lattice_pull(bpy.types.Operator):
+class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
     bl_idname = "motus.lattice_pull"
     bl_label = "Pull Lattice"
     bl_description = (
@@ -42,6 +43,7 @@ class MOTUS_OT_lattice_pull(bpy.types.Operator):
         options={'ENUM_FLAG'}, items=(('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", "")))
 
     poll = classmethod(pulling.in_object_mode)
+    _refusal = Refused
 
     def execute(self, context):
         try:
@@ -103,88 +105,40 @@ class MOTUS_OT_lattice_pull(bpy.types.Operator):
     def invoke(self, context, event):
         if context.window is None or self.properties.is_property_set("displacement"):
             return self.execute(context)
-        self._held = None
         try:
             objects = self._objects(context)
             for obj in objects:
                 pulling.check_pullable(pulling.modifier_of(obj, self.modifier).object)
             self.object = objects[0].name if len(objects) == 1 else self.object
-            if event.type == 'LEFTMOUSE' and event.value == 'PRESS' and not self._take(context, event):
-                return {'CANCELLED', 'PASS_THROUGH'}
+            return self._begin(context, event)
         except Refused as refusal:
             return self._refused(refusal)
-        self._show_keys(context)
-        context.window_manager.modal_handler_add(self)
-        return {'RUNNING_MODAL'}
 
-    def modal(self, context, event):
-        if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
-        if self._held is None:
-            return self._wait(context, event)
-        if event.type == 'MOUSEMOVE':
-            self._follow(event)
-        elif event.type == 'LEFTMOUSE' and event.value == 'RELEASE':
-            context.workspace.status_text_set(None)
-            return {'FINISHED'} if self._has_moved else {'CANCELLED'}
-        return {'RUNNING_MODAL'}
-
-    def cancel(self, context):
-        context.workspace.status_text_set(None)
-        if self._held:
-            self._held.restore()
-
-    def _wait(self, context, event):
-        if event.type in {'X', 'Y', 'Z'} and event.value == 'PRESS' and not (event.ctrl or event.alt or event.oskey):
-            self.mirror ^= {event.type}
-            self._show_keys(context)
-            return {'RUNNING_MODAL'}
-        if event.type != 'LEFTMOUSE' or event.value != 'PRESS':
-            return {'PASS_THROUGH'}  # the view can be turned in the meantime
-        try:
-            self._take(context, event)
-        except Refused as refusal:
-            self.cancel(context)
-            return self._refused(refusal)
-        # A press beside all objects is meant for what lies there.
-        return {'RUNNING_MODAL'} if self._held else {'PASS_THROUGH'}
+    def _press(self, event):
+        if event.type not in {'X', 'Y', 'Z'} or event.value != 'PRESS' or event.ctrl or event.alt or event.oskey:
+            return False
+        self.mirror ^= {event.type}
+        return True
 
     def _show_keys(self, context):
         context.workspace.status_text_set(
             tr("Press the left mouse button on the surface and drag it; X, Y, Z: mirror ({axes}); Esc or the right "
                "button cancels").format(axes=", ".join(sorted(self.mirror)) or "-"))
 
-    def _take(self, context, event):
-        """Take hold of the point under the mouse; returns whether there is one."""
-        found = picking.view_at(context.window, event.mouse_x, event.mouse_y)
-        if found is None:
-            return False
-        region, view = found
-        mouse = Vector((event.mouse_x - region.x, event.mouse_y - region.y))
+    def _hold(self, context, region, view, mouse):
         shapes = [
             pulling.Shape(context, obj, pulling.modifier_of(obj, self.modifier)) for obj in self._objects(context)]
         picked = picking.pick(shapes, region, view, mouse, picking.NEAR * context.preferences.system.ui_scale)
         if picked is None:
-            return False
+            return None
         shape, corners = picked
         self._held = pulling.Held(context, shape, corners, self._held_vertices(shape), self.mirror)
-        self._has_moved = False
-        self._point = picking.place_of(shape, corners)
         # For Adjust Last Operation, which pulls the nearest vertex.
         self.object, self.vertex = shape.object.name, max(corners, key=lambda corner: corner[1])[0]
-        self._region, self._view = region, view
-        # The mouse keeps its distance from the point, so that nothing jumps.
-        self._offset = location_3d_to_region_2d(region, view, self._point) - mouse
-        self._pressed = event.mouse_x, event.mouse_y
-        return True
+        point = picking.place_of(shape, corners)
+        return point, location_3d_to_region_2d(region, view, point)
 
-    def _follow(self, event):
-        if not self._has_moved and (event.mouse_x, event.mouse_y) == self._pressed:
-            return
-        self._has_moved = True
-        mouse = Vector((event.mouse_x - self._region.x, event.mouse_y - self._region.y))
-        place = region_2d_to_location_3d(self._region, self._view, mouse + self._offset, self._point)
+    def _move(self, place):
         self.displacement = place - self._point
         self._held.pull(self.displacement)
 

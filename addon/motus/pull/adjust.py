@@ -2,7 +2,8 @@
 
 import bpy
 
-from . import aim, hover, status
+from ..core import viewports
+from . import hover, status
 from .adjusting import MOVES, notched
 from .brush import Brush
 from .meshes import Refused
@@ -33,7 +34,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
         return {'FINISHED'}
 
     def invoke(self, context, event):
-        view = aim.view_at(context.window, event.mouse_x, event.mouse_y) if context.window else None
+        view = viewports.view_at(context.window, event.mouse_x, event.mouse_y) if context.window else None
         if self.steps or view is None:
             return self.execute(context)
         session = hover.session(context)

@@ -10,8 +10,8 @@ import bpy
 
 from ..core import native
 from ..core.lazy import numpy as np
+from ..core.viewports import View
 from . import cursor_shape, drawing, hover, inset, stage, status
-from .aim import View
 from .brush import Brush
 from .meshes import Refused
 

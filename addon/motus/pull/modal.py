@@ -2,8 +2,9 @@
 
 import bpy
 
+from ..core import viewports
 from ..core.translations import tr
-from . import aim, hover, status
+from . import hover, status
 from .adjusting import MOVES
 from .entry import CONFIRMING
 from .meshes import Refused
@@ -36,7 +37,7 @@ class PickPullModal:
     def invoke(self, context, event):
         if context.window is None or any(self.properties.is_property_set(name) for name in GIVEN_PLACE):
             return self.execute(context)
-        view = aim.view_at(context.window, event.mouse_x, event.mouse_y)
+        view = viewports.view_at(context.window, event.mouse_x, event.mouse_y)
         if self.is_stroke and (view is None or _selects(context, event)):
             return {'PASS_THROUGH', 'CANCELLED'}
         try:

@@ -2,7 +2,8 @@
 
 import time
 
-from . import aim, stage, status, strokes
+from ..core import viewports
+from . import stage, status, strokes
 from .adjusting import Adjustment, notched, typed
 from .brush import Brush
 from .entry import NumberEntry
@@ -181,7 +182,7 @@ class Pulling:
 
     def view_under(self, event):
         """The viewport under the mouse, or None."""
-        return aim.view_at(self._window, event.mouse_x, event.mouse_y)
+        return viewports.view_at(self._window, event.mouse_x, event.mouse_y)
 
     def _viewports(self, _context):
         return [area for area in self._window.screen.areas if area.type == 'VIEW_3D']
