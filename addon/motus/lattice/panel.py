@@ -42,7 +42,7 @@ def _draw_modifier(layout, obj, modifier):
     column.use_property_split = True
     column.prop(modifier, "strength", slider=True)
     if obj.type == 'MESH':
-        column.prop_search(modifier, "vertex_group", obj, "vertex_groups")
+        column.prop_search(modifier, "vertex_group", obj, "vertex_groups", text="Group")
     _draw_points(column, modifier.object.data)
     row = box.row(align=True)
     row.operator("motus.lattice_reset", icon='LOOP_BACK').object = modifier.object.name
@@ -70,13 +70,14 @@ def _draw_lattice(layout, obj):
 
 
 def _draw_points(layout, data):
-    """Resolution and interpolation, as Blender's own panel has them."""
+    """Resolution and interpolation."""
     layout.use_property_decorate = False
-    for axis in "uvw":
-        row = layout.row(align=True)
-        row.enabled = not data.is_editmode
-        row.prop(data, f"points_{axis}", text=axis.upper(), translate=False)
-        row.prop(data, f"interpolation_type_{axis}", text="")
+    for name in ("points", "interpolation_type"):
+        column = layout.column(align=True)
+        column.label(text="Resolution" if name == "points" else "Interpolation")
+        column.enabled = not data.is_editmode
+        for axis in "uvw":
+            column.prop(data, f"{name}_{axis}", text=axis.upper(), translate=False)
     layout.prop(data, "use_outside")
 
 

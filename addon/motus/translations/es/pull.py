@@ -189,6 +189,7 @@ INTERFACE = {
     "Pulled from Clay": "Modelado en arcilla",
     "A landscape that rises from the sea and a face full of feeling, both pulled into shape and moved by pins":
         "Un paisaje que emerge del mar y una cara llena de expresión, ambos modelados a tirones y movidos por anclas",
+    "Group": "Grupo",
     "3D Cursor": "Cursor 3D",
     "Align": "Alinear",
     "Align the new object to the view": "Alinea el objeto nuevo con la vista",
