@@ -92,9 +92,10 @@ Neighbours::Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> tri
         for (std::size_t i = first; i < last; ++i) {
             glm::uvec2 e(edges[i]);
             if (fan(e.y).size() < fan(e.x).size()) std::swap(e.x, e.y);
-            is_wire[i] = e.x != e.y && std::ranges::none_of(fan(e.x), [&](const glm::uvec2& others) {
-                             return others.x == e.y || others.y == e.y;
-                         });
+            const bool is_wired = e.x != e.y && std::ranges::none_of(fan(e.x), [&](const glm::uvec2& others) {
+                                      return others.x == e.y || others.y == e.y;
+                                  });
+            is_wire[i] = is_wired ? 1 : 0;
         }
     });
     if (std::ranges::find(is_wire, 1) == is_wire.end()) return;

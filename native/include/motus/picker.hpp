@@ -36,8 +36,8 @@ class Picker {
     Picker(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
            std::size_t threads = thread_count());
     ~Picker();
-    Picker(Picker&&) noexcept;
-    Picker& operator=(Picker&&) noexcept;
+    Picker(Picker&& other) noexcept;
+    Picker& operator=(Picker&& other) noexcept;
     Picker(const Picker&) = delete;
     Picker& operator=(const Picker&) = delete;
 
