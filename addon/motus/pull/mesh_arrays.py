@@ -6,9 +6,10 @@ Attributes are copied whole; the older collections of vertices, loops and key po
 from ..core.lazy import numpy as np
 
 
-def positions(mesh):
-    """float32 (n, 3)."""
-    found = np.empty(3 * len(mesh.vertices), np.float32)
+def positions(mesh, found=None):
+    """float32 (n, 3). found: a float32 (3 n,) array to be filled, where there is one already."""
+    if found is None:
+        found = np.empty(3 * len(mesh.vertices), np.float32)
     attribute = mesh.attributes.get("position")
     if attribute is not None:
         attribute.data.foreach_get("vector", found)

@@ -114,13 +114,7 @@ def _kept_vertices():
 
 def _positions(mesh):
     """float32 (n, 3), in an array that the thread uses again."""
-    found = _buffer("positions", 3 * len(mesh.vertices), np.float32)
-    attribute = mesh.attributes.get("position")
-    if attribute is not None:
-        attribute.data.foreach_get("vector", found)
-    else:
-        mesh.vertices.foreach_get("co", found)
-    return found.reshape(-1, 3)
+    return arrays.positions(mesh, _buffer("positions", 3 * len(mesh.vertices), np.float32))
 
 
 def _topology(mesh):
