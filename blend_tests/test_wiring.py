@@ -1,5 +1,6 @@
 """From a solve function to the scene, with every kind of sink: what is evaluated, and when."""
 
+import threading
 from unittest import mock
 
 import bpy
@@ -10,8 +11,35 @@ from wiring_cases import WiringTestCase, build_followers, build_object, each_kin
 
 wiring = support.addon("core.wiring")
 solver = support.addon("core.wiring.solver")
+per_thread = support.addon("core.per_thread")
 capabilities = support.addon("core.capabilities")
 FRAMES = (10, 3, 55, 1, 248, 54.25, 7.5, 54)
+
+
+class ThreadTest(WiringTestCase):
+    @each_kind
+    def test_python_state_of_a_thread_is_kept(self, build):
+        """What is local to an evaluation thread is there again in the next frame: its state has not been made anew."""
+        target = toy_system.new_target()
+        build(target)
+        local = threading.local()
+        found = {}
+
+        def probe(value):
+            found.setdefault(threading.get_ident(), []).append(getattr(local, "value", None))
+            local.value = value
+            return value
+
+        bpy.app.driver_namespace["motus_probe"] = probe
+        for index in range(20):  # so many that each thread evaluates some
+            prober = toy_system.new_object(f"Prober {index}")
+            prober.driver_add("location", 0).driver.expression = "motus_probe(frame)"
+        for frame in range(1, 60):
+            frame_set(frame)
+        solvers = [values for thread, values in found.items() if thread in per_thread._with_state]
+        self.assertTrue(solvers)
+        for values in solvers:
+            self.assertNotIn(None, values[len(values) // 2:])
 
 
 class EvaluationTest(WiringTestCase):

@@ -16,5 +16,6 @@ void bind_rig_ik(pybind11::module_& m);
 void bind_picker(pybind11::module_& m);
 void bind_pull(pybind11::module_& m);
 void bind_lattice(pybind11::module_& m);
+void bind_thread_state(pybind11::module_& m);
 
 }  // namespace motus::bindings

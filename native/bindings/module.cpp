@@ -22,4 +22,5 @@ PYBIND11_MODULE(motus_native, m) {
     bind_picker(m);  // before pull(): Picker
     bind_pull(m);
     bind_lattice(m);
+    bind_thread_state(m);
 }

@@ -480,3 +480,6 @@ def pull_forces(
     scale_factor: float = 0.0,
     curve: ArrayLike | None = None,
 ) -> _Floats: ...
+
+# Keeps the calling thread's Python state, until the interpreter ends; for threads that Python has not started.
+def keep_thread_state() -> None: ...

@@ -9,6 +9,7 @@
 #include "motus/chain.hpp"
 #include "motus/two_bone.hpp"
 #include "smooth.hpp"
+#include "triangle.hpp"
 #include "turns.hpp"
 
 namespace motus {
@@ -110,16 +111,14 @@ void IkAim::find_joints(const IkPose& pose, const AimGoal& goal, const Line& lin
         const bool is_reached = std::abs(short_of) <= goal.tolerance * lengths_[0];
         report.reason = is_reached ? Reason::reached : short_of > 0.0 ? Reason::too_far : Reason::too_near;
     } else if (goal.count == 2) {
-        TwoBone chain;
-        chain.root = root;
-        chain.target = end;
-        chain.length1 = lengths_[0];
-        chain.length2 = lengths_[1];
-        chain.pole = root + report.reach * glm::cross(line.chord.normal, along);
-        const TwoBoneSolution solution = solve_two_bone(chain);
-        joints_[1] = elbow_near_pose(solution.elbow, root, line.turn * (pose.joints()[1] - root), line.chord);
-        joints_[2] = solution.tip;
-        report.reason = solution.reason;
+        const double shortest = std::abs(lengths_[0] - lengths_[1]);
+        const Direction bone = shoulder(lengths_[0], lengths_[1], report.reach, shortest, report.end);
+        const glm::dvec3 elbow = root + (lengths_[0] * bone.cosine) * along +
+                                 (lengths_[0] * bone.sine) * glm::cross(line.chord.normal, along);
+        joints_[1] = elbow_near_pose(elbow, root, line.turn * (pose.joints()[1] - root), line.chord);
+        const bool is_near = report.end < shortest;
+        joints_[2] = is_near ? root + shortest * along : end;
+        report.reason = is_near ? Reason::too_near : Reason::reached;
     } else {
         for (std::size_t i = 1; i <= goal.count; ++i)
             joints_[i] = root + line.turn * (pose.joints()[i] - root);
@@ -144,14 +143,10 @@ void IkAim::turn_bones(IkPose& pose, std::size_t count, const Line& line) {
         glm::dquat rotation = pose.posed(i).rotation;
         if (!is_carried) rotation = seen_from(to_space, carries) * rotation;
 
-        const glm::dvec3 none(0.0);
-        const glm::dvec3 now = direction_or(rotation * pose.reach_of(i, 1.0), none);
-        const glm::dvec3 wanted = direction_or(to_space * (joints_[i + 1] - joints_[i]), none);
-        if (now != none && wanted != none) {
-            const glm::dvec3 normal = direction_or(to_space * line.chord.normal, glm::dvec3(1.0, 0.0, 0.0));
-            rotation = smallest_turn(now, wanted, normal) * rotation;
-        }
-        pose.place(i, glm::normalize(rotation), 1.0);
+        const glm::dquat turn = smallest_turn_between(
+            rotation * pose.reach_of(i, 1.0), to_space * (joints_[i + 1] - joints_[i]),
+            [&] { return direction_or(to_space * line.chord.normal, glm::dvec3(1.0, 0.0, 0.0)); });
+        pose.place(i, normalized_product(turn * rotation), 1.0);
         if (next_stays) carries = pose.frame(i) * glm::conjugate(frame_before);
     }
 }

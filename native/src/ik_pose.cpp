@@ -47,7 +47,10 @@ OwnTransform own_transform(const RigView& rig, std::size_t bone) {
         own.scale[axis] = sign * std::sqrt(glm::dot(axes[axis], axes[axis]));
         axes[axis] *= sign;
     }
-    own.rotation = frame_of(axes);
+    // Of single precision, none of them is so small that its square would vanish.
+    own.rotation = own.scale.y != 0.0 && own.scale.z != 0.0
+                       ? frame_of(axes, axes[1] / std::abs(own.scale.y), axes[2] / std::abs(own.scale.z))
+                       : frame_of(axes);
     return own;
 }
 

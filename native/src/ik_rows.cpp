@@ -9,7 +9,7 @@ namespace motus {
 namespace {
 
 glm::dquat relative(const glm::dquat& from, const glm::dquat& to) {
-    const glm::dquat turn = glm::normalize(glm::conjugate(from) * to);
+    const glm::dquat turn = normalized_product(glm::conjugate(from) * to);
     return turn.w < 0.0 ? -turn : turn;
 }
 

@@ -156,12 +156,9 @@ void IkSolution::stretch_bones(double rest, double last_stretch) {
             pose_.place(i, pose_.rotation_for(i, tail_goal_), own);
             break;
         }
-        const glm::dvec3 none(0.0);
-        const glm::dvec3 now = direction_or(plain_[i] * reach, none);
-        const glm::dvec3 aim = direction_or(wanted, none);
-        rotations_[i] = plain_[i];
-        if (now != none && aim != none)
-            rotations_[i] = glm::normalize(smallest_turn(now, aim, glm::dvec3(1.0, 0.0, 0.0)) * plain_[i]);
+        const glm::dquat turn =
+            smallest_turn_between(plain_[i] * reach, wanted, [] { return glm::dvec3(1.0, 0.0, 0.0); });
+        rotations_[i] = normalized_product(turn * plain_[i]);
         pose_.place(i, rotations_[i], own);
     }
 }

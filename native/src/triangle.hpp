@@ -36,4 +36,14 @@ struct Direction {
     return {adjacent - opposite, 2.0 * std::sqrt(opposite * adjacent)};
 }
 
+/// Direction of the first of two bones, seen from the line to the tip at distance `reach`; longest, shortest:
+/// sum and difference of the lengths. The ends of the reach are asked for by name: there rounding would make
+/// 1e-8 rad of 1e-16.
+[[nodiscard]] inline Direction shoulder(double length1, double length2, double longest, double shortest,
+                                        double reach) {
+    if (reach >= longest) return {1.0, 0.0};
+    if (reach <= shortest && shortest > 0.0) return {length1 > length2 ? 1.0 : -1.0, 0.0};
+    return direction_of(half_angle(length1, reach, length2));
+}
+
 }  // namespace motus

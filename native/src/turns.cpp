@@ -33,18 +33,21 @@ glm::dquat frame_of(const glm::dmat3& axes) {
     glm::dvec3 y = direction_or(axes[1], none);
     if (y == none) y = direction_or(glm::cross(axes[2], axes[0]), glm::dvec3(0.0, 1.0, 0.0));
     // Scaled first: what is left across Y may be small beside axes that are huge.
-    glm::dvec3 z = direction_or(axes[2], none);
+    return frame_of(axes, y, direction_or(axes[2], none));
+}
+
+glm::dquat frame_of(const glm::dmat3& axes, const glm::dvec3& y, glm::dvec3 z) {
     z -= glm::dot(z, y) * y;
     double square = glm::dot(z, z);
     constexpr double slanted = 1e-6;  // squared: what is left has lost digits
     if (square < slanted) {
-        if (square < 1e-28) z = glm::cross(direction_or(axes[0], none), y);
+        if (square < 1e-28) z = glm::cross(direction_or(axes[0], glm::dvec3(0.0)), y);
         if (glm::dot(z, z) < 1e-28) z = some_across(y);
         z = glm::normalize(z);
         z -= glm::dot(z, y) * y;
         square = glm::dot(z, z);
     }
-    z *= 1.0 / std::sqrt(square);
+    z *= inverse_root_near_one(square);
     return glm::quat_cast(glm::dmat3(glm::cross(y, z), y, z));
 }
 

@@ -31,15 +31,6 @@ constexpr double largest_double = std::numeric_limits<double>::max();
     return glm::cross(side, normal_across(side, chain.plane));
 }
 
-/// Direction of the first bone, seen from the line to the tip at distance `reach`. The ends of the reach are
-/// asked for by name: there rounding would make 1e-8 rad of 1e-16.
-[[nodiscard]] inline Direction shoulder(double length1, double length2, double longest, double shortest,
-                                        double reach) {
-    if (reach >= longest) return {1.0, 0.0};
-    if (reach <= shortest && shortest > 0.0) return {length1 > length2 ? 1.0 : -1.0, 0.0};
-    return direction_of(half_angle(length1, reach, length2));
-}
-
 [[nodiscard]] inline Reason reason_of(double distance, double end, double longest) {
     if (std::abs(distance - end) <= reach_tolerance * (longest + distance)) return Reason::reached;
     return distance > end ? Reason::too_far : Reason::too_near;

@@ -1,14 +1,28 @@
 """What a thread keeps from one call to the next.
 
-Not threading.local: Blender's evaluation threads have a Python state only while they run Python, and what is local to it
-goes with it.
+Not threading.local: Blender's evaluation threads have a Python state only while they run Python, unless keep_state() has
+been called, and what is local to it goes with it.
 """
 
 import threading
 
+from . import native
+
 LARGEST = 64  # threads
 
 _kept = {}
+_with_state = set()
+
+
+def keep_state():
+    """Let this thread keep its Python state; to make one anew takes longer than most solves do.
+
+    A thread that ends leaves it behind, so there is an end to it.
+    """
+    thread = threading.get_ident()
+    if thread not in _with_state and len(_with_state) < LARGEST and native.module:
+        _with_state.add(thread)
+        native.module.keep_thread_state()
 
 
 def kept(name, make):

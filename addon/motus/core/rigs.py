@@ -7,6 +7,8 @@ import zlib
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
+from mathutils import Matrix
+
 from . import copies
 from .lazy import numpy as np
 from .per_thread import kept
@@ -23,6 +25,7 @@ _seen = set()
 # answer.
 _scene_sizes, _layer_sizes = {}, {}
 LARGE_SCENE = 8  # objects for each target
+_LENDS_MEMORY = hasattr(Matrix, "__buffer__")  # Blender 5
 
 
 class Still(NamedTuple):
@@ -41,7 +44,7 @@ class Arrays(NamedTuple):
 
     names: tuple
     rest: Any         # (B, 16) float32, column by column: Bone.matrix_local
-    poses: Any        # (B, 16) float32: PoseBone.matrix, right for bones that stand already
+    poses: Any        # (B, 16) float32: PoseBone.matrix, right for bones that stand already and were asked for
     basis: Any        # (B, 16) float32: PoseBone.matrix_basis, the animated transform
     lengths: Any      # as in Still
     inheritance: Any  # as in Still
@@ -90,17 +93,29 @@ def _inheritance(bone):
             | HAS_LOCAL_LOCATION * bone.use_local_location)
 
 
-def read(rig, known=None):
-    """Arrays of an evaluated rig. known: its Still, where plan() has just given that."""
+FEW = 8
+"""A bone's pose that is asked for by itself takes as long as so many that are read by one call."""
+
+
+def read(rig, known=None, posed=None):
+    """Arrays of an evaluated rig. known: its Still, where plan() has just given that. posed: the only rows of `poses` that
+    are needed, others may be anything; None for all."""
     known = known or still(rig, names_of(rig))
     pose, count = rig.pose.bones, len(known.names)
-    poses = _matrices("poses", pose, "matrix", count)
+    if posed is None or FEW * len(posed) > count:
+        poses = _matrices("poses", pose, "matrix", count)
+    else:
+        poses = scratch("rig_few_poses", (count, 16), np.float32)
+        for row in posed:
+            poses[row] = columns(pose[known.names[row]].matrix)
     basis = _matrices("basis", pose, "matrix_basis", count)
     return Arrays(known.names, known.rest, poses, basis, known.lengths, known.inheritance, columns(rig.matrix_world))
 
 
 def columns(matrix):
     """(16,) float64 of a mathutils.Matrix, column by column."""
+    if _LENDS_MEMORY:
+        return np.array(memoryview(matrix.transposed()), float).ravel()
     x, y, z, place = matrix.copy().col  # a copy, since each look into an object's own matrix asks the object
     return np.array((*x, *y, *z, *place))
 

@@ -42,12 +42,14 @@ class Gathered(NamedTuple):
 
 def gather(rig, text, depsgraph):
     """Read an evaluated rig. text: what groups.py noted of the group. Raises RigChanged."""
-    return _gather(rig, rigs.plan(rig, text, lambda rig, rows: Wired(rig, rows, text)), depsgraph)
+    wired = rigs.plan(rig, text, lambda rig, rows: Wired(rig, rows, text))
+    return _gather(rig, wired, rigs.read(rig, wired.still), depsgraph)
 
 
 def gather_wired(rig, data, depsgraph):
     """The same for a group's data as the wiring has kept it."""
-    return _gather(rig, rigs.plan(rig, data[PLAN_KEY], lambda rig, rows: Wired(rig, rows, data[PLAN])), depsgraph)
+    wired = rigs.plan(rig, data[PLAN_KEY], lambda rig, rows: Wired(rig, rows, data[PLAN]))
+    return _gather(rig, wired, rigs.read(rig, wired.still, wired.posed), depsgraph)
 
 
 class _Settings(NamedTuple):
@@ -66,8 +68,7 @@ class _Settings(NamedTuple):
     copy: int
 
 
-def _gather(rig, wired, depsgraph):
-    arrays = rigs.read(rig, wired.still)
+def _gather(rig, wired, arrays, depsgraph):
     entries = rig.motus.ik.entries
     known = _settings_of(rig, wired)
     numbers = known.numbers

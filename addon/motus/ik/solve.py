@@ -30,6 +30,6 @@ def solve(context):
         is_off = found.reasons != 0.0
         reasons[is_off] = found.reasons[is_off]
     # All reasons below 0 are a want, but for MUTED, which is the least.
-    if np.count_nonzero((reasons < 0.0) & (reasons > reading.MUTED)):
+    if any(reading.MUTED < reason < 0.0 for reason in set(reasons.tolist())):
         return SOME_ARE_OFF
     return STIFF if found.is_stiff else None

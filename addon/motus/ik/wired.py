@@ -38,7 +38,10 @@ class Wired:
         self.no_poles = np.full((len(chains), 3), np.nan)
         report = native.module.IkPlan.REPORT
         self.told = np.array([report.index(name) for name in OUTPUTS])  # columns of the report
-        self.plan = native.module.IkPlan(rigs.parents(rig, list(rows)), bones, effectors, guards)
+        parents = rigs.parents(rig, list(rows))
+        self.plan = native.module.IkPlan(parents, bones, effectors, guards)
+        roots = {parents[chain[0]] for chain in bones} - {-1}
+        self.posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))
 
 
 class _Goals:
@@ -47,7 +50,7 @@ class _Goals:
     def __init__(self, rows, chains, key):
         found = [(index, chain[key], chain[key + "_bone"]) for index, chain in enumerate(chains)]
         own = [(index, rows[bone]) for index, where, bone in found if where == 'OWN' and bone in rows]
-        self.own = np.array(own, dtype=int).reshape(-1, 2).T
+        self.own = tuple(np.array(own, dtype=int).reshape(-1, 2).T)
         mine = {index for index, _ in own}
         self.other_rows = [index for index, where, _ in found if where and index not in mine]
         self.are_others = len(self.other_rows) == len(chains)

@@ -36,7 +36,7 @@ def _wire(system, owner, group, kind):
         attribute_sink.prepare(carrier, group)
     elif kind == carriers.POINTS:
         geometry_sink.prepare(carrier)
-    outbox.create(system, carrier, group, 0 if uses_attribute else len(group.members))
+    outbox.create(system, carrier, group, uses_attribute)
     solver_driver.add(system, owner, group, carrier)
     if kind == carriers.POINTS:
         geometry_sink.add(system, owner, outbox.hub_of(system, owner, group.key))

@@ -9,10 +9,14 @@ influence of the sinks, and 0 where they may not act. On the original the weight
 without the add-on nothing acts.
 
 A system with several groups has an outbox a group. Beside it lies, for such a system, what the group needs to know: the
-names of its outputs and of its members, and Group.data.
+names of its outputs and of its members, and Group.data; as text, with a digest by which it is parsed only once.
 """
 
+import hashlib
+import json
 import re
+from collections import OrderedDict
+from typing import NamedTuple
 
 from ..system import Problem, of_owner
 
@@ -25,6 +29,22 @@ OWNER_KEY = "motus_owner"
 MEMBER_DATA_KEY = "motus_member_data"
 """Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
 INTERNAL, SILENT = -1, -2
+LARGEST_CACHE = 256  # groups whose Info is known at a time
+
+_infos = OrderedDict()
+"""Info by digest: what is the same content is the same Info, in whatever file it lies."""
+
+
+class Info(NamedTuple):
+    """What is known of a group since it was wired. uses_attribute: the poses are not in the outbox. data: of the Group."""
+
+    outputs: tuple
+    members: tuple  # names
+    has_scales: bool
+    is_relative: bool
+    uses_attribute: bool
+    data: dict
+
 
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
 _MIRRORED_PROBLEM = Problem(
@@ -73,18 +93,19 @@ def has_scales(group):
     return any("scale" in member.channels for member in group.members)
 
 
-def create(system, carrier, group, members):
-    """Give `carrier` an empty outbox with room for so many members (0 where their poses go elsewhere)."""
+def create(system, carrier, group, uses_attribute):
+    """Give `carrier` an empty outbox with room for the group's members, whose poses may go to an attribute instead."""
+    members = 0 if uses_attribute else len(group.members)
     slots = [float(SILENT)] + [0.0] * (pose_slot(group, members) - 1)
     if members and has_scales(group):
         slots += [1.0] * (SCALE_SIZE * members)
     carrier[out_key(system, group.key)] = slots
     if system.groups is not None:
-        carrier[info_key(system, group.key)] = {
-            "outputs": "\n".join(group.outputs), "output_count": len(group.outputs), "data": dict(group.data),
-            "members": "\n".join(member.thing.name for member in group.members), "member_count": len(group.members),
-            "has_scales": int(has_scales(group)),
-            "is_relative": int(any(member.is_relative for member in group.members))}
+        text = json.dumps(Info(
+            group.outputs, tuple(member.thing.name for member in group.members), has_scales(group),
+            any(member.is_relative for member in group.members), uses_attribute, group.data))
+        digest = hashlib.sha1(text.encode()).hexdigest()
+        carrier[info_key(system, group.key)] = {"digest": digest, "text": text}
 
 
 def remove(system, carrier):
@@ -146,14 +167,23 @@ def key_on_hub(system, mesh):
 
 
 def info(system, carrier, group=""):
-    """What create() noted beside the outbox, by name; None where the system declares no groups."""
-    return carrier.get(info_key(system, group))
+    """The Info that create() noted beside the outbox; None where the system declares no groups."""
+    noted = carrier.get(info_key(system, group))
+    if noted is None:
+        return None
+    digest = noted["digest"]
+    found = _infos.get(digest)
+    if found is None:
+        found = _infos[digest] = Info(*json.loads(noted["text"]))
+        if len(_infos) > LARGEST_CACHE:
+            _infos.popitem(last=False)
+    return found
 
 
 def output_names(system, carrier, group=""):
     """Names of a group's outputs."""
     known = info(system, carrier, group)
-    return system.outputs if known is None else tuple(known["outputs"].split("\n")) if known["outputs"] else ()
+    return system.outputs if known is None else tuple(known.outputs)
 
 
 def output_path(system, name, owner=None, group=""):

@@ -53,7 +53,7 @@ def renamed_bones(system, owner):
     for key, carrier in outbox.carriers(system, owner):
         known = outbox.info(system, carrier, key)
         if known is not None:
-            old_names[carrier, key] = known["members"].split("\n"), outbox.FIRST_OUTPUT + known["output_count"]
+            old_names[carrier, key] = known.members, outbox.FIRST_OUTPUT + len(known.outputs)
     found = {}
     for thing, constraint, carrier, key in on_object(system, owner):
         names, base = old_names.get((carrier, key), ((), 0))

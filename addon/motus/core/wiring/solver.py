@@ -9,10 +9,12 @@ from bpy.app.handlers import persistent
 
 from .. import native
 from ..lazy import numpy as np
+from ..per_thread import keep_state, kept
 from ..system import Context, Vertices, groups_of, of_owner, registered
 from . import geometry_sink, healing, outbox
 from .attribute_sink import ATTRIBUTE, store_own_poses, write, write_neutral
-from .scratch import scratch
+
+LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
 log = logging.getLogger(__name__)
 
@@ -26,6 +28,7 @@ def motus_solve(self, name, frame, depsgraph, *values):
     """
     name, _, key = name.partition(".")
     try:
+        keep_state()
         system = registered[name]
         out = self[outbox.out_key(system, key)]
         _solve(system, key, self, memoryview(out), frame, depsgraph, values)
@@ -53,6 +56,7 @@ def motus_direct(self, name, slot, frame, depsgraph, *values):
     name, _, key = name.partition(".")
     out = None
     try:
+        keep_state()
         system = registered[name]
         carrier = self.id_data
         out = array('d', carrier[outbox.out_key(system, key)])
@@ -74,10 +78,10 @@ class _Layout(NamedTuple):
 
 
 def _layout(system, info, carrier, size):
-    has_attribute = isinstance(carrier, _Mesh) and ATTRIBUTE in carrier.attributes
     if info is not None:
-        return _Layout(outbox.FIRST_OUTPUT + info["output_count"], info["member_count"], bool(info["has_scales"]),
-                       bool(info["is_relative"]), has_attribute)
+        return _Layout(outbox.FIRST_OUTPUT + len(info.outputs), len(info.members), info.has_scales, info.is_relative,
+                       info.uses_attribute)
+    has_attribute = isinstance(carrier, _Mesh) and ATTRIBUTE in carrier.attributes
     base = outbox.FIRST_OUTPUT + len(system.outputs)
     members = len(carrier.vertices) if has_attribute else (size - base) // outbox.POSE_SIZE
     return _Layout(base, members, False, False, has_attribute)
@@ -95,12 +99,12 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
         return
     count = layout.members
     settings = of_owner(system, owner)
+    poses = _poses(count)
+    poses.reset()
     context = Context(
-        settings=settings, owner=owner, frame=frame, depsgraph=depsgraph,
-        locations=scratch("locations", (count, 3), float), rotations=scratch("rotations", (count, 4), float),
-        scales=scratch("scales", (count, 3), float), outputs=box[outbox.FIRST_OUTPUT:layout.base],
-        member_data=_member_data(system, carrier, owner), group=key, data={} if info is None else info["data"])
-    _reset(context)
+        settings=settings, owner=owner, frame=frame, depsgraph=depsgraph, locations=poses.locations,
+        rotations=poses.rotations, scales=poses.scales, outputs=box[outbox.FIRST_OUTPUT:layout.base],
+        member_data=_member_data(system, carrier, owner), group=key, data={} if info is None else info.data)
     inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
     offsets = _room(system, carrier, inputs, context) if system.moves_points else None
     problem = system.solve(context, **inputs)
@@ -110,7 +114,7 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
     weight = 0.0 if is_blocked else 1.0 if layout.is_relative else settings.influence
     box[outbox.WEIGHT] = weight
     if is_blocked:
-        _reset(context)
+        poses.reset()
     if offsets is not None:
         if weight != 1.0:
             offsets *= np.float32(weight)
@@ -133,11 +137,35 @@ def _room(system, carrier, inputs, context):
     return offsets
 
 
-def _reset(context):
-    context.locations.fill(0.0)
-    context.rotations.fill(0.0)
-    context.rotations[:, 0] = 1.0
-    context.scales.fill(1.0)
+class _Poses:
+    """Room for what a solver finds: locations (n, 3), rotations (n, 4), scales (n, 3) in one block of memory."""
+
+    def __init__(self, count):
+        self._block, self._neutral = np.empty(10 * count), np.zeros(10 * count)
+        self.locations, self.rotations, self.scales = self._parts(self._block)
+        _, rotations, scales = self._parts(self._neutral)
+        rotations[:, 0] = 1.0
+        scales.fill(1.0)
+
+    @staticmethod
+    def _parts(block):
+        locations, rotations, scales = np.split(block, [3 * len(block) // 10, 7 * len(block) // 10])
+        return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
+
+    def reset(self):
+        """Let nothing turn or move."""
+        np.copyto(self._block, self._neutral)
+
+
+def _poses(count):
+    """Room for so many members; valid until the thread solves for as many again."""
+    known = kept("poses", dict)
+    found = known.get(count)
+    if found is None:
+        if len(known) >= LARGEST_CACHE:
+            known.clear()
+        found = known[count] = _Poses(count)
+    return found
 
 
 def _pack(box, layout, context):

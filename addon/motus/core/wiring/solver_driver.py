@@ -1,12 +1,13 @@
 """The driver that calls the solver, and the variables by which it waits for what it reads."""
 
-from ..system import BonesOwn, Setting, Variable, input_variables, of_owner
-from . import drivers, healing, outbox
+from ..system import BonesOwn, Setting, Transform, Variable, input_variables, of_owner
+from . import drivers, healing, outbox, waiting
 
 
 def add(system, owner, group, carrier):
     """Give the carrier the driver on its outbox."""
-    expression, variables = _call(system, owner, group, with_settings=carrier != owner)
+    hub = None if carrier == owner else outbox.hub_of(system, owner, group.key)
+    expression, variables = _call(system, owner, group, hub)
     call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
     if system.moves_points:
         # Blender takes any expression with a call or the frame in it for one that changes with time. Where it does not,
@@ -20,7 +21,7 @@ def direct(system, owner, group):
     settings = of_owner(system, owner)
     if not settings.use_direct_drivers and (system.groups or not healing.has_driven_settings(owner, settings)):
         return None
-    expression, variables = _call(system, owner, group)
+    expression, variables = _call(system, owner, group, with_settings=True)
     return f'motus_direct(self,"{_name(system, group)}",{{slot}},frame,depsgraph{expression})', variables
 
 
@@ -46,14 +47,16 @@ def _name(system, group):
     return f"{system.name}.{group.key}" if group.key else system.name
 
 
-def _call(system, owner, group, with_settings=True):
+def _call(system, owner, group, hub=None, with_settings=False):
     """Further arguments of a solver call, with its driver variables; what has no variable is passed as 0.
 
-    with_settings: whether the solver waits for the owner's settings. A driver on the owner's own custom property cannot:
-    to Blender's dependency graph all of an object's plain properties are one node, which waits for that driver in turn.
-    It still sees keyed and edited settings, for an object's animation comes before its drivers. Where a setting is driven,
-    a hub carries the solver, which can wait, or the sinks compute for themselves, since drivers of constraints can wait.
+    hub: the object that carries the solver, which then waits for the owner's settings, as it does `with_settings`. A driver
+    on the owner's own custom property cannot: to Blender's dependency graph all of an object's plain properties are one
+    node, which waits for that driver in turn. It still sees keyed and edited settings, for an object's animation comes
+    before its drivers. Where a setting is driven, a hub carries the solver, which can wait, or the sinks compute for
+    themselves, since drivers of constraints can wait.
     """
+    with_settings = with_settings or hub is not None
     arguments, variables = [""], {}
     for index, (declared, variable) in enumerate(input_variables(system, owner)):
         if variable is None or (isinstance(declared, Setting) and not with_settings):
@@ -61,8 +64,13 @@ def _call(system, owner, group, with_settings=True):
             continue
         arguments.append(f"v{index}")
         variables[f"v{index}"] = variable
-    for index, variable in enumerate(dict.fromkeys(declared.variable() for declared in _awaited(group))):
-        variables[f"w{index}"] = variable
+    awaited = list(dict.fromkeys(_awaited(group)))
+    if hub and group.inputs:
+        transforms = [(one.object, one.bone) for one in awaited if isinstance(one, Transform)]
+        awaited = [one for one in awaited if not isinstance(one, Transform)]
+        variables["waits"] = waiting.wait_for(hub, transforms)
+    for index, one in enumerate(awaited):
+        variables[f"w{index}"] = one.variable()
     if with_settings:
         # Read by the solver itself; declared so that it comes first.
         variables["influence"] = Variable('OBJECT', owner, f"{of_owner(system, owner).path_from_id()}.influence")

@@ -1,0 +1,17 @@
+"""How a hub's solver waits for many transforms at the price of one driver variable.
+
+Constraints at influence 0 move nothing and compute nothing, but their targets, objects of any type and bones, are
+evaluated before the hub's transform; a driver that declares that transform is evaluated later still.
+"""
+
+from ..system import Variable
+
+
+def wait_for(hub, transforms):
+    """Let the hub's transform come after those of (object, bone or "") pairs. Returns the Variable that waits for it."""
+    for thing, bone in transforms:
+        constraint = hub.constraints.new('COPY_LOCATION')
+        constraint.mute = True
+        constraint.target = thing
+        constraint.subtarget = bone
+    return Variable('OBJECT', hub)
