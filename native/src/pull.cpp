@@ -11,7 +11,7 @@ namespace motus {
 namespace {
 
 // Vertices that are worth a thread: some 50 us of work.
-constexpr std::size_t grain = 1 << 17;            // next to each other
+constexpr std::size_t grain = 1 << 16;            // next to each other
 constexpr std::size_t scattered_grain = 1 << 14;  // from all over the mesh
 
 [[nodiscard]] const float* pointer(std::span<const float> weights) {

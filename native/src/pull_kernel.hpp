@@ -74,6 +74,9 @@ struct PullKernel {
     void (*weigh)(const float* weights, std::size_t count, float* forces);
     /// Moves by one image.
     void (*move)(const MoveTerms& terms, const float* forces, std::size_t count, float* positions);
+    /// All three of any number of vertices, by one image without limits; metric: null for straight distances.
+    Seen (*pull)(const ForceTerms& force, const MoveTerms& move, const glm::vec3& root,
+                 const glm::mat3* metric, std::size_t count, float* positions);
     /// Adds an image to the shares, then moves by all of them.
     void (*share)(const glm::vec3& displacement, const float* forces, std::size_t count, Shares& shares);
     void (*move_by)(const MoveTerms& terms, const Shares& shares, std::size_t count, float* positions);

@@ -25,8 +25,9 @@ void require(bool condition, const char* message) {
     return reinterpret_cast<float*>(positions);
 }
 
+constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Vertices of a block that another image's Reach doesn't hold.
-constexpr float out_of_reach = std::numeric_limits<float>::infinity();
+constexpr float out_of_reach = infinity;
 
 }  // namespace
 
@@ -117,9 +118,19 @@ bool Puller::act(const glm::vec3* positions, const float* weights, std::size_t c
 
 void Puller::act_whole(const glm::vec3* positions, const float* weights, std::size_t first, std::size_t last,
                        glm::vec3* out) const {
+    const bool is_free = move_.minimum == -infinity && move_.maximum == infinity;
+    const bool is_simple = is_free && images_.size() == 1 && weights == nullptr;
     for (std::size_t begin = first; begin < last; begin += pull_block) {
         const std::size_t count = std::min(pull_block, last - begin);
         const glm::vec3* from = positions + begin;
+        if (is_simple) {
+            if (out != positions) std::copy_n(from, count, out + begin);
+            const Seen seen = kernel_.pull(force_, move_, images_[0].root, is_plain_ ? nullptr : &metric_,
+                                           count, numbers(out + begin));
+            // One that is strange has not moved.
+            if (seen.is_strange) look_at_positions(out + begin, count);
+            continue;
+        }
         const auto distances = [&](std::size_t image, float* values) {
             return measure(images_[image], from, count, values);
         };

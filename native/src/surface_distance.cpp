@@ -16,8 +16,8 @@ namespace {
 
 /// A triangle at the vertex that is being settled, with what its neighbours are.
 struct Spoke {
-    Place* a;
-    Place* b;
+    SurfacePlace* a;
+    SurfacePlace* b;
     std::uint32_t vertex_a, vertex_b;
     double a2, b2, dot, area;  ///< of the sides to a and b
 };
@@ -33,7 +33,7 @@ class Search {
           radius_(radius),
           places_(positions.size()),
           agenda_(0.125f * mean_side(root), radius) {
-        Place& start = places_[root];
+        SurfacePlace& start = places_[root];
         start.position = glm::vec3(0.0f);
         start.straight = start.distance = 0.0f;
         settle(start, root);
@@ -47,11 +47,11 @@ class Search {
         while (agenda_.has_next(is_stale, expect)) {
             const Due due = agenda_.take();
             if (is_stale(due)) continue;
-            Place& next = places_[due.vertex()];
+            SurfacePlace& next = places_[due.vertex()];
             if (next.distance <= radius_ || leads_back(next, due.vertex())) settle(next, due.vertex());
         }
         Reach reach;
-        places_.each([&](std::uint32_t vertex, const Place& there) {
+        places_.each([&](std::uint32_t vertex, const SurfacePlace& there) {
             if (!(there.distance >= 0.0f && there.distance <= std::min(radius_, largest))) return;
             reach.vertices.push_back(vertex);
             reach.distances.push_back(there.distance);
@@ -73,9 +73,9 @@ class Search {
         }
     }
 
-    /// Place of a vertex, with its position.
-    [[nodiscard]] Place& placed(std::uint32_t vertex) {
-        Place& there = places_[vertex];
+    /// SurfacePlace of a vertex, with its position.
+    [[nodiscard]] SurfacePlace& placed(std::uint32_t vertex) {
+        SurfacePlace& there = places_[vertex];
         if (there.straight < 0.0f) [[unlikely]] {
             there.position = metric_ * (positions_[vertex] - origin_);
             there.straight = static_cast<float>(glm::length(glm::dvec3(there.position)));
@@ -100,7 +100,7 @@ class Search {
     }
 
     /// Whether a place beyond the radius has sides that long that what lies behind them may be within.
-    [[nodiscard]] bool leads_back(const Place& from, std::uint32_t vertex) {
+    [[nodiscard]] bool leads_back(const SurfacePlace& from, std::uint32_t vertex) {
         const float beyond = from.distance - radius_;
         const auto is_long = [&](std::uint32_t other) {
             const glm::vec3 side = placed(other).position - from.position;
@@ -110,7 +110,7 @@ class Search {
                                    [&](glm::uvec2 others) { return is_long(others.x) || is_long(others.y); });
     }
 
-    void improve(Place& there, std::uint32_t vertex, const Way& way) {
+    void improve(SurfacePlace& there, std::uint32_t vertex, const Way& way) {
         // Behind long thin triangles corrections trickle on and on; smaller ones are not told to the
         // neighbours.
         constexpr float worth_telling = 1e-4f;  // of the distance
@@ -127,14 +127,14 @@ class Search {
     /// Whether a settled place can be no nearer across the side from -> other, `from` being farther: no
     /// straight line through that side fits the angle there. The arguments are of the triangle's corner at
     /// the place.
-    [[nodiscard]] static bool is_out_of_question(const Place& from, const Place& to, double from2,
-                                                 double other2, double dot) {
+    [[nodiscard]] static bool is_out_of_question(const SurfacePlace& from, const SurfacePlace& to,
+                                                 double from2, double other2, double dot) {
         const double twice = 2.0 * to.distance * dot;
         return from.distance >= to.distance && dot > 0.0 && twice * twice >= from2 * from2 * other2;
     }
 
-    void cross(const Place& from, const Spoke& spoke, const Place& other, Place& to, std::uint32_t vertex,
-               double side2, double far2) {
+    void cross(const SurfacePlace& from, const Spoke& spoke, const SurfacePlace& other, SurfacePlace& to,
+               std::uint32_t vertex, double side2, double far2) {
         if (to.settled > 0 &&
             is_out_of_question(from, to, far2, spoke.a2 + spoke.b2 - 2.0 * spoke.dot, far2 - spoke.dot))
             return;
@@ -142,12 +142,12 @@ class Search {
     }
 
     /// Tells the neighbours of `from` how far away they are from there.
-    void settle(Place& from, std::uint32_t vertex) {
+    void settle(SurfacePlace& from, std::uint32_t vertex) {
         look_around(from, vertex);
         ++from.settled;
         for (const Spoke& spoke : spokes_) {
-            Place& a = *spoke.a;
-            Place& b = *spoke.b;
+            SurfacePlace& a = *spoke.a;
+            SurfacePlace& b = *spoke.b;
             if (a.settled > 0) {
                 cross(from, spoke, a, b, spoke.vertex_b, spoke.a2, spoke.b2);
             } else if (b.settled == 0) {
@@ -159,14 +159,14 @@ class Search {
     }
 
     /// Lists the triangles at a vertex, and finds the surface's curvature there from their angles.
-    void look_around(Place& from, std::uint32_t vertex) {
+    void look_around(SurfacePlace& from, std::uint32_t vertex) {
         spokes_.clear();
         double cosine = 1.0;  // of all angles together
         double sine = 0.0;
         double area = 0.0;
         for (const glm::uvec2 others : neighbours_.fan(vertex)) {
-            Place& a = placed(others.x);
-            Place& b = placed(others.y);
+            SurfacePlace& a = placed(others.x);
+            SurfacePlace& b = placed(others.y);
             const glm::dvec3 to_a = glm::dvec3(a.position) - glm::dvec3(from.position);
             const glm::dvec3 to_b = glm::dvec3(b.position) - glm::dvec3(from.position);
             Spoke spoke{&a,
@@ -202,7 +202,7 @@ class Search {
     glm::vec3 origin_;
     glm::mat3 metric_;
     float radius_;
-    Pages<Place> places_;
+    Pages<SurfacePlace> places_;
     Agenda agenda_;
     std::vector<Spoke> spokes_;
 };

@@ -11,7 +11,7 @@
 namespace motus {
 
 /// A vertex and the shortest way to it so far. Lengths are the metric's.
-struct Place {
+struct SurfacePlace {
     glm::vec3 position{0.0f};                                 ///< from the root
     float straight = -1.0f;                                   ///< |position|; < 0 where position is not set
     float distance = std::numeric_limits<float>::infinity();  ///< -infinity where there can be no way

@@ -22,12 +22,12 @@ struct Corner {
     double area = 0.0;   ///< |(b - a) x (c - a)|
 };
 
-[[nodiscard]] inline Way way_along(const Place& from, double length2) {
+[[nodiscard]] inline Way way_along(const SurfacePlace& from, double length2) {
     return {from.distance + std::sqrt(length2), from.spread};
 }
 
 /// The shortest way to c through the corners a and b alone.
-[[nodiscard]] inline Way way_by_sides(const Corner& corner, const Place& a, const Place& b) {
+[[nodiscard]] inline Way way_by_sides(const Corner& corner, const SurfacePlace& a, const SurfacePlace& b) {
     const Way by_a = way_along(a, corner.far2);
     const Way by_b = way_along(b, std::max(corner.side2 + corner.far2 - 2.0 * corner.dot, 0.0));
     return by_a.distance <= by_b.distance ? by_a : by_b;
@@ -37,7 +37,7 @@ struct Corner {
 /// wave is a circle: about the one point that has the distances of a and b, on a flat surface, else about one
 /// nearer or farther by so much as the surface's curvature has bent the wave on its way here. Past a dome's
 /// focus the circle's centre lies ahead. Where the ray to c passes by the side, the way bends around its end.
-[[nodiscard]] inline Way way_across(const Corner& corner, const Place& a, const Place& b) {
+[[nodiscard]] inline Way way_across(const Corner& corner, const SurfacePlace& a, const SurfacePlace& b) {
     if (!(corner.area > 0.0)) return way_by_sides(corner, a, b);
     const double side2 = corner.side2;
     const double mean = 0.5 * (static_cast<double>(a.distance) + b.distance);

@@ -95,7 +95,7 @@ TEST_CASE("distance and parameter are inverse to each other", "[arc_length]") {
 }
 
 TEST_CASE("random curves of all degrees and sizes", "[arc_length]") {
-    Random random(31);
+    RandomCurves random(31);
     for (int trial = 0; trial < 60; ++trial) {
         const int degree = 1 + trial % 32;
         const double size = std::pow(10.0, random.uniform(-6.0, 6.0));
@@ -122,7 +122,7 @@ TEST_CASE("the largest and the smallest curves are finite work", "[arc_length]")
 }
 
 TEST_CASE("equal steps of the distance are equal chords in the limit", "[arc_length]") {
-    Random random(32);
+    RandomCurves random(32);
     for (const Curve& curve :
          {smooth_spline(random, 6, false), smooth_spline(random, 6, true), random.bezier(9)}) {
         const ArcLength path(curve);
@@ -154,7 +154,7 @@ TEST_CASE("gaps and segments without length take no distance", "[arc_length]") {
 }
 
 TEST_CASE("distances outside the curve mean what extend says", "[arc_length]") {
-    Random random(33);
+    RandomCurves random(33);
     const ArcLength path(smooth_spline(random, 5, false));
     const double length = path.length();
     const glm::dvec3 start = position(path.curve(), 0.0);
@@ -187,7 +187,7 @@ TEST_CASE("distances outside the curve mean what extend says", "[arc_length]") {
 }
 
 TEST_CASE("the distance at a parameter outside leads to the same place", "[arc_length]") {
-    Random random(34);
+    RandomCurves random(34);
     const ArcLength path(smooth_spline(random, 5, false));
     for (const Extend extend : {Extend::clamp, Extend::extrapolate, Extend::loop, Extend::ping_pong}) {
         double last = -std::numeric_limits<double>::infinity();
@@ -221,12 +221,12 @@ TEST_CASE("a curve without length is its point at every distance", "[arc_length]
 }
 
 TEST_CASE("not a number stays one", "[arc_length]") {
-    const ArcLength path(Random(1).bezier(3));
+    const ArcLength path(RandomCurves(1).bezier(3));
     CHECK(std::isnan(path.t_at_length(std::numeric_limits<double>::quiet_NaN())));
 }
 
 TEST_CASE("answers do not depend on what was asked before", "[arc_length]") {
-    Random random(34);
+    RandomCurves random(34);
     const Curve curve = smooth_spline(random, 7, true);
     const ArcLength asked(curve);
     const ArcLength fresh(curve);
@@ -239,7 +239,7 @@ TEST_CASE("answers do not depend on what was asked before", "[arc_length]") {
 }
 
 TEST_CASE("threads that build the inverse at once agree", "[arc_length]") {
-    Random random(35);
+    RandomCurves random(35);
     const ArcLength path(smooth_spline(random, 20, true));
     std::vector<std::vector<double>> answers(4, std::vector<double>(500));
     std::vector<std::thread> threads;
@@ -272,7 +272,7 @@ TEST_CASE("building takes a bounded number of evaluations and intervals", "[arc_
 }
 
 TEST_CASE("building is bounded where the speed is mostly rounding", "[arc_length]") {
-    Random random(36);
+    RandomCurves random(36);
     // The control points of a Chebyshev polynomial: the curve is smaller than they are by twelve digits and
     // more.
     for (const int degree : {40, 64}) {

@@ -39,7 +39,7 @@ TEST_CASE("both parts of a split curve are the curve", "[bezier]") {
 }
 
 TEST_CASE("a split at a joint cuts nothing", "[bezier]") {
-    Random random(5);
+    RandomCurves random(5);
     const Curve curve = smooth_spline(random, 6, true);
     const auto [before, after] = split(curve, 2.0);
     CHECK(before.segment_count() == 2);
@@ -68,7 +68,7 @@ TEST_CASE("elevation keeps the curve", "[bezier]") {
             check_same(sample.curve, higher, 1e-14);
         }
     }
-    const Curve curve = Random(1).bezier(60);
+    const Curve curve = RandomCurves(1).bezier(60);
     CHECK_THROWS_AS(elevated(curve, 5), std::invalid_argument);
     CHECK_THROWS_AS(elevated(curve, -1), std::invalid_argument);
 }

@@ -55,7 +55,7 @@ void check_against_definition(const std::vector<glm::dvec3>& points, const BSpli
 }  // namespace
 
 TEST_CASE("a B-spline agrees with Cox and de Boor for every order and flag", "[bspline]") {
-    Random random(21);
+    RandomCurves random(21);
     for (int order = 2; order <= 6; ++order) {
         for (const bool cyclic : {false, true}) {
             for (const bool endpoint : {false, true}) {
@@ -82,7 +82,7 @@ TEST_CASE("Blender's knots", "[bspline]") {
 }
 
 TEST_CASE("with endpoints the spline begins and ends on its points", "[bspline]") {
-    Random random(22);
+    RandomCurves random(22);
     for (int order = 2; order <= 6; ++order) {
         const std::vector<glm::dvec3> points = random.points(9);
         const Curve curve = bspline(points, {order, false, true, false});
@@ -93,7 +93,7 @@ TEST_CASE("with endpoints the spline begins and ends on its points", "[bspline]"
 }
 
 TEST_CASE("the segments of a B-spline join smoothly", "[bspline]") {
-    Random random(23);
+    RandomCurves random(23);
     const Curve curve = bspline(random.points(8), {4, true, false, false});
     const double end = static_cast<double>(curve.segment_count());
     REQUIRE(curve.segment_count() == 8);
@@ -108,7 +108,7 @@ TEST_CASE("the segments of a B-spline join smoothly", "[bspline]") {
 }
 
 TEST_CASE("what Blender shows as its control polygon becomes that polygon", "[bspline]") {
-    Random random(24);
+    RandomCurves random(24);
     const std::vector<glm::dvec3> points = random.points(3);
     const Curve few = bspline(points, {4, false, true, false});
     CHECK(few.degree() == 3);

@@ -169,7 +169,7 @@ TEST_CASE("animated curves of many segments hold no more memory than stated", "[
     FrameTablesCache& frames = frame_tables_cache();
     const std::size_t most = std::size_t{256} << 20;
     const std::size_t before = paths.size();
-    std::vector<glm::dvec3> points = Random(7).points(40'000);
+    std::vector<glm::dvec3> points = RandomCurves(7).points(40'000);
     constexpr std::size_t shots = 8;
     std::vector<std::shared_ptr<const ArcLength>> used;
     for (std::size_t i = 0; i < shots; ++i) {
@@ -206,7 +206,7 @@ TEST_CASE("arc lengths are the same with the cache and without", "[cache]") {
 }
 
 TEST_CASE("a curve that differs in one bit, in degree or in being cyclic has tables of its own", "[cache]") {
-    std::vector<glm::dvec3> points = Random(1).points(12);
+    std::vector<glm::dvec3> points = RandomCurves(1).points(12);
     const auto path = shared_arc_length(Curve::chain(3, points, false));
     CHECK(shared_arc_length(Curve::chain(3, points, true)) != path);
     CHECK(shared_arc_length(Curve::chain(2, points, false)) != path);

@@ -1,4 +1,4 @@
-// Random chains and what every solution must keep; for the tests of both solvers of chains.
+// RandomChains chains and what every solution must keep; for the tests of both solvers of chains.
 #pragma once
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -15,10 +15,10 @@ namespace chain_checks {
 
 using Joints = std::vector<glm::dvec3>;
 
-/// Random numbers that are the same with every standard library.
-class Random {
+/// RandomChains numbers that are the same with every standard library.
+class RandomChains {
   public:
-    explicit Random(unsigned seed) : bits_(seed) {}
+    explicit RandomChains(unsigned seed) : bits_(seed) {}
 
     double between(double low, double high) {
         return low + (high - low) * static_cast<double>(bits_()) / 4294967296.0;
@@ -55,7 +55,7 @@ inline constexpr Shape all_shapes[] = {Shape::straight, Shape::bent, Shape::croo
                                        Shape::folded};
 
 /// `longest`: at most how many times as long as the others one bone is.
-inline Joints random_joints(Random& random, Shape shape, std::size_t bones, double longest = 1.0) {
+inline Joints random_joints(RandomChains& random, Shape shape, std::size_t bones, double longest = 1.0) {
     Joints joints{5.0 * random.direction()};
     glm::dvec3 direction = random.direction();
     const glm::dvec3 first = direction;

@@ -51,7 +51,7 @@ glm::dvec3 bulge_of(const Joints& joints) {
 }  // namespace
 
 TEST_CASE("every target within reach is reached from every pose", "[chain]") {
-    Random random(1);
+    RandomChains random(1);
     for (const std::size_t bones : {1, 2, 3, 4, 5, 8, 20, 100, 255}) {
         for (const Shape shape : all_shapes) {
             for (int round = 0; round < 60; ++round) {
@@ -75,7 +75,7 @@ TEST_CASE("every target within reach is reached from every pose", "[chain]") {
 }
 
 TEST_CASE("a tolerance near rounding is met", "[chain]") {
-    Random random(2);
+    RandomChains random(2);
     ChainSettings settings;
     settings.tolerance = 1e-13;
     for (int round = 0; round < 300; ++round) {
@@ -90,7 +90,7 @@ TEST_CASE("a tolerance near rounding is met", "[chain]") {
 }
 
 TEST_CASE("a target out of reach gives the straight chain towards it", "[chain]") {
-    Random random(3);
+    RandomChains random(3);
     for (const Shape shape : all_shapes) {
         for (const double times : {1.0, 1.0 + 1e-9, 1.5, 1e6}) {
             const Joints joints = random_joints(random, shape, 7);
@@ -111,7 +111,7 @@ TEST_CASE("a target out of reach gives the straight chain towards it", "[chain]"
 }
 
 TEST_CASE("a target too near gives the folded chain", "[chain]") {
-    Random random(4);
+    RandomChains random(4);
     for (const Shape shape : all_shapes) {
         for (const double times : {1.0, 1.0 - 1e-9, 0.5, 0.0}) {
             Joints joints = random_joints(random, shape, 5, 1.0);
@@ -137,7 +137,7 @@ TEST_CASE("a target too near gives the folded chain", "[chain]") {
 }
 
 TEST_CASE("a straight chain bends into an arc on the side of the plane", "[chain]") {
-    Random random(5);
+    RandomChains random(5);
     for (const std::size_t bones : {2, 3, 6, 40}) {
         for (int round = 0; round < 20; ++round) {
             const Joints joints = random_joints(random, Shape::straight, bones);
@@ -168,7 +168,7 @@ TEST_CASE("a straight chain bends into an arc on the side of the plane", "[chain
 }
 
 TEST_CASE("a chain whose tip is on the target stays as it is", "[chain]") {
-    Random random(6);
+    RandomChains random(6);
     for (const Shape shape : all_shapes) {
         for (int round = 0; round < 30; ++round) {
             const Joints joints = random_joints(random, shape, 2 + round);
@@ -180,7 +180,7 @@ TEST_CASE("a chain whose tip is on the target stays as it is", "[chain]") {
 }
 
 TEST_CASE("a target moved a little moves the chain a little", "[chain]") {
-    Random random(7);
+    RandomChains random(7);
     for (int round = 0; round < 200; ++round) {
         const Joints joints = random_joints(random, Shape::bent, 3 + round % 20);
         const double length = length_of(joints);
@@ -190,7 +190,7 @@ TEST_CASE("a target moved a little moves the chain a little", "[chain]") {
 }
 
 TEST_CASE("the bend is on the pole's side", "[chain]") {
-    Random random(8);
+    RandomChains random(8);
     for (const Shape shape : all_shapes) {
         for (int round = 0; round < 40; ++round) {
             const Joints joints = random_joints(random, shape, 3 + round % 5);
@@ -218,7 +218,7 @@ TEST_CASE("the bend is on the pole's side", "[chain]") {
 }
 
 TEST_CASE("a pole on the line from root to target does nothing, and comes in smoothly", "[chain]") {
-    Random random(9);
+    RandomChains random(9);
     const Joints joints = random_joints(random, Shape::bent, 6);
     const glm::dvec3 along = random.direction();
     const glm::dvec3 target = joints[0] + 0.6 * length_of(joints) * along;
@@ -237,7 +237,7 @@ TEST_CASE("a pole on the line from root to target does nothing, and comes in smo
 }
 
 TEST_CASE("the solution is continuous in the target", "[chain]") {
-    Random random(10);
+    RandomChains random(10);
     ChainSettings settings;
     settings.tolerance = 1e-12;
     for (const Shape shape : {Shape::straight, Shape::bent, Shape::crooked}) {
@@ -259,7 +259,7 @@ TEST_CASE("the solution is continuous in the target", "[chain]") {
 }
 
 TEST_CASE("the solution is continuous in the pose", "[chain]") {
-    Random random(11);
+    RandomChains random(11);
     ChainSettings settings;
     settings.tolerance = 1e-12;
     for (int round = 0; round < 24; ++round) {
@@ -293,7 +293,7 @@ TEST_CASE("the solution is continuous in the pose", "[chain]") {
 }
 
 TEST_CASE("degenerate chains are defined at every size", "[chain]") {
-    Random random(12);
+    RandomChains random(12);
     for (int round = 0; round < 4000; ++round) {
         const std::size_t bones = 1 + static_cast<std::size_t>(round % 9);
         const double size = std::pow(10.0, random.between(-250.0, 250.0));
@@ -337,7 +337,7 @@ TEST_CASE("a chain without any length stays where it is", "[chain]") {
 }
 
 TEST_CASE("iterations are limited and counted", "[chain]") {
-    Random random(13);
+    RandomChains random(13);
     ChainSettings none;
     none.max_iterations = 0;
     int stopped = 0;
@@ -356,7 +356,7 @@ TEST_CASE("iterations are limited and counted", "[chain]") {
 }
 
 TEST_CASE("the same question has the same answer, at every scale", "[chain]") {
-    Random random(14);
+    RandomChains random(14);
     for (int round = 0; round < 100; ++round) {
         const Joints joints = random_joints(random, all_shapes[round % 5], 2 + round % 12);
         const glm::dvec3 target =

@@ -19,10 +19,10 @@ struct Named {
     Curve curve;
 };
 
-/// Random numbers that are the same in every run.
-class Random {
+/// RandomCurves numbers that are the same in every run.
+class RandomCurves {
   public:
-    explicit Random(unsigned seed) : engine_(seed) {}
+    explicit RandomCurves(unsigned seed) : engine_(seed) {}
 
     [[nodiscard]] double uniform(double low, double high) {
         return low +
@@ -47,7 +47,8 @@ class Random {
 };
 
 /// Blender-like spline: smooth at its points, with handles of a third of the way.
-[[nodiscard]] inline Curve smooth_spline(Random& random, std::size_t count, bool cyclic, double size = 1.0) {
+[[nodiscard]] inline Curve smooth_spline(RandomCurves& random, std::size_t count, bool cyclic,
+                                         double size = 1.0) {
     const std::vector<glm::dvec3> points = random.points(count, size);
     std::vector<glm::dvec3> left(count);
     std::vector<glm::dvec3> right(count);
@@ -86,7 +87,7 @@ class Random {
 
 /// Curves of all kinds: degrees 1 to 32, splines, sizes 1e-6 to 1e6, degenerate ones.
 [[nodiscard]] inline std::vector<Named> sample_curves() {
-    Random random(7);
+    RandomCurves random(7);
     std::vector<Named> curves = degenerate_curves();
     for (const int degree : {1, 2, 3, 4, 5, 7, 10, 16, 24, 32})
         curves.push_back({"degree " + std::to_string(degree), random.bezier(degree)});
@@ -155,7 +156,7 @@ inline void check_arc_length(const ArcLength& path) {
     CHECK(path.t_at_length(0.0) == 0.0);
     CHECK(path.t_at_length(path.length()) == (path.length() > 0.0 ? end : 0.0));
     double last_t = 0.0;
-    Random random(3);
+    RandomCurves random(3);
     std::vector<double> distances;
     for (int i = 0; i < 2000; ++i) distances.push_back(random.uniform(0.0, path.length()));
     std::sort(distances.begin(), distances.end());

@@ -60,7 +60,7 @@ using Points = std::vector<glm::dvec3>;
 }  // namespace
 
 TEST_CASE("a Bezier curve is its Bernstein sum at any degree", "[curve]") {
-    Random random(1);
+    RandomCurves random(1);
     for (const int degree : {1, 2, 3, 4, 8, 16, 32, 64}) {
         const Points points = random.points(static_cast<std::size_t>(degree) + 1);
         const Curve curve = Curve::bezier(points);
@@ -99,13 +99,13 @@ TEST_CASE("derivatives are the limits of differences", "[curve]") {
 }
 
 TEST_CASE("a derivative of another order is refused", "[curve]") {
-    const Curve curve = Random(1).bezier(3);
+    const Curve curve = RandomCurves(1).bezier(3);
     CHECK_THROWS_AS(derivative(curve, 0.5, 0), std::invalid_argument);
     CHECK_THROWS_AS(derivative(curve, 0.5, 4), std::invalid_argument);
 }
 
 TEST_CASE("parameters outside the interval mean what extend says", "[curve]") {
-    Random random(2);
+    RandomCurves random(2);
     const Curve curve = smooth_spline(random, 5, false);
     const glm::dvec3 start = position(curve, 0.0);
     const glm::dvec3 end = position(curve, 4.0);
@@ -127,7 +127,7 @@ TEST_CASE("parameters outside the interval mean what extend says", "[curve]") {
 }
 
 TEST_CASE("derivatives outside the interval are those of the extended position", "[curve]") {
-    Random random(2);
+    RandomCurves random(2);
     const Curve curve = smooth_spline(random, 5, false);
     const double h = 1e-5;
     for (const Extend extend : {Extend::extrapolate, Extend::loop, Extend::ping_pong}) {
@@ -155,7 +155,7 @@ TEST_CASE("derivatives outside the interval are those of the extended position",
 }
 
 TEST_CASE("clamped, everything outside is what it is at the end", "[curve]") {
-    Random random(3);
+    RandomCurves random(3);
     const Curve curve = smooth_spline(random, 5, false);
     for (const auto& [t, end] : {std::pair{-3.0, 0.0}, std::pair{4.1, 4.0}}) {
         for (const int order : {1, 2, 3})
@@ -181,8 +181,8 @@ TEST_CASE("curvature and torsion of a helix", "[curve]") {
 
 TEST_CASE("curvature scales with the inverse of the size, at any size", "[curve]") {
     for (const double size : {1e-30, 1e-6, 1e6, 1e30}) {
-        const Curve unit = Random(4).bezier(3);
-        const Curve scaled = Random(4).bezier(3, size);
+        const Curve unit = RandomCurves(4).bezier(3);
+        const Curve scaled = RandomCurves(4).bezier(3, size);
         CHECK(curvature(scaled, 0.3) * size == Approx(curvature(unit, 0.3)).epsilon(1e-9));
         CHECK(torsion(scaled, 0.3) * size == Approx(torsion(unit, 0.3)).epsilon(1e-9));
     }

@@ -43,7 +43,7 @@ struct Arm {
 };
 
 /// Hinges, ball joints, wrists and necks.
-JointLimits random_limits(Random& random) {
+JointLimits random_limits(RandomChains& random) {
     const auto up_to = [&](double most) { return random.between(0.2, 1.0) * most; };
     switch (static_cast<int>(random.between(0.0, 4.0))) {
         case 0:
@@ -57,7 +57,7 @@ JointLimits random_limits(Random& random) {
     }
 }
 
-Arm random_arm(Random& random, std::size_t bones) {
+Arm random_arm(RandomChains& random, std::size_t bones) {
     Arm arm;
     for (std::size_t i = 0; i < bones; ++i) {
         arm.rest.push_back(random.rotation(i == 0 ? pi : 0.5));
@@ -70,7 +70,7 @@ Arm random_arm(Random& random, std::size_t bones) {
 }
 
 /// Any rotations within the limits.
-std::vector<glm::dquat> random_rotations(Random& random, const Arm& arm) {
+std::vector<glm::dquat> random_rotations(RandomChains& random, const Arm& arm) {
     std::vector<glm::dquat> rotations;
     for (const JointLimits& limits : arm.limits)
         rotations.push_back(clamp_rotation(random.rotation(pi), limits));
@@ -90,7 +90,8 @@ void check_within(const Arm& arm, const std::vector<glm::dquat>& rotations) {
 
 /// The smallest distance that a search by chance alone finds: turns of one bone or all, kept where they help,
 /// ever smaller while they don't.
-double nearest_by_chance(Random& random, const Arm& arm, const glm::dvec3& target, int starts, int steps) {
+double nearest_by_chance(RandomChains& random, const Arm& arm, const glm::dvec3& target, int starts,
+                         int steps) {
     double nearest = std::numeric_limits<double>::infinity();
     for (int start = 0; start < starts; ++start) {
         std::vector<glm::dquat> rotations = random_rotations(random, arm);
@@ -125,7 +126,7 @@ constexpr double unlimited = JointLimits::free;
 }  // namespace
 
 TEST_CASE("clamping keeps what is within and repeats itself", "[limits]") {
-    Random random(1);
+    RandomChains random(1);
     for (int round = 0; round < 4000; ++round) {
         JointLimits limits = random_limits(random);
         if (random.chance(0.2)) limits = {{0.2, -unlimited, -0.3}, {0.9, unlimited, 0.1}};  // leaves zero out
@@ -174,7 +175,7 @@ TEST_CASE("clamping by known angles", "[limits]") {
 }
 
 TEST_CASE("a clamped swing is the nearest on its ellipse", "[limits]") {
-    Random random(2);
+    RandomChains random(2);
     for (int round = 0; round < 300; ++round) {
         const double a = random.between(0.05, 1.5);
         const double b = random.between(0.05, 1.5);
@@ -198,7 +199,7 @@ TEST_CASE("a clamped swing is the nearest on its ellipse", "[limits]") {
 }
 
 TEST_CASE("targets that the limits allow are reached", "[limited_chain]") {
-    Random random(3);
+    RandomChains random(3);
     int missed = 0;
     for (int round = 0; round < 400; ++round) {
         const Arm arm = random_arm(random, 2 + round % 9);
@@ -216,7 +217,7 @@ TEST_CASE("targets that the limits allow are reached", "[limited_chain]") {
 }
 
 TEST_CASE("nothing found by chance is nearer to the target", "[limited_chain]") {
-    Random random(4);
+    RandomChains random(4);
     int worse = 0;
     for (int round = 0; round < 60; ++round) {
         const Arm arm = random_arm(random, 2 + round % 4);
@@ -232,7 +233,7 @@ TEST_CASE("nothing found by chance is nearer to the target", "[limited_chain]") 
 }
 
 TEST_CASE("a chain without limits reaches what its lengths allow", "[limited_chain]") {
-    Random random(5);
+    RandomChains random(5);
     for (const std::size_t bones : {1, 2, 3, 10, 60, 255}) {
         Arm arm = random_arm(random, bones);
         for (JointLimits& limits : arm.limits) limits = {};
@@ -250,7 +251,7 @@ TEST_CASE("a chain without limits reaches what its lengths allow", "[limited_cha
 }
 
 TEST_CASE("the last bone takes the orientation where it can", "[limited_chain]") {
-    Random random(6);
+    RandomChains random(6);
     int turned = 0;
     constexpr int rounds = 100;
     for (int round = 0; round < rounds; ++round) {
@@ -270,7 +271,7 @@ TEST_CASE("the last bone takes the orientation where it can", "[limited_chain]")
 }
 
 TEST_CASE("an orientation that cannot be had does not cost the position", "[limited_chain]") {
-    Random random(7);
+    RandomChains random(7);
     for (int round = 0; round < 60; ++round) {
         const Arm arm = random_arm(random, 3 + round % 4);
         std::vector<glm::dquat> without = arm.rotations;
@@ -288,7 +289,7 @@ TEST_CASE("an orientation that cannot be had does not cost the position", "[limi
 }
 
 TEST_CASE("a pose on its target stays as it is", "[limited_chain]") {
-    Random random(8);
+    RandomChains random(8);
     for (int round = 0; round < 50; ++round) {
         const Arm arm = random_arm(random, 1 + round % 8);
         std::vector<glm::dquat> rotations = arm.rotations;
@@ -300,7 +301,7 @@ TEST_CASE("a pose on its target stays as it is", "[limited_chain]") {
 }
 
 TEST_CASE("every finite question has a finite answer, the same each time", "[limited_chain]") {
-    Random random(9);
+    RandomChains random(9);
     for (int round = 0; round < 400; ++round) {
         Arm arm = random_arm(random, 1 + round % 7);
         const double size = std::pow(10.0, random.between(-12.0, 12.0));
@@ -330,7 +331,7 @@ TEST_CASE("every finite question has a finite answer, the same each time", "[lim
 }
 
 TEST_CASE("spans of a limited chain have one size", "[limited_chain]") {
-    Random random(10);
+    RandomChains random(10);
     Arm arm = random_arm(random, 3);
     std::vector<glm::dquat> rotations = arm.rotations;
     arm.limits.pop_back();

@@ -9,7 +9,7 @@ using namespace motus;
 using namespace motus::checks;
 
 TEST_CASE("no sample of the curve is nearer than the nearest point", "[nearest]") {
-    Random random(11);
+    RandomCurves random(11);
     for (const Named& sample : sample_curves()) {
         INFO(sample.name);
         const double size = size_of(sample.curve);
@@ -27,7 +27,7 @@ TEST_CASE("no sample of the curve is nearer than the nearest point", "[nearest]"
 }
 
 TEST_CASE("away from the ends the way to the nearest point is across the curve", "[nearest]") {
-    Random random(12);
+    RandomCurves random(12);
     int inside = 0;
     for (int trial = 0; trial < 200; ++trial) {
         const Curve curve = random.bezier(3 + trial % 5);
@@ -74,7 +74,7 @@ TEST_CASE("nearest point of a segment and of a curve without length", "[nearest]
 
 TEST_CASE("the nearest point of a small curve far from the origin is found at once", "[nearest]") {
     // Its coordinates carry rounding of 1e-10, a ten millionth of its size.
-    Random random(13);
+    RandomCurves random(13);
     const std::vector<glm::dvec3> near_origin = random.points(4, 1e-3);
     const glm::dvec3 far(1e6);
     std::vector<glm::dvec3> moved;

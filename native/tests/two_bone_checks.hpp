@@ -1,4 +1,4 @@
-// Random chains of two bones, and what to ask of their solutions.
+// RandomTwoBones chains of two bones, and what to ask of their solutions.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -12,9 +12,9 @@
 
 namespace motus::checks {
 
-class Random {
+class RandomTwoBones {
   public:
-    explicit Random(unsigned seed) : engine_(seed) {}
+    explicit RandomTwoBones(unsigned seed) : engine_(seed) {}
 
     [[nodiscard]] double between(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(engine_);

@@ -46,7 +46,7 @@ bool jumps(const TwoBone& chain, Move&& move) {
 }  // namespace
 
 TEST_CASE("a pole that crosses the line turns the elbow through the plane", "[two_bone]") {
-    Random random(11);
+    RandomTwoBones random(11);
     for (int i = 0; i < 300; ++i) {
         TwoBone chain = random.reachable();
         if (i % 3 > 0) chain.plane = random.direction();
@@ -65,7 +65,7 @@ TEST_CASE("a pole that crosses the line turns the elbow through the plane", "[tw
 }
 
 TEST_CASE("a pole that passes by the root does not flip the elbow", "[two_bone]") {
-    Random random(12);
+    RandomTwoBones random(12);
     for (int i = 0; i < 100; ++i) {
         TwoBone chain = random.reachable();
         if (i % 2 == 0) chain.plane = random.direction();
@@ -161,7 +161,7 @@ TEST_CASE("the elbow passes the ends of the reach without a jump", "[two_bone]")
 }
 
 TEST_CASE("target on the root", "[two_bone]") {
-    Random random(13);
+    RandomTwoBones random(13);
     for (int i = 0; i < 1000; ++i) {
         TwoBone chain = random.reachable();
         chain.target = chain.root;
@@ -207,7 +207,7 @@ TEST_CASE("zero lengths and coincident points", "[two_bone]") {
 }
 
 TEST_CASE("far from the origin only the coordinates are rounded", "[two_bone]") {
-    Random random(14);
+    RandomTwoBones random(14);
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
         const double far = std::pow(10.0, random.between(0.0, 9.0));
@@ -222,7 +222,7 @@ TEST_CASE("far from the origin only the coordinates are rounded", "[two_bone]") 
 }
 
 TEST_CASE("the unit of length does not matter", "[two_bone]") {
-    Random random(15);
+    RandomTwoBones random(15);
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
         chain.root = {0, 0, 0};
@@ -269,7 +269,7 @@ TEST_CASE("points at both ends of the doubles", "[two_bone]") {
 }
 
 TEST_CASE("every finite input has a finite answer", "[two_bone]") {
-    Random random(16);
+    RandomTwoBones random(16);
     for (int i = 0; i < 300000; ++i) {
         const TwoBone chain = random.wild();
         const TwoBoneSolution at = solve_two_bone(chain);

@@ -32,7 +32,7 @@ TEST_CASE("a triangle of sides 3, 4 and 5", "[two_bone]") {
 }
 
 TEST_CASE("in a plane the angles are those of the textbook", "[two_bone]") {
-    Random random(1);
+    RandomTwoBones random(1);
     for (int i = 0; i < 1000; ++i) {
         const double l1 = random.between(0.2, 2.0);
         const double l2 = random.between(0.2, 2.0);
@@ -52,7 +52,7 @@ TEST_CASE("in a plane the angles are those of the textbook", "[two_bone]") {
 }
 
 TEST_CASE("random chains reach, keep their lengths and bend to the pole's side", "[two_bone]") {
-    Random random(2);
+    RandomTwoBones random(2);
     for (int i = 0; i < 20000; ++i) {
         TwoBone chain = random.reachable();
         const double length = chain.length1 + chain.length2;
@@ -79,7 +79,7 @@ TEST_CASE("random chains reach, keep their lengths and bend to the pole's side",
 }
 
 TEST_CASE("without a plane the bends mirror each other", "[two_bone]") {
-    Random random(3);
+    RandomTwoBones random(3);
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
         const glm::dvec3 line = glm::normalize(chain.target - chain.root);
@@ -95,7 +95,7 @@ TEST_CASE("without a plane the bends mirror each other", "[two_bone]") {
 }
 
 TEST_CASE("out of reach the chain is exactly straight or folded", "[two_bone]") {
-    Random random(4);
+    RandomTwoBones random(4);
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
         chain.root = {0, 0, 0};
@@ -222,7 +222,7 @@ TEST_CASE("a soft arm slows before it is straight", "[two_bone]") {
 }
 
 TEST_CASE("stretch makes up its share of what lacks", "[two_bone]") {
-    Random random(5);
+    RandomTwoBones random(5);
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
         const double longest = chain.length1 + chain.length2;
@@ -248,7 +248,7 @@ TEST_CASE("stretch makes up its share of what lacks", "[two_bone]") {
 }
 
 TEST_CASE("many chains are solved as one is", "[two_bone]") {
-    Random random(6);
+    RandomTwoBones random(6);
     std::vector<TwoBone> chains;
     for (int i = 0; i < 5000; ++i) chains.push_back(i % 2 == 0 ? random.reachable() : random.wild());
     std::vector<TwoBoneSolution> solutions(chains.size());

@@ -27,7 +27,7 @@ template <class Work>
 void in_parts(std::size_t count, std::size_t grain, const Work& work, std::size_t threads = thread_count()) {
     if (count == 0) return;
     // More parts than threads: a thread that the machine has other work for then holds nobody up.
-    constexpr std::size_t parts_a_thread = 4, step = 64;
+    constexpr std::size_t parts_a_thread = 16, step = 64;
     const std::size_t most = std::max<std::size_t>(1, count / std::max<std::size_t>(1, grain));
     const std::size_t wanted = threads > 1 ? std::min(most, parts_a_thread * threads) : 1;
     std::size_t length = (count + wanted - 1) / wanted;
