@@ -232,6 +232,60 @@ class Undoing(SessionTestCase):
         self.assertFalse(session.begin_again(bpy.context, obj, session.brush))
 
 
+class Writing(SessionTestCase):
+    """A small dab on a large mesh is written vertex by vertex, into memory that others may share."""
+
+    def large(self):
+        obj = self.ball(5)
+        self.assertGreater(len(obj.data.vertices), 2000)
+        return obj
+
+    def test_who_shares_the_positions_keeps_them(self):
+        obj = self.large()
+        before = self.bits(obj)
+        bpy.context.view_layer.update()
+        kept = obj.data.copy()
+        other = bpy.data.objects.new("Other", kept)
+        for accumulate in (True, False):
+            session = self.session(obj, radius=0.1, accumulate=accumulate)
+            self.stroke(session, 5, 900, 5)
+            np.testing.assert_array_equal(self.places(obj), session.current)
+            self.assertEqual(self.bits(other), before)
+            session.restore()
+            self.assertEqual(self.bits(obj), before)
+
+    def test_seen_with_its_normals_as_if_all_had_been_written(self):
+        obj = self.large()
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        session = self.session(obj, radius=0.1)
+        self.stroke(session, 7, 7)
+
+        def seen():
+            depsgraph.update()
+            mesh = obj.evaluated_get(depsgraph).data
+            normals = np.empty(3 * len(mesh.vertices), np.float32)
+            mesh.vertices.foreach_get("normal", normals)
+            return self.bits(obj.evaluated_get(depsgraph)), normals.tobytes(), [list(corner) for corner in obj.bound_box]
+
+        found = seen()
+        obj.data.vertices.foreach_set("co", session.current.ravel())
+        obj.data.update()
+        self.assertEqual(found, seen())
+
+    def test_undo_steps_keep_their_shape(self):
+        obj = self.large()
+        name, shapes = obj.name, []
+        for vertex in (3, 1200):
+            bpy.ops.ed.undo_push(message="Motus test")
+            shapes.append(self.bits(obj))
+            bpy.ops.motus.pick_pull(object=name, vertex=vertex, radius=0.1, strength=0.2, direction='Z')
+            obj = bpy.data.objects[name]
+        bpy.ops.ed.undo_push(message="Motus test")
+        for shape in reversed(shapes):
+            bpy.ops.ed.undo()
+            self.assertEqual(self.bits(bpy.data.objects[name]), shape)
+
+
 class Redo(SessionTestCase):
     def test_the_same_dabs_by_the_operator(self):
         for accumulate in (True, False):

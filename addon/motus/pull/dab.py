@@ -193,9 +193,10 @@ class Session:
         """Write what pull(write=False) and smooth(write=False) have left."""
         if not self._unwritten:
             return
-        moved = self._unwritten[0]
-        for more in self._unwritten[1:]:
-            moved = _union(moved, more)
+        moved = None
+        if all(part is not None for part in self._unwritten):
+            parts = [part for part in self._unwritten if len(part)]
+            moved = np.concatenate(parts) if parts else NONE_MOVED
         self.mesh.write(self.current, moved)
         self._unwritten = []
 
@@ -240,7 +241,7 @@ class Session:
         moved, before = self._puller.pull(
             self.current, dab.vertex, dab.displacement, self.brush, dab.radius, self._start, self._is_fresh)
         self._history.add(dab, self.brush, place, moved, before)
-        self._changed(moved, write)
+        self._changed([moved], write)
 
     def _pull_afresh(self, dab, write):
         place = tuple(self._base[dab.vertex].tolist())
@@ -248,7 +249,7 @@ class Session:
             self._base, self.current, self._last_moved, dab.vertex, dab.displacement, self.brush, dab.radius)
         self._history.add(dab, self.brush, place, None, self._base)
         # What the dab before has moved is back in its place, which is a change too.
-        changed, self._last_moved = _union(moved, self._last_moved), moved
+        changed, self._last_moved = [moved, self._last_moved], moved
         self._changed(changed, write)
 
     def _smooth(self, dab, write):
@@ -256,22 +257,24 @@ class Session:
         moved, before = self._puller.smooth(
             self.current, dab.vertex, dab.strength, self.brush, dab.radius, self._start)
         self._history.add(dab, self.brush, place, moved, before)
-        self._changed(moved, write)
+        self._changed([moved], write)
         if not self.brush.accumulate:
             self._start_now()
             self._base = self._start
             self._last_moved = NONE_MOVED
 
-    def _changed(self, moved, write):
+    def _changed(self, parts, write):
+        """parts: lists of indices; None among them means all."""
         self._is_fresh = False
-        self._surface.moved(moved)
-        self._unwritten.append(moved)
+        for moved in parts:
+            self._surface.moved(moved)
+        self._unwritten += parts
         if write:
             self.flush()
 
     def _go_to(self, shape):
         self.current = shape
-        self._changed(None, write=True)
+        self._changed([None], write=True)
         if self.brush.accumulate:
             self._start_now()
         else:
@@ -289,13 +292,6 @@ class Session:
         self._puller.forget()
         # Where the shape differs from the base is not known.
         self._last_moved = None
-
-
-def _union(one, other):
-    """Two sets of indices together; None, which means all, where either is None."""
-    if one is None or other is None:
-        return None
-    return np.union1d(one, other) if len(one) and len(other) else one if len(one) else other
 
 
 def _same(one, other):

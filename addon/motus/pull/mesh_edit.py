@@ -19,9 +19,10 @@ class EditMesh(ObjectMesh):
         self._moved = np.zeros(self.count, bool)
 
     def write(self, positions, moved=None):
-        """Put positions (n, 3) into the edit mesh. moved: indices of those that differ; all, if None."""
+        """Put positions (n, 3) into the edit mesh. moved: indices of those that differ, in any order; all, if None."""
         vertices = self._edit_mesh().verts
-        indices = range(self.count) if moved is None else np.asarray(moved).tolist()
+        moved = None if moved is None else np.unique(np.asarray(moved, int))
+        indices = range(self.count) if moved is None else moved.tolist()
         places = (positions if moved is None else positions[moved]).tolist()
         for index, place in zip(indices, places):
             vertices[index].co = place

@@ -59,7 +59,7 @@ class ObjectMesh:
         self._key_followers = None
 
     writes_all = True
-    """Writing all vertices takes no more time than some of them."""
+    """Writing all vertices takes little more time than to find out which have moved."""
 
     @property
     def count(self):
@@ -100,11 +100,11 @@ class ObjectMesh:
         return arrays.group_weights(self.mesh, group.index)
 
     def write(self, positions, moved=None):
-        """Put positions (n, 3) into the mesh and tag it. moved: indices of those that differ; all, if None."""
-        del moved
+        """Put positions (n, 3) into the mesh and tag it. moved: indices of those that differ, in any
+        order; all, if None."""
         flat = positions.reshape(-1)
         if self.key is None:
-            arrays.set_positions(self.mesh, flat)
+            arrays.set_positions(self.mesh, flat, moved)
         else:
             self._write_key(flat)
         self.mesh.update()
