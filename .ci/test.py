@@ -76,7 +76,7 @@ def all_groups(blenders, patterns):
         yield from (group for group in blender_groups(version, patterns) if not (patterns and "validate" in group.name))
     sanitized = BUILD / "sanitize" / "native" / "motus_tests"
     yield Group("library, sanitized", shell(f"{MOTUS} build sanitize && " + quoted(catch(sanitized, patterns))))
-    yield Group("library", shell(f"{MOTUS} build release && " + quoted(catch(BUILD / "release/native/motus_tests", patterns))))
+    yield Group("library", shell(f"{MOTUS} build release motus_tests motus_bench_objects && " + quoted(catch(BUILD / "release/native/motus_tests", patterns))))
     yield Group("binding", [MOTUS, "python", str(CLONE / "native" / "tests" / "python" / "run.py"), *patterns])
     yield Group("command", [PYTHON, str(CI / "tests" / "run.py"), *patterns])
     if not patterns:

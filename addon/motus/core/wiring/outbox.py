@@ -167,11 +167,12 @@ def key_on_hub(system, mesh):
 
 
 def info(system, carrier, group=""):
-    """The Info that create() noted beside the outbox; None where the system declares no groups."""
+    """The Info that create() noted beside the outbox; None where the system declares no groups, or another version of the
+    add-on has noted something else."""
     noted = carrier.get(info_key(system, group))
-    if noted is None:
+    digest = noted.get("digest") if noted is not None else None
+    if digest is None:
         return None
-    digest = noted["digest"]
     found = _infos.get(digest)
     if found is None:
         found = _infos[digest] = Info(*json.loads(noted["text"]))

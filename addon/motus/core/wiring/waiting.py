@@ -1,7 +1,7 @@
 """How a hub's solver waits for many transforms at the price of one driver variable.
 
-Constraints at influence 0 move nothing and compute nothing, but their targets, objects of any type and bones, are
-evaluated before the hub's transform; a driver that declares that transform is evaluated later still.
+A muted constraint moves nothing and computes nothing, but its target, an object of any type or a bone, is evaluated
+before the hub's transform; a driver that declares that transform is evaluated later still.
 """
 
 from ..system import Variable
