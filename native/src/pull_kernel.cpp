@@ -18,36 +18,33 @@ constexpr float infinity = std::numeric_limits<float>::infinity();
 // None of the sets may use FMA, which rounds otherwise.
 // NOLINTBEGIN(readability-duplicate-include): once for each set
 namespace base {
+constexpr const char* name = "base";
 constexpr int lanes = 4;
 #include "lanes.inc"
 #include "shape_loops.inc"
 #include "vertex_loops.inc"
-constexpr PullKernel kernel{"base", &measure_straight, &measure_by, &force,  &are_weights, &weigh,
-                            &move,  &pull_simply,      &share,      &move_by};
 }  // namespace base
 
 #if defined(__x86_64__)
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
+constexpr const char* name = "AVX2";
 constexpr int lanes = 8;
 #include "lanes.inc"
 #include "shape_loops.inc"
 #include "vertex_loops.inc"
-constexpr PullKernel kernel{"AVX2", &measure_straight, &measure_by, &force,  &are_weights, &weigh,
-                            &move,  &pull_simply,      &share,      &move_by};
 }  // namespace avx2
 #pragma GCC pop_options
 
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512vl,avx512dq,avx512bw,prefer-vector-width=512")
 namespace avx512 {
+constexpr const char* name = "AVX-512";
 constexpr int lanes = 16;
 #include "lanes.inc"
 #include "shape_loops.inc"
 #include "vertex_loops.inc"
-constexpr PullKernel kernel{"AVX-512", &measure_straight, &measure_by, &force,  &are_weights, &weigh,
-                            &move,     &pull_simply,      &share,      &move_by};
 }  // namespace avx512
 #pragma GCC pop_options
 

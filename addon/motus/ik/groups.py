@@ -1,6 +1,5 @@
 """What is wired on a rig: its entries, the bones they drive, and which of them are solved together."""
 
-import hashlib
 import json
 import re
 from typing import Any, NamedTuple
@@ -17,8 +16,6 @@ RELATIVE = frozenset({"rotation"})
 STRETCHED = frozenset({"rotation", "scale"})
 PLAN = "plan"
 """Key of a group's data: a JSON object that reading.Wired is made of."""
-PLAN_KEY = "plan_key"
-"""Key of a group's data: a short name that only this plan has."""
 
 _OF_BONE = re.compile(r'^pose\.bones\["((?:[^"\\]|\\.)*)"\]\.(?!constraints\[)')
 
@@ -132,7 +129,7 @@ def _group(owner, key, entries_found, driven):
         members=(*on_chains, *effectors, *(_kept(bones[name]) for name, _ in guards)),  # in the order of IkPlan.rows
         inputs=_inputs(owner, entries_found, driven),
         outputs=tuple(f"{found.entry.name}.{name}" for found in entries_found for name in OUTPUTS),
-        data={PLAN: text, PLAN_KEY: hashlib.sha1(text.encode()).hexdigest()})
+        data={PLAN: text})
 
 
 def _kept(bone):

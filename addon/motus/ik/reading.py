@@ -11,7 +11,7 @@ from mathutils import Euler
 from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
 from ..core.wiring.scratch import scratch
-from .groups import PLAN, PLAN_KEY
+from .groups import PLAN
 from .wired import RigChanged, Wired
 
 # Values of the output "reason" beside native.Reason's own.
@@ -42,14 +42,18 @@ class Gathered(NamedTuple):
 
 def gather(rig, text, depsgraph):
     """Read an evaluated rig. text: what groups.py noted of the group. Raises RigChanged."""
-    wired = rigs.plan(rig, text, lambda rig, rows: Wired(rig, rows, text))
+    wired = _plan(rig, text)
     return _gather(rig, wired, rigs.read(rig, wired.still), depsgraph)
 
 
 def gather_wired(rig, data, depsgraph):
-    """The same for a group's data as the wiring has kept it."""
-    wired = rigs.plan(rig, data[PLAN_KEY], lambda rig, rows: Wired(rig, rows, data[PLAN]))
+    """The same for a group's data as the wiring has kept it; of the poses only what IkPlan.solve reads."""
+    wired = _plan(rig, data[PLAN])
     return _gather(rig, wired, rigs.read(rig, wired.still, wired.posed), depsgraph)
+
+
+def _plan(rig, text):
+    return rigs.plan(rig, text, lambda rig, rows: Wired(rig, rows, text))
 
 
 class _Settings(NamedTuple):
