@@ -1,5 +1,6 @@
 """Runs the unittest modules of a folder: a traceback for each failure, and one summary line that .ci/test.py reads."""
 
+import faulthandler
 import os
 import sys
 import time
@@ -50,6 +51,7 @@ def failed_tests(result):
 
 def run_folder(folder, patterns=()):
     """Runs folder/test_*.py, or of it the tests whose id contains one of `patterns`; returns the exit status."""
+    faulthandler.enable()  # a process that a signal ends says which test it was in
     os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
     sys.dont_write_bytecode = True
     sys.path.insert(0, str(folder))

@@ -62,6 +62,14 @@ class Command(unittest.TestCase):
                         done = motus("blender", "--version", version, "-b", "--python", str(path), cwd=folder)
                         self.assertIn(f"RAN {folder} True", done.stdout)
 
+    def test_no_two_releases_of_mesa_share_a_cache(self):
+        places = []
+        for version in VERSIONS:
+            done = motus("blender", "--version", version, "-b", "--python-expr",
+                         "import os; print('SHADERS', os.environ.get('MESA_SHADER_CACHE_DIR', ''))")
+            places += [line for line in done.stdout.splitlines() if line.startswith("SHADERS")]
+        self.assertEqual(len(places), len(set(places)), places)
+
     def test_nothing_stays_mounted(self):
         before = mounts()
         for version in VERSIONS:
