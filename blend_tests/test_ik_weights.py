@@ -24,6 +24,20 @@ class Position(IkTestCase):
             entry.position_weight = 1.0
             self.assertNear(self.tail(rig), REACHABLE)
 
+    def test_the_pose_of_a_rig_that_nothing_animates_may_be_edited(self):
+        """What is read once for a copy of the rig is read again when a bone is turned by hand, or by a key."""
+        rig = self.posed()
+        self.reach()
+        bone = rig.pose.bones["Bone 0"]
+        for angle in (0.5, -0.4, 0.9):
+            turn(bone, (0.1, 0.2, 1.0), angle)
+            self.assertNear(self.tail(rig), REACHABLE)
+        bone.keyframe_insert("rotation_quaternion", frame=1)
+        turn(bone, (0.1, 0.2, 1.0), 0.1)
+        bone.keyframe_insert("rotation_quaternion", frame=11)
+        for frame in (1, 6, 11, 3):
+            self.assertNear(self.tail(rig, frame=frame), REACHABLE)
+
     def test_half_is_halfway_by_slerp(self):
         rig = self.posed()
         entry = self.reach()

@@ -80,6 +80,12 @@ def number_of(evaluated):
     return mark[0]
 
 
+def has_animation(evaluated):
+    """Whether anything animates an object: what nothing does is as it was when Blender copied it."""
+    animation = evaluated.animation_data
+    return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
+
+
 def _animates_settings(action):
     """Whether a curve of an evaluated action, in any slot, sets Motus settings. Looked up once for each copy of it."""
     known = _actions.get(action.get(KEY, 0))

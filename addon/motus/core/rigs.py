@@ -108,14 +108,24 @@ def read(rig, known=None, posed=None):
         poses = scratch("rig_few_poses", (count, 16), np.float32)
         for row in posed:
             poses[row] = columns(pose[known.names[row]].matrix)
-    basis = _matrices("basis", pose, "matrix_basis", count)
+    basis = _basis(rig, pose, count)
     return Arrays(known.names, known.rest, poses, basis, known.lengths, known.inheritance, columns(rig.matrix_world))
+
+
+def _basis(rig, pose, count):
+    """Read once for each copy of the rig that nothing animates."""
+    copy = copies.of(rig)
+    if copy is None or copies.has_animation(rig):
+        return _matrices("basis", pose, "matrix_basis", count)
+    if "basis" not in copy.found:
+        copy.found["basis"] = _matrices("basis", pose, "matrix_basis", count).copy()
+    return copy.found["basis"]
 
 
 def columns(matrix):
     """(16,) float64 of a mathutils.Matrix, column by column."""
-    if _LENDS_MEMORY:
-        return np.array(memoryview(matrix.transposed()), float).ravel()
+    if _LENDS_MEMORY:  # which is in that order, and 'A' leaves it so
+        return np.frombuffer(memoryview(matrix).tobytes('A'), np.float32).astype(float)
     x, y, z, place = matrix.copy().col  # a copy, since each look into an object's own matrix asks the object
     return np.array((*x, *y, *z, *place))
 
@@ -183,20 +193,20 @@ class Standing:
         every = list(map(hash, found.values()))
         if every != self._every or wanted != self._wanted:
             self._find(every, wanted, objects())
-            _layer_sizes[layer] = len(every)
+            _layer_sizes[layer] = len(found)
         self._copy = copy
         if self._rows is None:
             return None
-        matrices = scratch("world_matrices", (len(every), 16), np.float32)
+        matrices = scratch("world_matrices", (len(found), 16), np.float32)
         found.foreach_get("matrix_world", matrices.ravel())
         return matrices.take(self._rows, axis=0)
 
     def _find(self, every, wanted, objects):
         there = {*every, *(self._every or ())}
-        _seen.update(one.name for one, place in zip(objects, wanted) if one and place in there)
-        rows = {place: row for row, place in enumerate(every)}
-        is_there = all(place in rows for place in wanted)
-        self._rows = np.array([rows[place] for place in wanted]) if is_there else None
+        _seen.update(one.name for one, mark in zip(objects, wanted) if one and mark in there)
+        rows = {mark: row for row, mark in enumerate(every)}
+        is_there = all(mark in rows for mark in wanted)
+        self._rows = np.array([rows[mark] for mark in wanted]) if is_there else None
         self._every, self._wanted = every, wanted
 
 

@@ -118,7 +118,7 @@ def _places(entries, names):
 def _settings_of(rig, wired):
     copy = copies.of(rig)
     if copy is None:
-        return _read_settings(rig, wired, _is_animated(rig), 0)
+        return _read_settings(rig, wired, copies.has_animation(rig), 0)
     if copy.is_animated(rig):
         return _read_settings(rig, wired, True, 0)
     key = "ik", wired.key
@@ -160,11 +160,6 @@ def _numbers(settings, places, wired, is_animated):
     if influence != 1.0:
         numbers[:, :2] *= influence  # the weights
     return numbers, is_stiff
-
-
-def _is_animated(rig):
-    animation = rig.animation_data
-    return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
 
 
 def _column(entries, name, places, size=1, dtype="f4"):

@@ -30,6 +30,6 @@ def solve(context):
         is_off = found.reasons != 0.0
         reasons[is_off] = found.reasons[is_off]
     # All reasons below 0 are a want, but for MUTED, which is the least.
-    if any(reading.MUTED < reason < 0.0 for reason in set(reasons.tolist())):
+    if reasons.min() < 0.0 and np.any((reasons < 0.0) & (reasons > reading.MUTED)):
         return SOME_ARE_OFF
     return STIFF if found.is_stiff else None

@@ -12,10 +12,12 @@ A system with several groups has an outbox a group. Beside it lies, for such a s
 names of its outputs and of its members, and Group.data; as text, with a digest by which it is parsed only once.
 """
 
+import functools
 import hashlib
 import json
 import re
 from collections import OrderedDict
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..system import Problem, of_owner
@@ -35,7 +37,8 @@ _infos = OrderedDict()
 """Info by digest: what is the same content is the same Info, in whatever file it lies."""
 
 
-class Info(NamedTuple):
+@dataclass(frozen=True)
+class Info:
     """What is known of a group since it was wired. uses_attribute: the poses are not in the outbox. data: of the Group."""
 
     outputs: tuple
@@ -44,6 +47,22 @@ class Info(NamedTuple):
     is_relative: bool
     uses_attribute: bool
     data: dict
+
+    @functools.cached_property
+    def layout(self):
+        """What lies where in the outbox."""
+        return Layout(FIRST_OUTPUT + len(self.outputs), len(self.members), self.has_scales, self.is_relative,
+                      self.uses_attribute)
+
+
+class Layout(NamedTuple):
+    """What lies where in an outbox. base: where the poses begin."""
+
+    base: int
+    members: int
+    has_scales: bool
+    is_relative: bool
+    has_attribute: bool
 
 
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
@@ -101,9 +120,10 @@ def create(system, carrier, group, uses_attribute):
         slots += [1.0] * (SCALE_SIZE * members)
     carrier[out_key(system, group.key)] = slots
     if system.groups is not None:
-        text = json.dumps(Info(
+        noted = Info(
             group.outputs, tuple(member.thing.name for member in group.members), has_scales(group),
-            any(member.is_relative for member in group.members), uses_attribute, group.data))
+            any(member.is_relative for member in group.members), uses_attribute, group.data)
+        text = json.dumps(list(vars(noted).values()))
         digest = hashlib.sha1(text.encode()).hexdigest()
         carrier[info_key(system, group.key)] = {"digest": digest, "text": text}
 

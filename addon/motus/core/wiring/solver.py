@@ -2,7 +2,6 @@
 
 import logging
 from array import array
-from typing import NamedTuple
 
 import bpy
 from bpy.app.handlers import persistent
@@ -67,24 +66,13 @@ def motus_direct(self, name, slot, frame, depsgraph, *values):
         return _neutral(system, carrier, key, slot) if out else 0.0
 
 
-class _Layout(NamedTuple):
-    """What lies where in an outbox."""
-
-    base: int
-    members: int
-    has_scales: bool
-    is_relative: bool
-    has_attribute: bool
-
-
 def _layout(system, info, carrier, size):
     if info is not None:
-        return _Layout(outbox.FIRST_OUTPUT + len(info.outputs), len(info.members), info.has_scales, info.is_relative,
-                       info.uses_attribute)
+        return info.layout
     has_attribute = isinstance(carrier, _Mesh) and ATTRIBUTE in carrier.attributes
     base = outbox.FIRST_OUTPUT + len(system.outputs)
     members = len(carrier.vertices) if has_attribute else (size - base) // outbox.POSE_SIZE
-    return _Layout(base, members, False, False, has_attribute)
+    return outbox.Layout(base, members, False, False, has_attribute)
 
 
 def _solve(system, key, carrier, out, frame, depsgraph, values):
