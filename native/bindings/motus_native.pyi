@@ -427,7 +427,13 @@ class Picker:
     @property
     def triangle_count(self) -> int: ...
     # (triangle, point (3,), distance) of the first hit.
-    def ray(self, origin: ArrayLike, direction: ArrayLike) -> tuple[int, _Array, float] | None: ...
+    def ray(
+        self,
+        origin: ArrayLike,
+        direction: ArrayLike,
+        positions: ArrayLike | None = None,  # (v, 3), another shape of the mesh
+        slack: float | None = None,  # how far it is, at most, from that of the last refit
+    ) -> tuple[int, _Array, float] | None: ...
     def nearest(self, point: ArrayLike) -> int | None: ...  # index of a vertex
     def within(self, point: ArrayLike, radius: float, metric: ArrayLike | None = None) -> _Indices: ...  # ascending
     # (indices, distances) of the vertices within the radius.
@@ -470,6 +476,7 @@ def pull(
     picker: Picker | None = None,
     out: _Floats | None = None,  # (v, 3), C-contiguous, written into; positions itself may be given
     reach: _Reach | list[_Reach] | None = None,  # of Picker.reach, or with mirror of Picker.reaches
+    shape: ArrayLike | None = None,  # (v, 3), what distances are measured on
 ) -> _Floats: ...
 
 # Forces at distances, a number or (n,).

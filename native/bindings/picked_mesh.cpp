@@ -107,6 +107,12 @@ std::optional<Hit> PickedMesh::ray(const glm::dvec3& origin, const glm::dvec3& d
     return tree_.ray(origin, direction);
 }
 
+std::optional<Hit> PickedMesh::ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                                   std::span<const glm::vec3> positions, float slack) const {
+    const std::shared_lock lock(mutex_);
+    return tree_.ray(origin, direction, positions, slack);
+}
+
 std::optional<std::uint32_t> PickedMesh::nearest(const glm::vec3& point) const {
     const std::shared_lock lock(mutex_);
     return tree_.nearest(point);

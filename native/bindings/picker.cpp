@@ -62,8 +62,17 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     }
 }
 
-[[nodiscard]] py::object ray(const PickedMesh& mesh, const py::object& origin, const py::object& direction) {
-    const std::optional<Hit> hit = mesh.ray(vector(origin, "origin"), vector(direction, "direction"));
+[[nodiscard]] py::object ray(const PickedMesh& mesh, const py::object& origin, const py::object& direction,
+                             const py::object& positions, const py::object& slack) {
+    const glm::dvec3 from = vector(origin, "origin"), along = vector(direction, "direction");
+    std::optional<Hit> hit;
+    if (positions.is_none()) {
+        if (!slack.is_none()) value_error("slack", "must be given with positions only");
+        hit = mesh.ray(from, along);
+    } else {
+        const Positions points(positions, "positions");
+        hit = mesh.ray(from, along, points.values(), float_number(slack, "slack"));
+    }
     if (!hit) return py::none();
     return py::make_tuple(hit->triangle, to_array(hit->point), hit->distance);
 }
@@ -140,9 +149,13 @@ in edges: the diagonals of polygons are no edges. None: all sides of triangles a
 Other real numbers are converted, which takes time. Raises ValueError or TypeError that names the argument.)")
         .def_property_readonly("vertex_count", &PickedMesh::vertex_count, "int")
         .def_property_readonly("triangle_count", &PickedMesh::triangle_count, "int")
-        .def("ray", &ray, "origin"_a, "direction"_a, R"(
+        .def("ray", &ray, "origin"_a, "direction"_a, "positions"_a = py::none(), "slack"_a = py::none(), R"(
 What a ray meets first: (triangle, point (3,), distance from the origin), or None. From either side; the direction may
-have any length but 0, of which nothing comes.)")
+have any length but 0, of which nothing comes.
+
+positions: (v, 3) float32, another shape of the mesh, which is met instead. slack, with it: no vertex lies further from where
+it was at the last refit; triangles with one that does may be missed. For a few rays that takes far less time than a refit,
+where the slack is small beside the mesh.)")
         .def("nearest", &nearest, "point"_a, R"(
 Index of the vertex nearest to the point (3,), the lowest where several are; None where there is no vertex.)")
         .def("within", &within, "point"_a, "radius"_a, "metric"_a = py::none(), R"(

@@ -46,6 +46,8 @@ class PickedMesh {
     [[nodiscard]] std::size_t triangle_count() const noexcept { return tree_.triangle_count(); }
 
     [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction) const;
+    [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                                         std::span<const glm::vec3> positions, float slack) const;
     [[nodiscard]] std::optional<std::uint32_t> nearest(const glm::vec3& point) const;
     [[nodiscard]] std::vector<std::uint32_t> within(const glm::vec3& point, float radius,
                                                     const glm::mat3& metric) const;

@@ -110,7 +110,7 @@ class Weights {
 
 /// A mesh and how it is connected, for one call of pull().
 struct PulledMesh {
-    std::span<const glm::vec3> positions;
+    std::span<const glm::vec3> positions;  ///< those that distances are measured on
     std::span<const glm::ivec3> triangles;
     std::span<const glm::ivec2> edges;
     bool has_edges;
@@ -162,12 +162,12 @@ struct PulledMesh {
 }
 
 /// By straight distance, with the tree where that takes less time.
-void pull_straight(const PulledMesh& mesh, const Dab& dab, std::span<const float> weights,
-                   std::span<glm::vec3> out) {
+void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions, const Dab& dab,
+                   std::span<const float> weights, std::span<glm::vec3> out) {
     const float reach = reach_of(dab.profile, dab.radius) * rounding;
     const bool use_tree = mesh.picker != nullptr && mesh.positions.size() >= tree_count &&
                           reach <= tree_share * mesh.picker->extent(dab.metric);
-    if (!use_tree) return pull(mesh.positions, dab, weights, out);
+    if (!use_tree) return pull(positions, dab, weights, out, mesh.positions);
     std::vector<std::uint32_t> vertices;
     for (const PullImage& image : images_of(dab)) {
         const std::vector<std::uint32_t> found = mesh.picker->within(image.root, reach, dab.metric);
@@ -181,7 +181,7 @@ void pull_straight(const PulledMesh& mesh, const Dab& dab, std::span<const float
                        std::back_inserter(both));
         vertices.swap(both);
     }
-    pull_among(mesh.positions, dab, vertices, weights, out);
+    pull_among(positions, dab, vertices, weights, out, mesh.positions);
 }
 
 [[nodiscard]] Dab dab_argument(const Profile& profile, const py::object& displacement,
@@ -217,21 +217,26 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
                           const py::object& scale_factor, const py::object& minimum,
                           const py::object& maximum, const py::object& curve, const py::object& clamp_axis,
                           const py::object& mirror, const py::object& metric, const py::object& edges,
-                          const py::object& picker, const py::object& out, const py::object& reach) {
+                          const py::object& picker, const py::object& out, const py::object& reach,
+                          const py::object& shape) {
     const Positions points(positions, "positions");
     const std::span<const glm::vec3> from = points.values();
     const std::size_t count = from.size();
+    const Positions other(shape.is_none() ? positions : shape, "shape");
+    const std::span<const glm::vec3> measured = shape.is_none() ? from : other.values();
+    if (measured.size() != count)
+        value_error("shape", "must be of " + std::to_string(count) + " vertices, as positions is");
     const ProfileArgument profile(falloff, scale_factor, curve);
     const Distance way = distance_argument(distance);
     Dab dab =
         dab_argument(profile.profile, displacement, radius, minimum, maximum, clamp_axis, mirror, metric);
     const Root start = root_argument(root, count);
-    dab.root = start.vertex ? from[*start.vertex] : start.point;
+    dab.root = start.vertex ? measured[*start.vertex] : start.point;
     if (!are_finite({&dab.root, 1})) value_error("positions", "every value must be finite");
     const Weights factors(weights, count);
     const IndexRows<glm::ivec3> faces(triangles, "triangles");
     const IndexRows<glm::ivec2> lines(edges, "edges");
-    const PulledMesh mesh{from, faces.values(), lines.values(), !edges.is_none(),
+    const PulledMesh mesh{measured, faces.values(), lines.values(), !edges.is_none(),
                           picker_argument(picker, count)};
     std::vector<Reach> reaches;
     if (!reach.is_none()) reaches = reaches_argument(reach, images_of(dab).size(), count);
@@ -244,13 +249,14 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
     FloatArray result = output<float>(out, "out", {static_cast<py::ssize_t>(count), 3});
     const std::span<glm::vec3> to{reinterpret_cast<glm::vec3*>(result.mutable_data()), count};
     if (to.data() != from.data()) require_apart(from, "positions", to, "out");
+    if (measured.data() != from.data()) require_apart(measured, "shape", to, "out");
     require_apart(factors.values(), "weights", to, "out");
     {
         const ReleaseGil released(has_to_measure || mesh.picker == nullptr ? count : count / 10,
                                   has_to_measure ? surface_cost : vertex_cost);
         if (has_to_measure) reaches = measure(mesh, dab, *start.vertex, way);
         if (reaches.empty())
-            pull_straight(mesh, dab, factors.values(), to);
+            pull_straight(mesh, from, dab, factors.values(), to);
         else
             pull_along(from, dab, reaches, factors.values(), to);
     }
@@ -280,7 +286,7 @@ void bind_pull(py::module_& m) {
           "weights"_a = py::none(), "scale_factor"_a = 0.0, "minimum"_a = py::none(),
           "maximum"_a = py::none(), py::kw_only(), "curve"_a = py::none(), "clamp_axis"_a = 2,
           "mirror"_a = "", "metric"_a = py::none(), "edges"_a = py::none(), "picker"_a = py::none(),
-          "out"_a = py::none(), "reach"_a = py::none(), R"(
+          "out"_a = py::none(), "reach"_a = py::none(), "shape"_a = py::none(), R"(
 Pulls a mesh at a vertex: what is near the root follows it by force * weight * displacement.
 
 positions: (v, 3) float32 (other real numbers are converted, which takes time).
@@ -298,6 +304,8 @@ metric: (3, 3) in rows: distances are |metric (p - root)|, such as by an object'
 picker: a Picker of the mesh; its tree, refitted to positions, finds the vertices, and its neighbours are used.
 reach: what Picker.reach() gave, for instance when a stroke began; with mirror, what Picker.reaches() gave. Then root,
 distance and metric play no part.
+shape: (v, 3) float32, what distances are measured on, the root's place included, in place of positions: the dabs of a stroke
+may all act on the shape with which it began. A picker is of that shape then.
 out: (v, 3) float32, C-contiguous, written into; positions itself may be given.
 Returns out, or a new array. Raises ValueError or TypeError that names the argument. Positions and weights are looked at
 on the way (with picker or reach only those in reach), so that out may be written by then: it then holds what is right for

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <stdexcept>
 
 #include "picker_tree.hpp"
 
@@ -63,8 +64,8 @@ class Ray {
     glm::dvec3 shear_{0.0};
 };
 
-/// Where a ray enters the boxes of a node. Boxes are taken to be larger by `pad`, far above the rounding
-/// of where triangles are met, so that no box hides what is in it.
+/// Where a ray enters the boxes of a node. Boxes are taken to be larger by `pad`, at least far above the
+/// rounding of where triangles are met, so that no box hides what is in it.
 class Slabs {
   public:
     Slabs(const glm::dvec3& origin, const glm::dvec3& direction, double pad) {
@@ -103,16 +104,16 @@ class Slabs {
     std::array<double, 3> inverse_{}, near_{}, far_{};
 };
 
-/// The first triangle so far, and the search for nearer ones.
-template <class Tree>
+/// The first triangle so far, and the search for nearer ones. points(place): where a vertex is.
+template <class Tree, class Points>
 class Search {
   public:
-    Search(const Tree& tree, const Ray& ray, const Slabs& slabs, double slack)
-        : tree_(tree), ray_(ray), slabs_(slabs), slack_(slack) {}
+    Search(const Tree& tree, const Points& points, const Ray& ray, const Slabs& slabs, double rounding)
+        : tree_(tree), points_(points), ray_(ray), slabs_(slabs), rounding_(rounding) {}
 
     void descend(std::size_t level, std::size_t node) {
         const std::array<double, fan_out> entries =
-            slabs_.entries(tree_.around_triangles.node(level, node), best_.distance + slack_);
+            slabs_.entries(tree_.around_triangles.node(level, node), best_.distance + rounding_);
         std::array<std::size_t, fan_out> lanes{};  // that are met, the nearest first
         std::size_t count = 0;
         for (std::size_t lane = 0; lane < fan_out; ++lane) {
@@ -121,7 +122,7 @@ class Search {
             for (; at > 0 && entries[lanes[at - 1]] > entries[lane]; --at) lanes[at] = lanes[at - 1];
             lanes[at] = lane;
         }
-        for (std::size_t i = 0; i < count && entries[lanes[i]] <= best_.distance + slack_; ++i) {
+        for (std::size_t i = 0; i < count && entries[lanes[i]] <= best_.distance + rounding_; ++i) {
             if (level > 0)
                 descend(level - 1, node * fan_out + lanes[i]);
             else
@@ -137,8 +138,7 @@ class Search {
     void try_leaf(std::size_t leaf) {
         for (std::size_t slot = tree_.starts[leaf]; slot < tree_.starts[leaf + 1]; ++slot) {
             const auto [a, b, c] = tree_.corners[slot];
-            const std::array triangle{position(tree_.points[a]), position(tree_.points[b]),
-                                      position(tree_.points[c])};
+            const std::array triangle{points_(a), points_(b), points_(c)};
             glm::dvec3 weights(0.0);
             const double distance = ray_.meet(triangle, weights);
             const std::uint32_t name = tree_.names[slot];
@@ -150,34 +150,53 @@ class Search {
     }
 
     const Tree& tree_;
+    const Points& points_;
     const Ray& ray_;
     const Slabs& slabs_;
-    double slack_;
+    double rounding_;
     Hit best_{0, {}, infinity};
 };
 
-}  // namespace
-
-std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction) const {
+/// The boxes of the tree may be wrong by `slack`.
+template <class Tree, class Points>
+std::optional<Hit> first_met(const Tree& tree, const Points& points, const glm::dvec3& origin,
+                             const glm::dvec3& direction, double slack) {
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    if (tree_->around_triangles.empty() || !is_finite(origin) || !is_finite(direction) || !(largest > 0.0))
+    if (tree.around_triangles.empty() || !is_finite(origin) || !is_finite(direction) || !(largest > 0.0))
         return {};
     const glm::dvec3 unit = glm::normalize(direction / largest);
 
-    const std::size_t top = tree_->around_triangles.top();
-    const PickerBox box = tree_->around_triangles.box(top, 0);
+    const std::size_t top = tree.around_triangles.top();
+    const PickerBox box = tree.around_triangles.box(top, 0);
     double extent = 0.0;
     for (glm::length_t axis = 0; axis < 3; ++axis)
         extent = std::max({extent, std::abs(box.low[static_cast<std::size_t>(axis)] - origin[axis]),
                            std::abs(box.high[static_cast<std::size_t>(axis)] - origin[axis])});
     // Empty, with nothing finite.
     if (!(extent < infinity)) return {};
-    const double pad = 1e-13 * extent;
+    const double rounding = 1e-13 * (extent + slack);
     const Ray ray(origin, unit);
-    const Slabs slabs(origin, unit, pad);
-    Search search(*tree_, ray, slabs, pad);
+    const Slabs slabs(origin, unit, rounding + slack);
+    Search search(tree, points, ray, slabs, rounding);
     search.descend(top, 0);
     return search.found();
+}
+
+}  // namespace
+
+std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction) const {
+    const auto points = [this](std::size_t place) { return position(tree_->points[place]); };
+    return first_met(*tree_, points, origin, direction, 0.0);
+}
+
+std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                               std::span<const glm::vec3> positions, float slack) const {
+    if (positions.size() != vertex_count())
+        throw std::invalid_argument("positions: there must be one for each vertex of the mesh");
+    if (!(slack >= 0.0f && std::isfinite(slack)))
+        throw std::invalid_argument("slack: must be finite and >= 0");
+    const auto points = [&](std::size_t place) { return glm::dvec3(positions[tree_->order[place]]); };
+    return first_met(*tree_, points, origin, direction, static_cast<double>(slack));
 }
 
 }  // namespace motus

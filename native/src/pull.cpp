@@ -18,6 +18,12 @@ constexpr std::size_t scattered_grain = 1 << 14;  // from all over the mesh
     return weights.empty() ? nullptr : weights.data();
 }
 
+[[nodiscard]] Shapes shapes_of(std::span<const glm::vec3> positions, std::span<const glm::vec3> shape) {
+    if (shape.empty()) return {positions.data(), positions.data()};
+    if (shape.size() != positions.size()) throw std::invalid_argument("shape: must be as long as positions");
+    return {positions.data(), shape.data()};
+}
+
 void bring(std::span<const glm::vec3> positions, std::span<glm::vec3> out) {
     if (out.data() == positions.data()) return;
     in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
@@ -66,21 +72,22 @@ std::vector<PullImage> images_of(const Dab& dab) {
 }
 
 void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
-          std::span<glm::vec3> out) {
+          std::span<glm::vec3> out, std::span<const glm::vec3> shape) {
     const Puller puller(dab, positions.size(), weights.size(), out.size());
+    const Shapes shapes = shapes_of(positions, shape);
     in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-        puller.act_whole(positions.data(), pointer(weights), first, last, out.data());
+        puller.act_whole(shapes, pointer(weights), first, last, out.data());
     });
     puller.report();
 }
 
 void pull_among(std::span<const glm::vec3> positions, const Dab& dab, std::span<const std::uint32_t> vertices,
-                std::span<const float> weights, std::span<glm::vec3> out) {
+                std::span<const float> weights, std::span<glm::vec3> out, std::span<const glm::vec3> shape) {
     const Puller puller(dab, positions.size(), weights.size(), out.size());
+    const Shapes shapes = shapes_of(positions, shape);
     bring(positions, out);
     in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
-        puller.act_among(positions.data(), pointer(weights), vertices.subspan(first, last - first),
-                         out.data());
+        puller.act_among(shapes, pointer(weights), vertices.subspan(first, last - first), out.data());
     });
     puller.report();
 }

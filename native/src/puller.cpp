@@ -34,6 +34,7 @@ constexpr float out_of_reach = infinity;
 /// Vertices from all over the mesh, next to each other.
 struct Puller::Gathered {
     PerVertex<glm::vec3> positions;
+    PerVertex<glm::vec3> measured;  ///< where that is another shape
     PerVertex<float> weights;
 };
 
@@ -116,10 +117,11 @@ bool Puller::act(const glm::vec3* positions, const float* weights, std::size_t c
     return true;
 }
 
-void Puller::act_whole(const glm::vec3* positions, const float* weights, std::size_t first, std::size_t last,
+void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last,
                        glm::vec3* out) const {
     const bool is_free = move_.minimum == -infinity && move_.maximum == infinity;
-    const bool is_simple = is_free && images_.size() == 1 && weights == nullptr;
+    const bool is_simple = is_free && images_.size() == 1 && weights == nullptr && shapes.is_one();
+    const glm::vec3* const positions = shapes.positions;
     for (std::size_t begin = first; begin < last; begin += pull_block) {
         const std::size_t count = std::min(pull_block, last - begin);
         const glm::vec3* from = positions + begin;
@@ -131,8 +133,9 @@ void Puller::act_whole(const glm::vec3* positions, const float* weights, std::si
             if (seen.is_strange) look_at_positions(out + begin, count);
             continue;
         }
+        if (!shapes.is_one()) look_at_positions(from, count);
         const auto distances = [&](std::size_t image, float* values) {
-            return measure(images_[image], from, count, values);
+            return measure(images_[image], shapes.measured + begin, count, values);
         };
         const bool moved =
             act(from, weights != nullptr ? weights + begin : nullptr, count, distances, out + begin);
@@ -140,24 +143,27 @@ void Puller::act_whole(const glm::vec3* positions, const float* weights, std::si
     }
 }
 
-void Puller::gather(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
+void Puller::gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
                     Gathered& block) const {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         if (vertices[i] >= vertex_count_)
             throw std::invalid_argument("vertices: every index must be below the number of positions");
-        block.positions[i] = positions[vertices[i]];
+        block.positions[i] = shapes.positions[vertices[i]];
+        if (!shapes.is_one()) block.measured[i] = shapes.measured[vertices[i]];
         block.weights[i] = weights != nullptr ? weights[vertices[i]] : 1.0f;
     }
 }
 
-void Puller::act_among(const glm::vec3* positions, const float* weights,
-                       std::span<const std::uint32_t> vertices, glm::vec3* out) const {
+void Puller::act_among(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
+                       glm::vec3* out) const {
     Gathered block;
     for (std::size_t begin = 0; begin < vertices.size(); begin += pull_block) {
         const auto part = vertices.subspan(begin, std::min(pull_block, vertices.size() - begin));
-        gather(positions, weights, part, block);
+        gather(shapes, weights, part, block);
+        if (!shapes.is_one()) look_at_positions(block.positions.data(), part.size());
+        const glm::vec3* const measured = (shapes.is_one() ? block.positions : block.measured).data();
         const auto distances = [&](std::size_t image, float* values) {
-            return measure(images_[image], block.positions.data(), part.size(), values);
+            return measure(images_[image], measured, part.size(), values);
         };
         glm::vec3* moved = block.positions.data();
         if (!act(moved, weights != nullptr ? block.weights.data() : nullptr, part.size(), distances, moved))
@@ -179,7 +185,7 @@ void Puller::act_along(const glm::vec3* positions, const float* weights,
     }
     for (std::size_t begin = 0; begin < vertices.size(); begin += pull_block) {
         const auto part = vertices.subspan(begin, std::min(pull_block, vertices.size() - begin));
-        gather(positions, weights, part, block);
+        gather({positions, positions}, weights, part, block);
         look_at_positions(block.positions.data(), part.size());
         const auto distances = [&](std::size_t image, float* values) {
             const Reach& reach = reaches[image];

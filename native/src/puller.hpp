@@ -14,6 +14,14 @@ namespace motus {
 
 static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "positions are read as x, y, z after each other");
 
+/// What is moved, and what distances are measured on, which may be the same.
+struct Shapes {
+    const glm::vec3* positions;
+    const glm::vec3* measured;
+
+    [[nodiscard]] bool is_one() const noexcept { return positions == measured; }
+};
+
 /// Several threads may call the const members at once.
 class Puller {
   public:
@@ -24,10 +32,10 @@ class Puller {
     [[nodiscard]] std::span<const PullImage> images() const noexcept { return images_; }
 
     /// The vertices of [first, last), from `positions` to `out`, which may be the same.
-    void act_whole(const glm::vec3* positions, const float* weights, std::size_t first, std::size_t last,
+    void act_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last,
                    glm::vec3* out) const;
     /// Some vertices, by straight distance. `out` holds their positions already.
-    void act_among(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
+    void act_among(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
                    glm::vec3* out) const;
     /// The same by the distances of one Reach an image; `vertices` is a part of their union, ascending.
     void act_along(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
@@ -41,7 +49,7 @@ class Puller {
 
     [[nodiscard]] bool measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
                                float* distances) const;
-    void gather(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
+    void gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
                 Gathered& block) const;
     void look_at_positions(const glm::vec3* positions, std::size_t count) const;
     void look_at_weights(const float* weights, std::size_t count) const;

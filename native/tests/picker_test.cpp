@@ -61,6 +61,14 @@ void check_ray(const Mesh& mesh, const Picker& picker, const glm::dvec3& origin,
     if (plain) CHECK(plain->least_weight >= -1e-6);
 }
 
+void check_same(const std::optional<Hit>& hit, const std::optional<Hit>& again) {
+    REQUIRE(hit.has_value() == again.has_value());
+    if (!hit) return;
+    CHECK(hit->triangle == again->triangle);
+    CHECK(hit->point == again->point);
+    CHECK(hit->distance == again->distance);
+}
+
 /// All answers of the two agree, to the bit.
 void check_same(const Mesh& mesh, const Picker& one, const Picker& other, unsigned seed) {
     Dice dice(seed);
@@ -70,12 +78,7 @@ void check_same(const Mesh& mesh, const Picker& one, const Picker& other, unsign
         const float radius = size * dice.uniform(0.0f, 1.0f);
         CHECK(one.within(point, radius) == other.within(point, radius));
         const glm::dvec3 towards = glm::dvec3(centre + dice.point(size)) - glm::dvec3(point);
-        const auto hit = one.ray(point, towards), again = other.ray(point, towards);
-        REQUIRE(hit.has_value() == again.has_value());
-        if (!hit) continue;
-        CHECK(hit->triangle == again->triangle);
-        CHECK(hit->point == again->point);
-        CHECK(hit->distance == again->distance);
+        check_same(one.ray(point, towards), other.ray(point, towards));
     }
 }
 
@@ -311,6 +314,30 @@ TEST_CASE("a refit of what moved is a refit of all", "[picker]") {
     }
 }
 
+TEST_CASE("a ray meets another shape of the mesh as it would after a refit", "[picker]") {
+    for (const Mesh& mesh : meshes()) {
+        if (mesh.positions.empty()) continue;
+        INFO(mesh.name);
+        const Picker picker = picker_of(mesh);
+        Dice dice(12);
+        const float size = extent(mesh).size;
+        for (const float amount : {0.0f, 0.01f, 0.3f, 2.0f}) {
+            Mesh bent = mesh;
+            bend(bent, dice, amount);
+            float slack = 0.0f;
+            for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+                slack = std::max(slack, glm::distance(mesh.positions[i], bent.positions[i]));
+            const Picker fresh = picker_of(bent);
+            for (const glm::vec3& point : points_around(bent, 40, dice)) {
+                const glm::dvec3 towards =
+                    glm::dvec3(extent(bent).centre + dice.point(size)) - glm::dvec3(point);
+                check_same(picker.ray(point, towards, bent.positions, 1.00001f * slack),
+                           fresh.ray(point, towards));
+            }
+        }
+    }
+}
+
 TEST_CASE("a vertex may lose its place and have it back", "[picker]") {
     Mesh mesh = blob();
     Picker picker = picker_of(mesh);
@@ -367,6 +394,9 @@ TEST_CASE("what makes no sense is refused or finds nothing", "[picker]") {
     CHECK_THROWS_AS(picker.refit(fewer), std::invalid_argument);
     CHECK_THROWS_AS(picker.refit(fewer, {}), std::invalid_argument);
     CHECK_THROWS_AS(picker.refit(mesh.positions, no_vertex), std::invalid_argument);
+    CHECK_THROWS_AS(picker.ray({1, 1, 1}, {0, 0, -1}, fewer, 0.0f), std::invalid_argument);
+    for (const float slack : {-1e-9f, nan, inf})
+        CHECK_THROWS_AS(picker.ray({1, 1, 1}, {0, 0, -1}, mesh.positions, slack), std::invalid_argument);
     check_same(mesh, picker, picker_of(mesh), 130);
 
     CHECK_FALSE(picker.ray({1, 1, 1}, {0, 0, 0}));

@@ -41,7 +41,8 @@ std::vector<glm::vec3> pulled_by(const PullKernel& kernel, std::span<const glm::
                                  std::span<const float> weights) {
     const Puller puller(dab, points.size(), weights.size(), points.size(), kernel);
     std::vector<glm::vec3> out(points.size());
-    puller.act_whole(points.data(), weights.empty() ? nullptr : weights.data(), 0, points.size(), out.data());
+    puller.act_whole({points.data(), points.data()}, weights.empty() ? nullptr : weights.data(), 0,
+                     points.size(), out.data());
     puller.report();
     return out;
 }
@@ -135,7 +136,7 @@ TEST_CASE("results do not depend on how the vertices are shared out", "[pull]") 
         in_parts(
             points.size(), 1000,
             [&](std::size_t first, std::size_t last) {
-                puller.act_whole(points.data(), weights.data(), first, last, out.data());
+                puller.act_whole({points.data(), points.data()}, weights.data(), first, last, out.data());
             },
             threads);
         CHECK(same_bits(out, one));

@@ -220,6 +220,46 @@ TEST_CASE("vertices that a tree finds are moved as if all were looked at", "[pul
     }
 }
 
+TEST_CASE("distances measured on another shape", "[pull]") {
+    const std::vector<glm::vec3> shape = cloud(30000), points = cloud(30000, 2);
+    const std::vector<float> weights = random_weights(points.size());
+    std::vector<std::uint32_t> all(points.size());
+    std::iota(all.begin(), all.end(), 0u);
+    for (const unsigned mirror : {0u, 3u}) {
+        for (const bool is_clamped : {false, true}) {
+            Dab dab = sample_dab();
+            dab.mirror = mirror;
+            dab.metric = world;
+            std::vector<glm::vec3> wanted = pulled(shape, dab, weights);
+            for (std::size_t i = 0; i < points.size(); ++i) wanted[i] += points[i] - shape[i];
+            if (is_clamped) {
+                dab.minimum = -0.2f;
+                dab.maximum = 0.3f;
+                for (std::size_t i = 0; i < points.size(); ++i)
+                    if (std::abs(wanted[i].z - points[i].z) > 1e-6f)
+                        wanted[i].z = std::clamp(wanted[i].z, dab.minimum, dab.maximum);
+            }
+            std::vector<glm::vec3> out(points.size());
+            pull(points, dab, weights, out, shape);
+            float worst = 0.0f;
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                // By so little force, it may or may not move: then it may or may not be clamped.
+                const bool is_doubtful = is_clamped && glm::distance(wanted[i], points[i]) < 1e-5f;
+                if (!is_doubtful) worst = std::max(worst, glm::distance(out[i], wanted[i]));
+            }
+            CHECK(worst < 1e-6f);
+            std::vector<glm::vec3> here = points;
+            pull(here, dab, weights, here, shape);
+            CHECK(same_bits(here, out));
+            here = points;
+            pull_among(here, dab, all, weights, here, shape);
+            CHECK(same_bits(here, out));
+            pull(shape, dab, {}, out, shape);
+            CHECK(same_bits(out, pulled(shape, dab)));
+        }
+    }
+}
+
 TEST_CASE("distances measured elsewhere", "[pull]") {
     const std::vector<glm::vec3> points = cloud(20000);
     const std::vector<float> weights = random_weights(points.size());
@@ -290,6 +330,19 @@ TEST_CASE("positions that are no numbers are reported, and the others move", "[p
     const std::vector<glm::vec3> found = pulled(far, dab);
     CHECK(found[0].z == 1.0f);
     CHECK(found[1] == far[1]);
+}
+
+TEST_CASE("a shape that is no shape is reported", "[pull]") {
+    const std::vector<glm::vec3> points = cloud(100), fewer(99);
+    std::vector<glm::vec3> strange = points, out(100);
+    strange[40].y = std::numeric_limits<float>::quiet_NaN();
+    CHECK_THROWS_AS(pull(points, sample_dab(), {}, out, fewer), std::invalid_argument);
+    CHECK_THROWS_AS(pull(points, sample_dab(), {}, out, strange), std::invalid_argument);
+    CHECK(out[40] == points[40]);
+    CHECK_THROWS_AS(pull(strange, sample_dab(), {}, out, points), std::invalid_argument);
+    const std::vector<std::uint32_t> one{40};
+    CHECK_THROWS_AS(pull_among(strange, sample_dab(), one, {}, out, points), std::invalid_argument);
+    CHECK_THROWS_AS(pull_among(points, sample_dab(), one, {}, out, fewer), std::invalid_argument);
 }
 
 TEST_CASE("a pull refuses what is outside its domain", "[pull]") {

@@ -49,6 +49,13 @@ class Picker {
     /// that triangles share meets one of them. Nothing where the direction is zero or a number is not finite.
     [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction) const;
 
+    /// The same for another shape of the mesh, of which no vertex lies further than `slack` from where it was
+    /// at the last refit (triangles with one that does may be missed): for single rays that takes far less
+    /// time than a refit, where the slack is small beside the mesh. Throws std::invalid_argument where there
+    /// are more or fewer positions, or the slack is negative or not finite.
+    [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                                         std::span<const glm::vec3> positions, float slack) const;
+
     /// The vertex nearest to the point, the lowest index where several are as near. Nothing where there is
     /// none.
     [[nodiscard]] std::optional<std::uint32_t> nearest(const glm::vec3& point) const;

@@ -27,6 +27,17 @@ class PickerTest(unittest.TestCase):
         self.assertIsNone(self.picker.ray((9.0, 0.0, 5.0), (0.0, 0.0, -1.0)))
         self.assertIsNone(self.picker.ray((0.0, 0.0, 5.0), (0.0, 0.0, 0.0)))
 
+    def test_ray_at_another_shape(self):
+        above = self.positions + np.float32([0.0, 0.0, 0.5])
+        _, point, distance = self.picker.ray((0.02, 0.01, 5.0), (0.0, 0.0, -2.0), above, 0.5)
+        self.assertAlmostEqual(distance, 4.5)
+        np.testing.assert_allclose(point, (0.02, 0.01, 0.5), atol=1e-7)
+        for arguments, error, name in (((above[:-1], 0.5), ValueError, "positions"), ((above, -1.0), ValueError, "slack"),
+                                       ((above, float("nan")), ValueError, "slack"), ((above,), TypeError, "slack"),
+                                       ((above, "far"), TypeError, "slack"), ((None, 0.5), ValueError, "slack")):
+            with self.assertRaisesRegex(error, name):
+                self.picker.ray((0.0, 0.0, 5.0), (0.0, 0.0, -1.0), *arguments)
+
     def test_nearest(self):
         self.assertEqual(self.picker.nearest((0.03, -0.02, 4.0)), 220)
         self.assertEqual(self.picker.nearest((-9, -9, 0)), 0)

@@ -141,6 +141,23 @@ class PullTest(unittest.TestCase):
         np.testing.assert_array_equal(native.pull(self.positions.astype(np.float64), 220, (0, 0, 1), 0.7), wanted)
         np.testing.assert_array_equal(native.pull(self.positions[::-1][::-1], 220, (0, 0, 1), 0.7), wanted)
 
+    def test_distances_on_another_shape(self):
+        above = self.positions + np.float32([0, 0, 5])
+        shape = self.positions.copy()
+        for picker in (None, native.Picker(self.positions, self.triangles, self.edges)):
+            for distance in ("straight", "surface", "edges"):
+                with self.subTest(distance=distance, picker=picker is not None):
+                    connected = {"picker": picker} if picker else {"triangles": self.triangles, "edges": self.edges}
+                    radius = 3.0 if distance == "edges" else 0.4
+                    wanted = native.pull(self.positions, 220, (0, 0, 1), radius, distance=distance, **connected)
+                    found = native.pull(above, 220, (0, 0, 1), radius, distance=distance, shape=shape, **connected)
+                    np.testing.assert_allclose(found - above, wanted - self.positions, atol=1e-6)
+                    self.assertGreater(np.abs(found - above).max(), 0.9)
+        with self.assertRaisesRegex(ValueError, "^shape: "):
+            native.pull(above, 220, (0, 0, 1), 0.4, shape=shape[:-1])
+        with self.assertRaisesRegex(ValueError, "shape"):
+            native.pull(above, 220, (0, 0, 1), 0.4, shape=shape, out=shape)
+
     def test_no_vertices(self):
         self.assertEqual(native.pull(np.zeros((0, 3), np.float32), (0, 0, 0), (0, 0, 1), 1).shape, (0, 3))
 
