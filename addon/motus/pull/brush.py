@@ -73,6 +73,13 @@ class Brush:
         curve = {"curve": np.array(self.curve, np.float32)} if self.falloff == 'CURVE' else {}
         return {"falloff": self.falloff.lower(), "scale_factor": self.scale_factor, **curve}
 
+    @property
+    def largest_force(self):
+        """No vertex moves by more than so many times the root's way; infinite where limits may move it further."""
+        if self.use_minimum or self.use_maximum:
+            return math.inf
+        return max(map(abs, self.curve), default=1.0) if self.falloff == 'CURVE' else 1.0
+
     def mirror_bits(self):
         """For each image of a pull, its own first: the axes that are turned round, x 1, y 2, z 4."""
         mask = sum(1 << AXIS_INDEX[axis] for axis in self.mirror)

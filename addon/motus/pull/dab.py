@@ -238,10 +238,10 @@ class Session:
 
     def _pull_on(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
-        moved, before = self._puller.pull(
-            self.current, dab.vertex, dab.displacement, self.brush, dab.radius, self._start, self._is_fresh)
+        self.current, moved, before = self._puller.pull(
+            self.current, dab.vertex, dab.displacement, self.brush, dab.radius, self._start)
         self._history.add(dab, self.brush, place, moved, before)
-        self._changed([moved], write)
+        self._changed([moved], write, self.brush.largest_force * np.linalg.norm(dab.displacement))
 
     def _pull_afresh(self, dab, write):
         place = tuple(self._base[dab.vertex].tolist())
@@ -263,11 +263,11 @@ class Session:
             self._base = self._start
             self._last_moved = NONE_MOVED
 
-    def _changed(self, parts, write):
-        """parts: lists of indices; None among them means all."""
+    def _changed(self, parts, write, at_most=np.inf):
+        """parts: lists of indices; None among them means all. at_most: how far a vertex has moved, in the object."""
         self._is_fresh = False
         for moved in parts:
-            self._surface.moved(moved)
+            self._surface.moved(moved, at_most)
         self._unwritten += parts
         if write:
             self.flush()

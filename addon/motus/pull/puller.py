@@ -28,38 +28,37 @@ class Puller:
         self._reaches = {}
         self._extent = None
 
-    def pull(self, current, vertex, displacement, brush, radius, start, is_start):
-        """Move `current` (n, 3) in place; distances are those of `start`, which is_start says to be the same still.
+    def pull(self, current, vertex, displacement, brush, radius, start):
+        """Move `current` (n, 3); distances are those of `start`. displacement: local.
 
-        displacement: local. Returns (indices that may have moved, where they were), or (None, start) for all.
+        Returns (the shape now, indices that may have moved, where they were): `current` itself, or where all may have
+        moved, another array, None and `current` as it was.
         """
-        if self._may_sweep(brush, radius, start):
-            if is_start:
-                self._native_pull(current, vertex, displacement, brush, radius, current)
-                moved = self._swept(current, start)
-                return moved, start if moved is None else start[moved]
-            if not brush.use_minimum and not brush.use_maximum:
-                return self._add_sweep(current, vertex, displacement, brush, radius, start)
+        if self.may_sweep(brush, radius, start):
+            after = np.empty_like(current)
+            self.sweep(current, vertex, displacement, brush, radius, after, start)
+            moved = self._swept(after, current)
+            return after, moved, current if moved is None else current[moved]
         reaches = self._reaches_of(vertex, brush, radius, start)
         moved = _together(reaches)
         before = current[moved]
-        self._native_pull(current, vertex, displacement, brush, radius, current, reaches)
+        self._native_pull(current, vertex, displacement, brush, radius, current, reach=reaches)
         self._clamp(current, moved, before, brush)
-        return moved, before
+        return current, moved, before
 
     def pull_from(self, base, current, last_moved, vertex, displacement, brush, radius):
         """Make `current` what one dab makes of `base`, from which it differs at `last_moved` (None: anywhere) so far.
 
         Returns the indices that may differ now; None for all.
         """
-        if self._may_sweep(brush, radius, base):
-            self._native_pull(base, vertex, displacement, brush, radius, current)
+        if self.may_sweep(brush, radius, base):
+            self.sweep(base, vertex, displacement, brush, radius, current)
             return self._swept(current, base)
         if last_moved is None:
             np.copyto(current, base)
         elif len(last_moved):
             current[last_moved] = base[last_moved]
-        return self.pull(current, vertex, displacement, brush, radius, base, is_start=False)[0]
+        return self.pull(current, vertex, displacement, brush, radius, base)[1]
 
     def smooth(self, current, vertex, strength, brush, radius, start):
         """Even `current` out in place; (indices that may have moved, where they were)."""
@@ -108,7 +107,7 @@ class Puller:
             return None
         return np.ascontiguousarray(np.multiply.reduce(factors), np.float32)
 
-    def _may_sweep(self, brush, radius, start):
+    def may_sweep(self, brush, radius, start):
         """Whether one pass over all vertices does it, and takes less time than the tree."""
         if brush.distance != 'STRAIGHT' or self._is_clamped_in_world(brush):
             return False
@@ -122,15 +121,9 @@ class Puller:
         sides = np.linalg.norm(self._space.metric(brush.unit) * self._extent, axis=0)
         return brush.reach_of(radius) > LARGE * sides.max()
 
-    def _add_sweep(self, current, vertex, displacement, brush, radius, start):
-        """What a sweep moves of the start, added to the shape of now; returns as pull()."""
-        before = current.copy()
-        way = np.empty_like(start)
-        self._native_pull(start, vertex, displacement, brush, radius, way)
-        np.subtract(way, start, out=way)
-        np.add(current, way, out=current)
-        moved = self._swept(current, before)
-        return moved, before if moved is None else before[moved]
+    def sweep(self, shape, vertex, displacement, brush, radius, out, start=None):
+        """Let `out` be what one pass over all vertices of a shape makes of it. start: what distances are measured on."""
+        self._native_pull(shape, vertex, displacement, brush, radius, out, shape=start)
 
     def _swept(self, current, before):
         """Which vertices have moved, for a mesh that is written one by one."""
@@ -138,15 +131,15 @@ class Puller:
             return None
         return np.flatnonzero((current.view(np.uint32) != before.view(np.uint32)).any(axis=1))
 
-    def _native_pull(self, positions, vertex, displacement, brush, radius, out, reaches=None):
+    def _native_pull(self, positions, vertex, displacement, brush, radius, out, **measured):
         limits = self._space.limits(brush)
         axis, minimum, maximum = limits if limits is not None else (2, -np.inf, np.inf)
         native.module.pull(
             positions, vertex, displacement, radius, weights=self.weights(brush),
             minimum=float(minimum) if np.isfinite(minimum) else None,
             maximum=float(maximum) if np.isfinite(maximum) else None, clamp_axis=axis,
-            mirror="".join(sorted(brush.mirror)).lower(), metric=self._space.metric(brush.unit), out=out, reach=reaches,
-            **brush.profile)
+            mirror="".join(sorted(brush.mirror)).lower(), metric=self._space.metric(brush.unit), out=out,
+            **measured, **brush.profile)
 
     def _reaches_of(self, vertex, brush, radius, start):
         return [self._reach(vertex, bits, brush, radius, start) for bits in brush.mirror_bits()]

@@ -1,5 +1,6 @@
 """What a session asks of the mesh's surface: what a ray meets, what is near, and which way it faces."""
 
+import math
 from functools import cached_property
 
 from ..core.lazy import numpy as np
@@ -58,7 +59,7 @@ class Surface:
         shape = self._seen_shape(start if current is None else current)
         is_start = current is None and not self._is_deformed
         tree = self._start_tree if is_start else self._seen_tree
-        found = tree.picker(shape, self.triangles, self.edges).ray(origin, direction)
+        found = tree.ray(shape, self.triangles, self.edges, origin, direction)
         if found is None:
             return None
         triangle, point, _ = found
@@ -74,9 +75,9 @@ class Surface:
         """Whether picker() needs not be built first."""
         return self._start_tree.is_built
 
-    def moved(self, indices):
-        """Vertices of the current shape are elsewhere now; None means any."""
-        self._seen_tree.moved(indices)
+    def moved(self, indices, at_most=math.inf):
+        """Vertices of the current shape are elsewhere now; None means any. at_most: how far they have moved."""
+        self._seen_tree.moved(indices, math.inf if self._is_deformed else at_most)
         if indices is None or len(self._moved_since_start) > MOST_PARTS:
             self._moved_since_start = [None]
         else:
