@@ -477,6 +477,7 @@ def pull(
     out: _Floats | None = None,  # (v, 3), C-contiguous, written into; positions itself may be given
     reach: _Reach | list[_Reach] | None = None,  # of Picker.reach, or with mirror of Picker.reaches
     shape: ArrayLike | None = None,  # (v, 3), what distances are measured on
+    copy: _Floats | None = None,  # (v, 3), C-contiguous, filled with what out is
 ) -> _Floats: ...
 
 # Forces at distances, a number or (n,).

@@ -163,11 +163,11 @@ struct PulledMesh {
 
 /// By straight distance, with the tree where that takes less time.
 void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions, const Dab& dab,
-                   std::span<const float> weights, std::span<glm::vec3> out) {
+                   std::span<const float> weights, std::span<glm::vec3> out, std::span<glm::vec3> copy) {
     const float reach = reach_of(dab.profile, dab.radius) * rounding;
     const bool use_tree = mesh.picker != nullptr && mesh.positions.size() >= tree_count &&
                           reach <= tree_share * mesh.picker->extent(dab.metric);
-    if (!use_tree) return pull(positions, dab, weights, out, mesh.positions);
+    if (!use_tree) return pull(positions, dab, weights, out, mesh.positions, copy);
     std::vector<std::uint32_t> vertices;
     for (const PullImage& image : images_of(dab)) {
         const std::vector<std::uint32_t> found = mesh.picker->within(image.root, reach, dab.metric);
@@ -182,6 +182,7 @@ void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions,
         vertices.swap(both);
     }
     pull_among(positions, dab, vertices, weights, out, mesh.positions);
+    std::copy_n(out.begin(), copy.size(), copy.begin());
 }
 
 [[nodiscard]] Dab dab_argument(const Profile& profile, const py::object& displacement,
@@ -211,6 +212,13 @@ void pull_straight(const PulledMesh& mesh, std::span<const glm::vec3> positions,
     return &mesh;
 }
 
+/// (v, 3) to be filled, or nothing.
+[[nodiscard]] std::span<glm::vec3> copy_argument(const py::object& copy, std::size_t count) {
+    if (copy.is_none()) return {};
+    FloatArray array = output<float>(copy, "copy", {static_cast<py::ssize_t>(count), 3});
+    return {reinterpret_cast<glm::vec3*>(array.mutable_data()), count};
+}
+
 FloatArray pull_positions(const py::object& positions, const py::object& root, const py::object& displacement,
                           const py::object& radius, const py::object& falloff, const py::object& distance,
                           const py::object& triangles, const py::object& weights,
@@ -218,7 +226,7 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
                           const py::object& maximum, const py::object& curve, const py::object& clamp_axis,
                           const py::object& mirror, const py::object& metric, const py::object& edges,
                           const py::object& picker, const py::object& out, const py::object& reach,
-                          const py::object& shape) {
+                          const py::object& shape, const py::object& copy) {
     const Positions points(positions, "positions");
     const std::span<const glm::vec3> from = points.values();
     const std::size_t count = from.size();
@@ -251,14 +259,21 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
     if (to.data() != from.data()) require_apart(from, "positions", to, "out");
     if (measured.data() != from.data()) require_apart(measured, "shape", to, "out");
     require_apart(factors.values(), "weights", to, "out");
+    const std::span<glm::vec3> also = copy_argument(copy, count);
+    require_apart(from, "positions", also, "copy");
+    require_apart(measured, "shape", also, "copy");
+    require_apart(factors.values(), "weights", also, "copy");
+    require_apart(std::span<const glm::vec3>(to), "out", also, "copy");
     {
         const ReleaseGil released(has_to_measure || mesh.picker == nullptr ? count : count / 10,
                                   has_to_measure ? surface_cost : vertex_cost);
         if (has_to_measure) reaches = measure(mesh, dab, *start.vertex, way);
-        if (reaches.empty())
-            pull_straight(mesh, from, dab, factors.values(), to);
-        else
+        if (reaches.empty()) {
+            pull_straight(mesh, from, dab, factors.values(), to, also);
+        } else {
             pull_along(from, dab, reaches, factors.values(), to);
+            std::copy_n(to.begin(), also.size(), also.begin());
+        }
     }
     return result;
 }
@@ -286,7 +301,7 @@ void bind_pull(py::module_& m) {
           "weights"_a = py::none(), "scale_factor"_a = 0.0, "minimum"_a = py::none(),
           "maximum"_a = py::none(), py::kw_only(), "curve"_a = py::none(), "clamp_axis"_a = 2,
           "mirror"_a = "", "metric"_a = py::none(), "edges"_a = py::none(), "picker"_a = py::none(),
-          "out"_a = py::none(), "reach"_a = py::none(), "shape"_a = py::none(), R"(
+          "out"_a = py::none(), "reach"_a = py::none(), "shape"_a = py::none(), "copy"_a = py::none(), R"(
 Pulls a mesh at a vertex: what is near the root follows it by force * weight * displacement.
 
 positions: (v, 3) float32 (other real numbers are converted, which takes time).
@@ -307,6 +322,7 @@ distance and metric play no part.
 shape: (v, 3) float32, what distances are measured on, the root's place included, in place of positions: the dabs of a stroke
 may all act on the shape with which it began. A picker is of that shape then.
 out: (v, 3) float32, C-contiguous, written into; positions itself may be given.
+copy: the same, filled with what out is in the same pass, which takes less time than to copy it later.
 Returns out, or a new array. Raises ValueError or TypeError that names the argument. Positions and weights are looked at
 on the way (with picker or reach only those in reach), so that out may be written by then: it then holds what is right for
 all vertices that are finite.)");

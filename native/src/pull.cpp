@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t grain = 1 << 16;            // next to each other
 constexpr std::size_t scattered_grain = 1 << 14;  // from all over the mesh
 
+// Vertices that are copied after they have moved, while they are in the cache.
+constexpr std::size_t part = 4 * pull_block;
+
 [[nodiscard]] const float* pointer(std::span<const float> weights) {
     return weights.empty() ? nullptr : weights.data();
 }
@@ -72,11 +75,17 @@ std::vector<PullImage> images_of(const Dab& dab) {
 }
 
 void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
-          std::span<glm::vec3> out, std::span<const glm::vec3> shape) {
+          std::span<glm::vec3> out, std::span<const glm::vec3> shape, std::span<glm::vec3> copy) {
     const Puller puller(dab, positions.size(), weights.size(), out.size());
     const Shapes shapes = shapes_of(positions, shape);
+    if (!copy.empty() && copy.size() != positions.size())
+        throw std::invalid_argument("copy: must be as long as positions");
     in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-        puller.act_whole(shapes, pointer(weights), first, last, out.data());
+        for (std::size_t begin = first; begin < last; begin += part) {
+            const std::size_t end = std::min(begin + part, last);
+            puller.act_whole(shapes, pointer(weights), begin, end, out.data());
+            if (!copy.empty()) std::copy_n(out.data() + begin, end - begin, copy.data() + begin);
+        }
     });
     puller.report();
 }

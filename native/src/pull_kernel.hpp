@@ -75,8 +75,9 @@ struct PullKernel {
     /// Moves by one image.
     void (*move)(const MoveTerms& terms, const float* forces, std::size_t count, float* positions);
     /// All three of any number of vertices, by one image without limits; metric: null for straight distances.
+    /// measured: other positions that distances are those of, or null.
     Seen (*pull)(const ForceTerms& force, const MoveTerms& move, const glm::vec3& root,
-                 const glm::mat3* metric, std::size_t count, float* positions);
+                 const glm::mat3* metric, std::size_t count, const float* measured, float* positions);
     /// Adds an image to the shares, then moves by all of them.
     void (*share)(const glm::vec3& displacement, const float* forces, std::size_t count, Shares& shares);
     void (*move_by)(const MoveTerms& terms, const Shares& shares, std::size_t count, float* positions);

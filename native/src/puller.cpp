@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -65,7 +66,14 @@ void Puller::report() const {
 }
 
 void Puller::look_at_positions(const glm::vec3* positions, std::size_t count) const {
-    if (!std::all_of(positions, positions + count, is_finite)) saw_strange_position_ = true;
+    // By their bits, which a compiler makes vectors of.
+    const float* const values = numbers(positions);
+    constexpr std::uint32_t exponent = 0x7f800000u;
+    std::uint32_t is_strange = 0;
+    for (std::size_t i = 0; i < 3 * count; ++i)
+        is_strange |=
+            static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(values[i]) & exponent) == exponent);
+    if (is_strange != 0) saw_strange_position_ = true;
 }
 
 void Puller::look_at_weights(const float* weights, std::size_t count) const {
@@ -120,20 +128,22 @@ bool Puller::act(const glm::vec3* positions, const float* weights, std::size_t c
 void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last,
                        glm::vec3* out) const {
     const bool is_free = move_.minimum == -infinity && move_.maximum == infinity;
-    const bool is_simple = is_free && images_.size() == 1 && weights == nullptr && shapes.is_one();
+    const bool is_simple = is_free && images_.size() == 1 && weights == nullptr;
     const glm::vec3* const positions = shapes.positions;
     for (std::size_t begin = first; begin < last; begin += pull_block) {
         const std::size_t count = std::min(pull_block, last - begin);
         const glm::vec3* from = positions + begin;
+        if (!shapes.is_one()) look_at_positions(from, count);
         if (is_simple) {
             if (out != positions) std::copy_n(from, count, out + begin);
-            const Seen seen = kernel_.pull(force_, move_, images_[0].root, is_plain_ ? nullptr : &metric_,
-                                           count, numbers(out + begin));
+            const glm::vec3* const measured = shapes.is_one() ? out : shapes.measured;
+            const Seen seen =
+                kernel_.pull(force_, move_, images_[0].root, is_plain_ ? nullptr : &metric_, count,
+                             shapes.is_one() ? nullptr : numbers(measured + begin), numbers(out + begin));
             // One that is strange has not moved.
-            if (seen.is_strange) look_at_positions(out + begin, count);
+            if (seen.is_strange) look_at_positions(measured + begin, count);
             continue;
         }
-        if (!shapes.is_one()) look_at_positions(from, count);
         const auto distances = [&](std::size_t image, float* values) {
             return measure(images_[image], shapes.measured + begin, count, values);
         };

@@ -254,8 +254,10 @@ TEST_CASE("distances measured on another shape", "[pull]") {
             here = points;
             pull_among(here, dab, all, weights, here, shape);
             CHECK(same_bits(here, out));
-            pull(shape, dab, {}, out, shape);
+            std::vector<glm::vec3> copy(points.size());
+            pull(shape, dab, {}, out, shape, copy);
             CHECK(same_bits(out, pulled(shape, dab)));
+            CHECK(same_bits(copy, out));
         }
     }
 }
@@ -340,6 +342,8 @@ TEST_CASE("a shape that is no shape is reported", "[pull]") {
     CHECK_THROWS_AS(pull(points, sample_dab(), {}, out, strange), std::invalid_argument);
     CHECK(out[40] == points[40]);
     CHECK_THROWS_AS(pull(strange, sample_dab(), {}, out, points), std::invalid_argument);
+    std::vector<glm::vec3> short_copy(99);
+    CHECK_THROWS_AS(pull(points, sample_dab(), {}, out, {}, short_copy), std::invalid_argument);
     const std::vector<std::uint32_t> one{40};
     CHECK_THROWS_AS(pull_among(strange, sample_dab(), one, {}, out, points), std::invalid_argument);
     CHECK_THROWS_AS(pull_among(points, sample_dab(), one, {}, out, fewer), std::invalid_argument);

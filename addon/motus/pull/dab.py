@@ -68,6 +68,8 @@ class Session:
         self._is_fresh = True
         self._history = History()
         self._unwritten = []
+        self._is_finite = bool(np.isfinite(self.current.sum()))
+        self._spares = []  # shapes for sweeps to fill, in turn
         self._last_moved = NONE_MOVED
 
     # --- Where it pulls ---------------------------------------------------------------------------------------------
@@ -237,20 +239,30 @@ class Session:
         return self._history.last
 
     def _pull_on(self, dab, write):
-        place = tuple(self.current[dab.vertex].tolist())
-        self.current, moved, before = self._puller.pull(
-            self.current, dab.vertex, dab.displacement, self.brush, dab.radius, self._start)
+        before, place, room = self.current, tuple(self.current[dab.vertex].tolist()), None
+        numbers = dab.vertex, dab.displacement, self.brush, dab.radius, self._start
+        if self._puller.may_sweep(self.brush, dab.radius, self._start):
+            after, room = self._spare(), self._room(write)
+            moved = self._puller.sweep(before, *numbers, after, room)
+            self.current = after
+            before = before if moved is None else before[moved]
+        else:
+            moved, before = self._puller.pull(self.current, *numbers)
         self._history.add(dab, self.brush, place, moved, before)
-        self._changed([moved], write, self.brush.largest_force * np.linalg.norm(dab.displacement))
+        self._changed([moved], write, room, self.brush.largest_force * np.linalg.norm(dab.displacement))
 
     def _pull_afresh(self, dab, write):
         place = tuple(self._base[dab.vertex].tolist())
-        moved = self._puller.pull_from(
-            self._base, self.current, self._last_moved, dab.vertex, dab.displacement, self.brush, dab.radius)
+        numbers, room = (dab.vertex, dab.displacement, self.brush, dab.radius), None
+        if self._puller.may_sweep(self.brush, dab.radius, self._base):
+            room = self._room(write)
+            moved = self._puller.sweep(self._base, *numbers, self._base, self.current, room)
+        else:
+            moved = self._puller.pull_from(self._base, self.current, self._last_moved, *numbers)
         self._history.add(dab, self.brush, place, None, self._base)
         # What the dab before has moved is back in its place, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
-        self._changed(changed, write)
+        self._changed(changed, write, room)
 
     def _smooth(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
@@ -263,11 +275,31 @@ class Session:
             self._base = self._start
             self._last_moved = NONE_MOVED
 
-    def _changed(self, parts, write, at_most=np.inf):
-        """parts: lists of indices; None among them means all. at_most: how far a vertex has moved, in the object."""
+    def _spare(self):
+        """Room (n, 3) for another shape: one that is no longer kept, or new."""
+        last = self._history.last
+        kept = (self.current, last.before if last else None)
+        found = next((one for one in self._spares if all(one is not other for other in kept)), None)
+        if found is None:
+            found = np.empty_like(self.current)
+            self._spares.append(found)
+        return found
+
+    def _room(self, write):
+        """The mesh's own memory, where all of it is to be written now; None where it is not, or is not to be had."""
+        # Of a vertex that is nowhere the sweep tells only when it has filled the room.
+        return self.mesh.room() if write and self._is_finite else None
+
+    def _changed(self, parts, write, room=None, at_most=np.inf):
+        """parts: lists of indices; None among them means all. room: of the mesh, which has been filled with what is
+        current. at_most: how far a vertex has moved, in the object."""
         self._is_fresh = False
         for moved in parts:
             self._surface.moved(moved, at_most)
+        if room is not None:
+            self.mesh.filled()
+            self._unwritten = []
+            return
         self._unwritten += parts
         if write:
             self.flush()

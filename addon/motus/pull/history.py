@@ -23,7 +23,8 @@ class Done(NamedTuple):
 class Pulled(NamedTuple):
     """The last pull: dabs one after another at the same root count as one. place: of the root before it.
 
-    moved, before: vertices that it may have moved, and where they were; all of them where moved is None.
+    moved, before: vertices that it may have moved, and where they were; all of them where moved is None. The session that
+    pulled may use `before` for other things once it pulls again.
     """
 
     dab: Done
@@ -35,7 +36,7 @@ class Pulled(NamedTuple):
     def shape_before(self, after):
         """The shape (n, 3) before the pull that made `after`."""
         if self.moved is None:
-            return self.before
+            return self.before.copy()
         shape = after.copy()
         shape[self.moved] = self.before
         return shape

@@ -28,19 +28,28 @@ def set_positions(mesh, flat, moved=None):
     if attribute is None:
         mesh.vertices.foreach_set("co", flat)
         return
-    data = attribute.data
-    if not len(data):
+    if not len(attribute.data):
         return
+    places, found = flat.reshape(-1, 3), own_positions(mesh)
+    if moved is None or FEW * len(moved) > len(found):
+        np.copyto(found, places)
+    elif len(moved):
+        found[moved] = places[moved]
+
+
+def own_positions(mesh):
+    """The mesh's own memory, float32 (n, 3), to be written at once; None where this Blender gives no way to it, or for a
+    mesh without vertices."""
+    attribute = mesh.attributes.get("position")
+    if attribute is None or not len(attribute.data):
+        return None
     import ctypes
+    data = attribute.data
     # foreach_set takes twice as long. The evaluated mesh and undo steps share the array with this mesh until somebody
     # writes by Blender's own means: an item that is set to itself makes it this mesh's alone.
     data[0].vector = data[0].vector
     numbers = ctypes.cast(data[0].as_pointer(), ctypes.POINTER(ctypes.c_float))
-    places, found = flat.reshape(-1, 3), np.ctypeslib.as_array(numbers, (len(data), 3))
-    if moved is None or FEW * len(moved) > len(data):
-        np.copyto(found, places)
-    elif len(moved):
-        found[moved] = places[moved]
+    return np.ctypeslib.as_array(numbers, (len(data), 3))
 
 
 def key_positions(key):

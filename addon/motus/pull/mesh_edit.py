@@ -30,6 +30,9 @@ class EditMesh(ObjectMesh):
         self._update_normals(indices)
         bmesh.update_edit_mesh(self.mesh, loop_triangles=False, destructive=False)
 
+    def room(self):
+        """What is in the arrays is not in the edit mesh."""
+
     def finish(self):
         """Triangulate the faces anew, which depends on their shape."""
         if self._moved.any():

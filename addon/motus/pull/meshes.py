@@ -109,6 +109,14 @@ class ObjectMesh:
             self._write_key(flat)
         self.mesh.update()
 
+    def room(self):
+        """Where all positions, float32 (n, 3), can be put at once, and then filled() be called; None where they cannot."""
+        return arrays.own_positions(self.mesh) if self.key is None else None
+
+    def filled(self):
+        """What room() gave has been filled."""
+        self.mesh.update()
+
     def finish(self):
         """Bring up to date what write() leaves for later."""
 

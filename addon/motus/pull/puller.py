@@ -29,36 +29,27 @@ class Puller:
         self._extent = None
 
     def pull(self, current, vertex, displacement, brush, radius, start):
-        """Move `current` (n, 3); distances are those of `start`. displacement: local.
+        """Move `current` (n, 3) in place; distances are those of `start`. displacement: local.
 
-        Returns (the shape now, indices that may have moved, where they were): `current` itself, or where all may have
-        moved, another array, None and `current` as it was.
+        Returns (indices that may have moved, where they were).
         """
-        if self.may_sweep(brush, radius, start):
-            after = np.empty_like(current)
-            self.sweep(current, vertex, displacement, brush, radius, after, start)
-            moved = self._swept(after, current)
-            return after, moved, current if moved is None else current[moved]
         reaches = self._reaches_of(vertex, brush, radius, start)
         moved = _together(reaches)
         before = current[moved]
         self._native_pull(current, vertex, displacement, brush, radius, current, reach=reaches)
         self._clamp(current, moved, before, brush)
-        return current, moved, before
+        return moved, before
 
     def pull_from(self, base, current, last_moved, vertex, displacement, brush, radius):
         """Make `current` what one dab makes of `base`, from which it differs at `last_moved` (None: anywhere) so far.
 
-        Returns the indices that may differ now; None for all.
+        Returns the indices that may differ now.
         """
-        if self.may_sweep(brush, radius, base):
-            self.sweep(base, vertex, displacement, brush, radius, current)
-            return self._swept(current, base)
         if last_moved is None:
             np.copyto(current, base)
         elif len(last_moved):
             current[last_moved] = base[last_moved]
-        return self.pull(current, vertex, displacement, brush, radius, base)[1]
+        return self.pull(current, vertex, displacement, brush, radius, base)[0]
 
     def smooth(self, current, vertex, strength, brush, radius, start):
         """Even `current` out in place; (indices that may have moved, where they were)."""
@@ -108,7 +99,7 @@ class Puller:
         return np.ascontiguousarray(np.multiply.reduce(factors), np.float32)
 
     def may_sweep(self, brush, radius, start):
-        """Whether one pass over all vertices does it, and takes less time than the tree."""
+        """Whether sweep() does it, and takes less time than the tree that pull() asks."""
         if brush.distance != 'STRAIGHT' or self._is_clamped_in_world(brush):
             return False
         if brush.mirror and self._space.is_skewed_by_mirrors(brush.unit):
@@ -121,15 +112,16 @@ class Puller:
         sides = np.linalg.norm(self._space.metric(brush.unit) * self._extent, axis=0)
         return brush.reach_of(radius) > LARGE * sides.max()
 
-    def sweep(self, shape, vertex, displacement, brush, radius, out, start=None):
-        """Let `out` be what one pass over all vertices of a shape makes of it. start: what distances are measured on."""
-        self._native_pull(shape, vertex, displacement, brush, radius, out, shape=start)
+    def sweep(self, shape, vertex, displacement, brush, radius, start, out, copy=None):
+        """Let `out`, and the copy, be what one pass over all vertices makes of a shape; distances are those of `start`.
 
-    def _swept(self, current, before):
-        """Which vertices have moved, for a mesh that is written one by one."""
+        Returns the indices that have moved; None for all, for a mesh that is written as a whole.
+        """
+        self._native_pull(shape, vertex, displacement, brush, radius, out, copy=copy,
+                          shape=None if start is shape else start)
         if self._mesh.writes_all:
             return None
-        return np.flatnonzero((current.view(np.uint32) != before.view(np.uint32)).any(axis=1))
+        return np.flatnonzero((out.view(np.uint32) != shape.view(np.uint32)).any(axis=1))
 
     def _native_pull(self, positions, vertex, displacement, brush, radius, out, **measured):
         limits = self._space.limits(brush)

@@ -135,17 +135,17 @@ class Pulling:
         pressure = strokes.pressure(event)
         try:
             for hit in found:
-                self._dab(hit, pressure)
+                self._dab(hit, pressure, write=hit is found[-1])
         finally:
             self.session.flush()
         self._redraw()
 
-    def _dab(self, hit, pressure):
+    def _dab(self, hit, pressure, write):
         if self.is_smooth:
-            self.session.smooth(hit.vertex, SMOOTHING, pressure, write=False)
+            self.session.smooth(hit.vertex, SMOOTHING, pressure, write)
             return
         way = self.session.displacement(hit.vertex, self.sign, self.view.toward_viewer())
-        self.session.pull(hit.vertex, way, pressure, write=False)
+        self.session.pull(hit.vertex, way, pressure, write)
 
     def _find(self, view, x, y):
         return self.session.pick(*view.ray(x, y))

@@ -42,12 +42,13 @@ struct PullImage {
 ///
 /// positions.size() == out.size(); `out` may be `positions`. weights: one in [0, 1] for each vertex, or none
 /// at all. shape: what distances are measured on in place of `positions`, of as many vertices, or nothing; so
-/// the dabs of a stroke may all act on the shape with which it began. Results do not depend on the number of
-/// threads or on the processor. Throws std::invalid_argument where sizes differ or something is outside its
-/// domain. Positions, shape and weights are looked at in the same pass, so that `out` may be written by then:
-/// a vertex that is not finite stays, the others move as they would.
+/// the dabs of a stroke may all act on the shape with which it began. copy: filled with the same as `out`, in
+/// the same pass, or nothing. Results do not depend on the number of threads or on the processor. Throws
+/// std::invalid_argument where sizes differ or something is outside its domain. Positions, shape and weights
+/// are looked at in the same pass, so that `out` may be written by then: a vertex that is not finite stays,
+/// the others move as they would.
 void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
-          std::span<glm::vec3> out, std::span<const glm::vec3> shape = {});
+          std::span<glm::vec3> out, std::span<const glm::vec3> shape = {}, std::span<glm::vec3> copy = {});
 
 /// The same, bit for bit, if `vertices` has all that are within reach of an image, each once, in any order:
 /// what a tree finds. Others among them do no harm. In place it touches nothing else.

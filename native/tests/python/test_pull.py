@@ -158,6 +158,19 @@ class PullTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "shape"):
             native.pull(above, 220, (0, 0, 1), 0.4, shape=shape, out=shape)
 
+    def test_copy(self):
+        picker = native.Picker(self.positions, self.triangles, self.edges)
+        for keywords in ({}, {"picker": picker}, {"picker": picker, "distance": "surface"},
+                         {"reach": picker.reach(220, 0.4)}):
+            copy = np.full_like(self.positions, np.nan)
+            found = native.pull(self.positions, 220, (0, 0, 1), 0.4, copy=copy, **keywords)
+            np.testing.assert_array_equal(copy, found)
+            self.assertGreater(found[:, 2].max(), 0.9)
+        here = self.positions.copy()
+        for problem in (here, copy[:-1], copy.astype(float), copy[:, :2]):
+            with self.assertRaisesRegex((ValueError, TypeError), "copy"):
+                native.pull(here, 220, (0, 0, 1), 0.4, out=here, copy=problem)
+
     def test_no_vertices(self):
         self.assertEqual(native.pull(np.zeros((0, 3), np.float32), (0, 0, 0), (0, 0, 1), 1).shape, (0, 3))
 
