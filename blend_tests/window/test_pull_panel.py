@@ -17,7 +17,11 @@ def test_panel():
     bpy.context.object.vertex_groups.new(name="Group")
     yield from window_support.picture("pull_panel_classic")
     assert any(name.startswith("MOTUS_PT_pull") for name in drawn), drawn
-    brush.falloff = 'SMOOTH'
+    brush.falloff, brush.distance = 'SMOOTH', 'EDGES'
+    brush.edge_count = 4
+    assert brush.radius == 4.0
+    yield from window_support.picture("pull_panel_edges")
+    brush.distance, brush.radius = 'STRAIGHT', 1.0
 
 
 def test_header_of_the_tool():

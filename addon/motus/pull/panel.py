@@ -16,6 +16,11 @@ def draw_number(layout, brush, name, pressure):
     row.prop(brush, pressure, text="", icon=PRESSURE_ICON)
 
 
+def draw_radius(layout, brush):
+    """The radius, a length or a number of edges."""
+    draw_number(layout, brush, "edge_count" if brush.distance == 'EDGES' else "radius", "use_pressure_size")
+
+
 def draw_main(layout, context):
     """What is pulled, and how."""
     brush = context.scene.motus.pull
@@ -28,7 +33,7 @@ def draw_main(layout, context):
     start.operator_context = 'INVOKE_DEFAULT'
     start.operator("motus.pick_pull", icon='SCULPTMODE_HLT')
     column = _split(layout)
-    draw_number(column, brush, "radius", "use_pressure_size")
+    draw_radius(column, brush)
     draw_number(column, brush, "strength", "use_pressure_strength")
     column.prop(brush, "unit")
     column = _split(layout)

@@ -122,6 +122,9 @@ class MOTUS_PG_dab(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
+    edge_count: bpy.props.IntProperty(
+        name="Radius", description="How many edges from the root it reaches", min=1, soft_max=100, options=set(),
+        get=lambda brush: max(1, round(brush.radius)), set=lambda brush, count: setattr(brush, "radius", float(count)))
     curve_nodes: bpy.props.PointerProperty(
         type=bpy.types.NodeTree, name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
     use_pressure_strength: bpy.props.BoolProperty(

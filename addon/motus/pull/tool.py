@@ -5,7 +5,7 @@ from pathlib import Path
 import bpy
 
 from . import cursor, hover, inset, keymap, stage
-from .panel import draw_number
+from .panel import draw_number, draw_radius
 
 ICON = str(Path(__file__).resolve().parent / "icons" / "pick_pull")
 
@@ -29,7 +29,7 @@ class _Tool:
         if context.region.type != 'TOOL_HEADER':
             layout.use_property_split = True
             layout.use_property_decorate = False
-        draw_number(layout, brush, "radius", "use_pressure_size")
+        draw_radius(layout, brush)
         draw_number(layout, brush, "strength", "use_pressure_strength")
         is_header = context.region.type == 'TOOL_HEADER'
         for name in ("falloff", "distance", "direction"):

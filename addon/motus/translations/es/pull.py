@@ -52,6 +52,7 @@ INTERFACE = {
     "How much it smoothed": "Cuánto suavizó",
     "How the distance to the root is measured": "Cómo se mide la distancia a la raíz",
     "How the force fades from the root to the radius": "Cómo decae la fuerza desde la raíz hasta el radio",
+    "How many edges from the root it reaches": "Cuántas aristas alcanza desde la raíz",
     "In a straight line through space": "En línea recta por el espacio",
     "Index of the root": "Índice de la raíz",
     "Index of the vertex that is pulled; -1 takes the one nearest to the location":
