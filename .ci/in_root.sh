@@ -58,6 +58,6 @@ for argument in "${@:2}"; do
 done
 
 # Two releases of Mesa cut and grow each other's index of shaders, which both have mapped, and die by SIGBUS.
-shaders=${XDG_CACHE_HOME:-$HOME/.cache}/motus/shaders/${root##*/}
+shaders=${MOTUS_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/motus}/shaders/${root##*/}
 
 MESA_SHADER_CACHE_DIR=${MESA_SHADER_CACHE_DIR:-$shaders} exec chroot ${user:+"--userspec=$user"} "$new" /usr/bin/env -C "$PWD" "$@"
