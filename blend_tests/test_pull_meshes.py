@@ -269,6 +269,11 @@ class Defects(PullTestCase):
         obj = self.plane()
         obj.data.vertices[7].co = math.nan, 0.0, 0.0
         self.assertRefused("not finite", vertex=7)
+        before = self.places(obj)
+        for keywords in ({}, {"distance": 'SURFACE'}, {"radius": 0.05}):
+            for accumulate in (True, False):
+                self.assertRefused("Vertex 7 is at no place: its coordinates are not finite", vertex=220, accumulate=accumulate, **keywords)
+                np.testing.assert_array_equal(self.places(obj), before)
 
     def test_points_only(self):
         obj = self.mesh([(0.0, 0.0, 0.0)])

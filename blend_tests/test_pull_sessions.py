@@ -2,6 +2,7 @@
 
 import math
 import sys
+from unittest import mock
 
 import bmesh
 import bpy
@@ -57,6 +58,25 @@ class Picking(SessionTestCase):
         self.stroke(session, 220, 200)
         self.assertAlmostEqual(session.pick((0.001, 0.001, 5.0), DOWN).point[2], 0.4, delta=0.01)
 
+    def test_however_far_it_has_moved_the_shape_of_now_is_met(self):
+        """Rays go by a tree that is refitted now and then; limits and curves move vertices further than the root."""
+        cases = ({"strength": 0.01}, {"strength": 0.5}, {"strength": -0.02, "use_minimum": True, "minimum": 0.6},
+                 {"strength": 0.02, "falloff": 'CURVE', "curve": (0.0, 9.0, -20.0, 1.0)})
+        for changes in cases:
+            for radius in (0.1, 0.8):
+                obj = self.ball(4)
+                session = self.session(obj, radius=radius, **changes)
+                session.begin_stroke()
+                for index in range(30):
+                    x, y = 0.6 * math.cos(index), 0.6 * math.sin(1.3 * index)
+                    for origin, direction in (((x, y, 9.0), DOWN), ((9.0, x, y), (-1.0, 0.0, 0.0))):
+                        found, wanted = (one.pick(origin, direction) for one in (session, self.session(obj)))
+                        self.assertEqual(found is None, wanted is None)
+                        if found:
+                            self.assertEqual(found.triangle, wanted.triangle)
+                            self.assertNear(found.point, wanted.point, 1e-6)
+                    session.pull(session.nearest((x, y, 1.0))[0], (0.0, 0.0, changes["strength"]))
+
     def test_what_modifiers_make_of_it_is_met(self):
         obj = self.plane()
         lift = obj.modifiers.new("Lift", 'DISPLACE')
@@ -98,21 +118,27 @@ class Accumulation(SessionTestCase):
             self.assertNear(self.places(obj)[:, 2], places[:, 2], 4e-2 if distance == 'SURFACE' else 1e-5)
 
     def test_a_large_radius_does_the_same_in_another_way(self):
-        """With limits that hold nothing back it has to go through the tree."""
-        results = []
-        for limits in ({}, {"use_maximum": True, "maximum": 1e6}):
-            for mode in ('OBJECT', 'EDIT'):
-                obj = self.ball(4)
-                bpy.ops.object.mode_set(mode=mode)
-                session = self.session(obj, radius=1.2, direction='NORMAL', **limits)
-                session.pick((0.0, 0.0, 5.0), DOWN)
-                self.stroke(session, 500, 30, 600)
-                session.finish()
-                bpy.ops.object.mode_set(mode='OBJECT')
-                results.append(self.places(obj))
-        for other in results[1:]:
-            self.assertNear(other, results[0], 1e-6)
-        self.assertGreater(np.linalg.norm(results[0], axis=1).max(), 1.15)
+        """By looking at all vertices, or at those that the tree finds."""
+        puller = sys.modules[f"{support.addon('pull').__name__}.puller"]
+        shapes = []
+        for limits in ({}, {"use_maximum": True, "maximum": 0.7}):
+            results = []
+            for large in (puller.LARGE, 1e9):
+                for mode in ('OBJECT', 'EDIT'):
+                    obj = self.ball(4)
+                    bpy.ops.object.mode_set(mode=mode)
+                    session = self.session(obj, radius=1.2, direction='NORMAL', **limits)
+                    session.pick((0.0, 0.0, 5.0), DOWN)
+                    with mock.patch.object(puller, "LARGE", large):
+                        self.stroke(session, 500, 30, 600)
+                    session.finish()
+                    bpy.ops.object.mode_set(mode='OBJECT')
+                    results.append(self.places(obj))
+            for other in results[1:]:
+                self.assertNear(other, results[0], 1e-6)
+            self.assertGreater(np.linalg.norm(results[0], axis=1).max(), 1.15)
+            shapes.append(results[0])
+        self.assertGreater(np.abs(shapes[0] - shapes[1]).max(), 0.05)
 
     def test_from_the_original_the_bump_follows(self):
         for has_tree in (False, True):
@@ -322,6 +348,24 @@ class Redo(SessionTestCase):
         self.assertEqual(name, obj.name)
         self.assertNear(shape, before, 0.0)
         self.assertNear(after, self.places(obj), 0.0)
+
+    def test_the_shape_before_the_last_pull(self):
+        """Shapes that are no longer needed are filled anew; this one is."""
+        for radius in (0.1, 0.8):
+            obj = self.ball(4)
+            session = self.session(obj, radius=radius)
+            session.pick((0.0, 0.0, 5.0), DOWN)
+            session.begin_stroke()
+            before = None
+            for index, vertex in enumerate((5, 40, 40, 40, 9, 70, 300, 300, 5)):
+                if index == 0 or vertex != last:
+                    before = self.places(obj)
+                session.pull(vertex, (0.01, 0.02, 0.1))
+                last = vertex
+                self.assertNear(session.last.shape_before(session.current), before, 0.0)
+            kept = session.last.shape_before(session.current)
+            session.pull(600, (0.0, 0.0, 0.1))
+            self.assertNear(kept, before, 0.0)
 
     def test_dabs_at_one_root_are_one_pull(self):
         obj = self.plane()

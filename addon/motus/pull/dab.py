@@ -43,6 +43,7 @@ class Session:
         depsgraph = context.evaluated_depsgraph_get()
         self.space = Space(obj.evaluated_get(depsgraph).matrix_world)
         self.current = self.mesh.positions()
+        _refuse_strange(self.current)
         self._surface = Surface(self.mesh, depsgraph)
         self._puller = Puller(self.mesh, self._surface, self.space)
         self._begin()
@@ -68,7 +69,6 @@ class Session:
         self._is_fresh = True
         self._history = History()
         self._unwritten = []
-        self._is_finite = bool(np.isfinite(self.current.sum()))
         self._spares = []  # shapes for sweeps to fill, in turn
         self._last_moved = NONE_MOVED
 
@@ -287,8 +287,7 @@ class Session:
 
     def _room(self, write):
         """The mesh's own memory, where all of it is to be written now; None where it is not, or is not to be had."""
-        # Of a vertex that is nowhere the sweep tells only when it has filled the room.
-        return self.mesh.room() if write and self._is_finite else None
+        return self.mesh.room() if write else None
 
     def _changed(self, parts, write, room=None, at_most=np.inf):
         """parts: lists of indices; None among them means all. room: of the mesh, which has been filled with what is
@@ -324,6 +323,17 @@ class Session:
         self._puller.forget()
         # Where the shape differs from the base is not known.
         self._last_moved = None
+
+
+def _refuse_strange(positions):
+    """Raise Refused where a vertex is nowhere."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        if np.isfinite(positions.sum()):
+            return
+    strange = ~np.isfinite(positions).all(axis=1)
+    if strange.any():
+        raise meshes.Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(
+            index=int(strange.argmax())))
 
 
 def _same(one, other):

@@ -77,15 +77,12 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
             hidden = session.mesh.hidden()
             if hidden is not None and hidden[self.vertex]:
                 raise Refused(tr("Vertex {index} is hidden").format(index=self.vertex))
-            found = self.vertex
-        elif not self.properties.is_property_set("location"):
+            return self.vertex
+        if not self.properties.is_property_set("location"):
             raise Refused(tr("Say where: a location or a vertex"))
-        else:
-            found, away = session.nearest(session.to_world_point(self.location))
-            if not away < session.reach_radius and session.brush.distance != 'EDGES':
-                raise Refused(tr("No vertex lies within the radius of this location"))
-        if not np.isfinite(session.current[found]).all():
-            raise Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(index=found))
+        found, away = session.nearest(session.to_world_point(self.location))
+        if not away < session.reach_radius and session.brush.distance != 'EDGES':
+            raise Refused(tr("No vertex lies within the radius of this location"))
         return found
 
 
