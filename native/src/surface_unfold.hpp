@@ -33,6 +33,16 @@ struct Corner {
     return by_a.distance <= by_b.distance ? by_a : by_b;
 }
 
+/// The spread of the wave midway between a and b. Where it shrinks at both, its centre is the mean of theirs:
+/// near a focus spreads differ too much from vertex to vertex to be averaged.
+[[nodiscard]] inline double spread_between(const SurfacePlace& a, const SurfacePlace& b, double mean) {
+    if (!(a.spread < 0.0f && b.spread < 0.0f && mean > 0.0))
+        return 0.5 * (static_cast<double>(a.spread) + b.spread);
+    const double radius_a = a.distance / static_cast<double>(a.spread);
+    const double radius_b = b.distance / static_cast<double>(b.spread);
+    return 2.0 * mean / (radius_a + radius_b);
+}
+
 /// The shortest way to c across the side between a and b. The triangle is unfolded into a plane in which the
 /// wave is a circle: about the one point that has the distances of a and b, on a flat surface, else about one
 /// nearer or farther by so much as the surface's curvature has bent the wave on its way here. Past a dome's
@@ -41,14 +51,12 @@ struct Corner {
     if (!(corner.area > 0.0)) return way_by_sides(corner, a, b);
     const double side2 = corner.side2;
     const double mean = 0.5 * (static_cast<double>(a.distance) + b.distance);
-    const double spread = 0.5 * (static_cast<double>(a.spread) + b.spread);
+    const double spread = spread_between(a, b, mean);
     double offset = 0.0;   // distance of the circle's centre
     double towards = 1.0;  // -1: the circle shrinks
     if (spread != 1.0) {
         constexpr double straight = 0.02;  // spread of a wave as good as straight
-        double used = std::abs(spread) < straight ? std::copysign(straight, spread) : spread;
-        // A focus so near does not show at this size of triangles.
-        if (used < 0.0 && mean * mean < 4.0 * (side2 + corner.far2) * used * used) used = straight;
+        const double used = std::abs(spread) < straight ? std::copysign(straight, spread) : spread;
         offset = mean - mean / used;
         if (used < 0.0) towards = -1.0;
     }
@@ -76,12 +84,15 @@ struct Corner {
     const double ray = std::sqrt((across * across + height * height) / side2);
     const double distance = offset + towards * ray;
     const double curvature = 0.5 * (static_cast<double>(a.curvature) + b.curvature);
-    if (spread == 1.0 && curvature == 0.0) return {distance, 1.0};
+    if ((spread == 1.0 && curvature == 0.0) || !(distance > 0.0)) return {distance, 1.0};
     // Jacobi's equation for the radius r of the wave, r'' = -K r, over the part of the ray beyond the side.
+    // Where the circle shrinks it starts from the radius drawn: near a focus the distance tells nothing of
+    // it.
     const double part = ray * corner.area / height;
-    const double before = distance - part;
+    const double before = towards < 0.0 ? ray + part : distance - part;
+    const double slope = towards < 0.0 ? -1.0 : spread;
     const double next =
-        distance * (spread - curvature * part * before) / std::max(before + spread * part, 0.1 * distance);
+        distance * (slope - curvature * part * before) / std::max(before + slope * part, 0.1 * distance);
     return {distance, std::clamp(next, -30.0, 9.0)};
 }
 
