@@ -1,5 +1,6 @@
 """A session of pulls on one mesh: used by the operator, from scripts or by the mouse."""
 
+import math
 from typing import Any, NamedTuple
 
 from mathutils import Vector
@@ -289,7 +290,7 @@ class Session:
         """The mesh's own memory, where all of it is to be written now; None where it is not, or is not to be had."""
         return self.mesh.room() if write else None
 
-    def _changed(self, parts, write, room=None, at_most=np.inf):
+    def _changed(self, parts, write, room=None, at_most=math.inf):
         """parts: lists of indices; None among them means all. room: of the mesh, which has been filled with what is
         current. at_most: how far a vertex has moved, in the object."""
         self._is_fresh = False
