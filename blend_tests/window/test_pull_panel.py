@@ -31,6 +31,10 @@ def test_header_of_the_tool():
     window_support.area().spaces.active.show_region_toolbar = True
     yield 0.5
     yield from window_support.picture("pull_header")
+    brush = bpy.context.scene.motus.pull
+    brush.distance, brush.radius = 'EDGES', 5.0
+    yield from window_support.picture("pull_header_edges")
+    brush.distance, brush.radius = 'STRAIGHT', 1.0
 
 
 def test_panel_says_why_not():

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -66,13 +65,11 @@ void Puller::report() const {
 }
 
 void Puller::look_at_positions(const glm::vec3* positions, std::size_t count) const {
-    // By their bits, which a compiler makes vectors of.
+    // Without a way out of the loop, so that a compiler makes vectors of it.
     const float* const values = numbers(positions);
-    constexpr std::uint32_t exponent = 0x7f800000u;
-    std::uint32_t is_strange = 0;
+    int is_strange = 0;
     for (std::size_t i = 0; i < 3 * count; ++i)
-        is_strange |=
-            static_cast<std::uint32_t>((std::bit_cast<std::uint32_t>(values[i]) & exponent) == exponent);
+        is_strange |= static_cast<int>(!(std::abs(values[i]) <= std::numeric_limits<float>::max()));
     if (is_strange != 0) saw_strange_position_ = true;
 }
 
