@@ -170,6 +170,75 @@ class Copies(IkTestCase):
             animation.action = None
         self.run_edit(edit, changes=False)
 
+    def key_root(self):
+        root = self.rig_object.pose.bones["Root 1"]
+        for frame, turn in ((1, 0.0), (60, 0.6)):
+            root.rotation_quaternion = (1.0, 0.0, turn, 0.0)
+            root.keyframe_insert("rotation_quaternion", frame=frame)
+        for frame in (5, 6):
+            self.scene.frame_set(frame)
+
+    def half_reached(self):
+        """The arm that the tests pose, so that its own transform shows."""
+        self.entry(1).position_weight = 0.5
+        return self.rig_object.pose.bones["Arm 1. 0"]
+
+    def test_posed_under_a_keyed_root(self):
+        self.key_root()
+        bone = self.half_reached()
+
+        def edit():
+            bone.rotation_quaternion = (1.0, 0.3, 0.0, 0.2)
+        self.run_edit(edit)
+
+    def test_keyed_under_a_keyed_root(self):
+        self.key_root()
+        bone = self.half_reached()
+
+        def edit():
+            for frame, turn in ((1, 0.5), (60, -0.5)):
+                bone.rotation_quaternion = (1.0, 0.0, 0.0, turn)
+                bone.keyframe_insert("rotation_quaternion", frame=frame)
+        self.run_edit(edit)
+        action = self.rig_object.animation_data.action
+
+        def take_away():
+            for curves in support.addon("core.actions").all_fcurves(action):
+                for curve in [one for one in curves if "Arm 1" in one.data_path]:
+                    curves.remove(curve)
+        self.run_edit(take_away)
+
+    def test_driven_under_a_driven_root(self):
+        root = self.rig_object.pose.bones["Root 1"]
+        root.driver_add("location", 0).driver.expression = "0.01 * frame"
+        bone = self.half_reached()
+
+        def edit():
+            bone.driver_add("rotation_quaternion", 1).driver.expression = "0.02 * frame"
+        self.run_edit(edit)
+
+    def test_a_bone_that_is_animated_by_its_number(self):
+        self.half_reached()
+        number = list(self.rig_object.pose.bones.keys()).index("Arm 1. 0")
+
+        def edit():
+            curve = self.rig_object.pose.bones[number].driver_add("rotation_quaternion", 1)
+            curve.driver.expression = "0.02 * frame"
+            curve.data_path = f"pose.bones[{number}].rotation_quaternion"
+            self.rig_object.update_tag()
+        self.run_edit(edit)
+
+    def test_a_bone_with_quotes_in_its_name(self):
+        bone = self.half_reached()
+        bone.name = 'Arm "1" \\ upper'
+        bone = self.rig_object.pose.bones[bone.name]
+
+        def edit():
+            for frame, turn in ((1, 0.5), (60, -0.5)):
+                bone.rotation_quaternion = (1.0, 0.0, 0.0, turn)
+                bone.keyframe_insert("rotation_quaternion", frame=frame)
+        self.run_edit(edit)
+
     def test_bone_made_longer(self):
         def edit():
             bpy.ops.object.mode_set(mode='EDIT')

@@ -15,16 +15,6 @@
 namespace motus {
 namespace {
 
-/// A turn of the pose as a turn of what is in the space: its axis seen from there. Exact where the space is
-/// not sheared.
-glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn) {
-    const glm::dvec3 axis(turn.x, turn.y, turn.z);
-    const double size = std::sqrt(glm::dot(axis, axis));
-    const double sign = glm::determinant(to_space) < 0.0 ? -size : size;
-    const glm::dvec3 seen = sign * direction_or(to_space * axis, glm::dvec3(0.0));
-    return {turn.w, seen.x, seen.y, seen.z};
-}
-
 /// The elbow of a chain that is almost straight in its pose, and so bends about a hinge rather than in the
 /// plane of that little bend: where the solution bends no more than the pose, it lies in the pose's plane
 /// nevertheless, so that a target at the pose's tip changes nothing; with three times the bend it is back in
@@ -51,9 +41,18 @@ glm::dvec3 elbow_near_pose(const glm::dvec3& elbow, const glm::dvec3& root, cons
 
 }  // namespace
 
+glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn) {
+    const glm::dvec3 axis(turn.x, turn.y, turn.z);
+    const double size = std::sqrt(glm::dot(axis, axis));
+    const double sign = glm::determinant(to_space) < 0.0 ? -size : size;
+    const glm::dvec3 seen = sign * direction_or(to_space * axis, glm::dvec3(0.0));
+    return {turn.w, seen.x, seen.y, seen.z};
+}
+
 IkAim::IkAim(std::size_t longest)
     : lengths_(longest),
       joints_(longest + 1),
+      to_spaces_(longest),
       best_(longest),
       slopes_(longest),
       rest_(longest),
@@ -139,7 +138,8 @@ void IkAim::turn_bones(IkPose& pose, std::size_t count, const Line& line) {
         const glm::dquat frame_before = next_stays ? pose.frame(i) : no_turn;
         const bool is_carried = i > 0 && pose.bone(i).offset.inherit_rotation;
         pose.enter(i);
-        const glm::dmat3 to_space = inverse_axes(pose.posed(i).space.axes);
+        to_spaces_[i] = inverse_axes(pose.posed(i).space.axes);
+        const glm::dmat3& to_space = to_spaces_[i];
         glm::dquat rotation = pose.posed(i).rotation;
         if (!is_carried) rotation = seen_from(to_space, carries) * rotation;
 
@@ -163,7 +163,7 @@ AimReport IkAim::turn(IkPose& pose, const AimGoal& goal) {
 
     // Lengths that depend on the direction (sheared spaces) are those of the round before: one round is
     // enough for a rigid chain, but for the rounding of single precision that makes every chain a little
-    // elastic.
+    // elastic. For that a nudge does.
     constexpr int most_rounds = 50;
     constexpr double exact = 1e-11;
     double best = 0.0;
@@ -185,6 +185,9 @@ AimReport IkAim::turn(IkPose& pose, const AimGoal& goal) {
             if (miss > enough) keep(pose, goal.count);
         }
         if (miss <= enough) break;
+        if (round == 0 && goal.limits.empty() && nudge(pose, goal.count) &&
+            glm::distance(pose.joints()[goal.count], joints_[goal.count]) <= enough)
+            break;
         if (round + 1 < most_rounds) {
             measure(pose, goal.count, report, goal);
             const glm::dvec3 reached =

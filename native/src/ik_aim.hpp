@@ -25,6 +25,10 @@ struct Chord {
 /// hinge_angle about Y.
 [[nodiscard]] Chord chord_of(const IkPose& pose, std::size_t count, double hinge_angle);
 
+/// A turn of the pose as a turn of what is in the space: its axis seen from there. Exact where the space is
+/// not sheared. to_space: the space's inverse.
+[[nodiscard]] glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn);
+
 struct AimGoal {
     std::size_t count = 0;   ///< bones to turn, from the root
     glm::dvec3 target{0.0};  ///< of the joint after them
@@ -66,12 +70,16 @@ class IkAim {
     void find_joints(const IkPose& pose, const AimGoal& goal, const Line& line, AimReport& report);
     void find_rotations(const IkPose& pose, const AimGoal& goal, const Line& line, AimReport& report);
     void turn_bones(IkPose& pose, std::size_t count, const Line& line);
+    /// Brings the tip to its place by the smallest turns that do, where turns so small that they add up as
+    /// vectors are enough: the error left is their square. False where they are not, the pose as it was.
+    [[nodiscard]] bool nudge(IkPose& pose, std::size_t count) const;
     void keep(const IkPose& pose, std::size_t count);
     /// Brings the tip nearer to `end` from the rotations that were kept; returns how many steps it took.
     int finish(IkPose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
 
     std::vector<double> lengths_;
-    std::vector<glm::dvec3> joints_;  // where they are to be
+    std::vector<glm::dvec3> joints_;     // where they are to be
+    std::vector<glm::dmat3> to_spaces_;  // inverse of what each bone was turned in
     std::vector<glm::dquat> best_;
     std::vector<std::array<glm::dvec3, 3>> slopes_;  // of the tip by each bone's turn about X, Y and Z
     // of chains with limits

@@ -1,4 +1,5 @@
-// Chains whose bones stand in sheared spaces, where rounds of rigid solutions go in circles.
+// What is left of the way to the target after a rigid solution: a rounding of single precision mostly; more
+// where the bones stand in sheared spaces, in which rounds of rigid solutions go in circles.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +10,7 @@
 #include <glm/matrix.hpp>
 
 #include "ik_aim.hpp"
+#include "turns.hpp"
 
 namespace motus {
 namespace {
@@ -20,6 +22,34 @@ glm::dquat turn_by(const glm::dvec3& vector) {
 }
 
 }  // namespace
+
+// J^T (J J^T)^-1 e: with r the vector from a joint to the tip, the columns of J for the turns about that
+// joint are those of -[r]x, so that J J^T is the sum of |r|^2 - r r^T.
+bool IkAim::nudge(IkPose& pose, std::size_t count) const {
+    const std::span<const glm::dvec3> joints = pose.joints();
+    const glm::dvec3 tip = joints[count];
+    glm::dmat3 square(0.0);
+    double largest = 0.0;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 arm = tip - joints[i];
+        const double length = glm::dot(arm, arm);
+        largest = std::max(largest, length);
+        for (int axis = 0; axis < 3; ++axis) {
+            square[axis] -= arm[axis] * arm;
+            square[axis][axis] += length;
+        }
+    }
+    const glm::dvec3 pull = glm::inverse(square) * (joints_[count] - tip);
+    constexpr double small = 1e-6;                                         // rad
+    if (!(glm::dot(pull, pull) * largest <= small * small)) return false;  // or no number: a straight chain
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dvec3 half = 0.5 * glm::cross(tip - joints[i], pull);
+        const glm::dquat turn = seen_from(to_spaces_[i], {1.0, half.x, half.y, half.z});
+        if (i > 0) pose.enter(i);
+        pose.place(i, normalized_product(turn * pose.posed(i).rotation), 1.0);
+    }
+    return true;
+}
 
 // Damped least squares on the rotations themselves, with the true positions of the joints: the step is
 // J^T (J J^T + d^2)^-1 e (Wampler 1986, Nakamura and Hanafusa 1986), d grows where a step does not help.

@@ -1,8 +1,14 @@
 """F-curves of a datablock, the same in every Blender: plain actions up to 4.3, slotted ones since."""
 
+import re
+
 import bpy
 
 from . import capabilities
+
+OWN_CHANNEL = re.compile(
+    r'pose\.bones\[(?:"(?P<bone>(?:[^"\\]|\\.)*)"|\d+)\]\.(?:location|rotation_\w+|scale)$')
+"""Matches data paths of a bone's own transform. "bone" is its name, escaped; None where the path has its number."""
 
 
 def fcurves(id_data):

@@ -8,6 +8,7 @@ where the original has none, tells a fresh copy from one that was read before: a
 import itertools
 import random
 from collections import OrderedDict
+from typing import NamedTuple
 
 import bpy
 
@@ -23,6 +24,22 @@ _copies = OrderedDict()
 _actions = OrderedDict()
 
 
+class Reach(NamedTuple):
+    """What animation sets. settings: whether any Motus setting. bones: names of those whose own transform; None: maybe any."""
+
+    settings: bool
+    bones: frozenset | None
+
+    def poses(self, names):
+        """Whether it sets the own transform of a bone of these names, a frozenset; None for all."""
+        if self.bones is None or names is None:
+            return self.bones is None or len(self.bones) > 0
+        return not self.bones.isdisjoint(names)
+
+
+_NOTHING, _ANYTHING = Reach(False, frozenset()), Reach(True, None)
+
+
 class Copy:
     """One evaluated copy. number: no other copy has had it. found: what was read of it, by name."""
 
@@ -30,15 +47,17 @@ class Copy:
         self.number = number
         self.found = {}
         animation = evaluated.animation_data
-        self._is_driven = animation is not None and _reach_settings(animation.drivers)
+        self._driven = _reach(animation.drivers) if animation and animation.drivers else _NOTHING
 
-    def is_animated(self, evaluated):
+    def has_animated_settings(self, evaluated):
         """Whether an action or driver sets any of the owner's Motus settings."""
         animation = evaluated.animation_data
-        if animation is None:
-            return False
-        return (self._is_driven or len(animation.nla_tracks) > 0
-                or (animation.action is not None and _animates_settings(animation.action)))
+        return animation is not None and (self._driven.settings or _acting(animation).settings)
+
+    def has_animated_poses(self, evaluated, names):
+        """Whether one sets the own transform of a bone of these names, a frozenset; None for all."""
+        animation = evaluated.animation_data
+        return animation is not None and (self._driven.poses(names) or _acting(animation).poses(names))
 
 
 def prepare(owner):
@@ -86,17 +105,26 @@ def has_animation(evaluated):
     return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
 
 
-def _animates_settings(action):
-    """Whether a curve of an evaluated action, in any slot, sets Motus settings. Looked up once for each copy of it."""
+def _acting(animation):
+    """Reach of the action, all slots of it, or of the NLA. An evaluated action is looked through once for each copy."""
+    action = animation.action
+    if animation.nla_tracks:
+        return _ANYTHING
+    if action is None:
+        return _NOTHING
     known = _actions.get(action.get(KEY, 0))
     if known is None:
         number = next(_numbers)
         action[KEY] = number
-        known = _actions[number] = any(_reach_settings(curves) for curves in actions.all_fcurves(action))
+        known = _actions[number] = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
         if len(_actions) > LARGEST:
             _actions.popitem(last=False)
     return known
 
 
-def _reach_settings(curves):
-    return any(curve.data_path.startswith("motus.") for curve in curves)
+def _reach(curves):
+    paths = {curve.data_path for curve in curves}
+    names = {match["bone"] for match in map(actions.OWN_CHANNEL.match, paths) if match}
+    # A bone may be named by its number too.
+    bones = None if None in names else frozenset(map(bpy.utils.unescape_identifier, names))
+    return Reach(any(path.startswith("motus.") for path in paths), bones)

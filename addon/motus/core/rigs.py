@@ -93,33 +93,41 @@ def _inheritance(bone):
             | HAS_LOCAL_LOCATION * bone.use_local_location)
 
 
+class Wanted(NamedTuple):
+    """What somebody reads of a rig. poses: rows whose pose; basis: names, a frozenset, of the bones whose own transform."""
+
+    poses: list
+    basis: frozenset
+
+
 FEW = 8
 """A bone's pose that is asked for by itself takes as long as so many that are read by one call."""
 
 
-def read(rig, known=None, posed=None):
-    """Arrays of an evaluated rig. known: its Still, where plan() has just given that. posed: the only rows of `poses` that
-    are needed, others may be anything; None for all."""
+def read(rig, known=None, wanted=None):
+    """Arrays of an evaluated rig. known: its Still, where plan() has just given that. wanted: the only rows that are needed,
+    others may be anything; None for all."""
     known = known or still(rig, names_of(rig))
     pose, count = rig.pose.bones, len(known.names)
-    if posed is None or FEW * len(posed) > count:
+    if wanted is None or FEW * len(wanted.poses) > count:
         poses = _matrices("poses", pose, "matrix", count)
     else:
         poses = scratch("rig_few_poses", (count, 16), np.float32)
-        for row in posed:
+        for row in wanted.poses:
             poses[row] = columns(pose[known.names[row]].matrix)
-    basis = _basis(rig, pose, count)
+    basis = _basis(rig, pose, count, wanted and wanted.basis)
     return Arrays(known.names, known.rest, poses, basis, known.lengths, known.inheritance, columns(rig.matrix_world))
 
 
-def _basis(rig, pose, count):
-    """Read once for each copy of the rig that nothing animates."""
+def _basis(rig, pose, count, names):
+    """Read once for each copy of the rig, where nothing animates the bones of these names."""
     copy = copies.of(rig)
-    if copy is None or copies.has_animation(rig):
+    if copy is None or copy.has_animated_poses(rig, names):
         return _matrices("basis", pose, "matrix_basis", count)
-    if "basis" not in copy.found:
-        copy.found["basis"] = _matrices("basis", pose, "matrix_basis", count).copy()
-    return copy.found["basis"]
+    key = "basis", names
+    if key not in copy.found:
+        copy.found[key] = _matrices("basis", pose, "matrix_basis", count).copy()
+    return copy.found[key]
 
 
 def columns(matrix):
@@ -174,7 +182,7 @@ class Standing:
     """Where some objects stand, all of them read by one call."""
 
     def __init__(self):
-        self._every = self._wanted = self._rows = None
+        self._every = self._wanted = self._rows = self._room = None
         self._copy = 0
 
     def matrices(self, view_layer, objects, copy=0):
@@ -197,9 +205,8 @@ class Standing:
         self._copy = copy
         if self._rows is None:
             return None
-        matrices = scratch("world_matrices", (len(found), 16), np.float32)
-        found.foreach_get("matrix_world", matrices.ravel())
-        return matrices.take(self._rows, axis=0)
+        found.foreach_get("matrix_world", self._room)
+        return self._room.reshape(-1, 16).take(self._rows, axis=0)
 
     def _find(self, every, wanted, objects):
         there = {*every, *(self._every or ())}
@@ -207,6 +214,7 @@ class Standing:
         rows = {mark: row for row, mark in enumerate(every)}
         is_there = all(mark in rows for mark in wanted)
         self._rows = np.array([rows[mark] for mark in wanted]) if is_there else None
+        self._room = np.empty(16 * len(every), np.float32)
         self._every, self._wanted = every, wanted
 
 

@@ -26,7 +26,7 @@ _STRETCH = ANIMATED.index("stretch")
 class Gathered(NamedTuple):
     """Arguments of IkPlan.solve and IkPlan.match, and what keeps an entry from them.
 
-    reasons: (C,) 0, or why an entry is switched off: NO_TARGET and the like. is_stiff: whether one should stretch, but
+    off: why an entry is switched off, NO_TARGET and the like, by row. is_stiff: whether one should stretch, but
     was wired when it could not.
     """
 
@@ -36,7 +36,7 @@ class Gathered(NamedTuple):
     targets: Any
     poles: Any
     limits: Any
-    reasons: Any
+    off: dict
     is_stiff: bool
 
 
@@ -49,7 +49,7 @@ def gather(rig, text, depsgraph):
 def gather_wired(rig, data, depsgraph):
     """The same for a group's data as the wiring has kept it; of the poses only what IkPlan.solve reads."""
     wired = _plan(rig, data[PLAN])
-    return _gather(rig, wired, rigs.read(rig, wired.still, wired.posed), depsgraph)
+    return _gather(rig, wired, rigs.read(rig, wired.still, wired.wanted), depsgraph)
 
 
 def _plan(rig, text):
@@ -59,8 +59,8 @@ def _plan(rig, text):
 class _Settings(NamedTuple):
     """What the entries say, group by group: read once for each copy of the rig where nothing animates them.
 
-    numbers: as in Gathered. places: see _places. weights: of the rotation, None where no entry takes one; offsets: (C, 3)
-    with it. copy: number of the copy, 0 where the next frame may say otherwise.
+    numbers: as in Gathered, settings. places: see _places. muted: rows. weights: of the rotation, None where no entry takes
+    one; offsets: (C, 3) with it. copy: number of the copy, 0 where the next frame may say otherwise.
     """
 
     numbers: Any
@@ -73,34 +73,32 @@ class _Settings(NamedTuple):
 
 
 def _gather(rig, wired, arrays, depsgraph):
-    entries = rig.motus.ik.entries
     known = _settings_of(rig, wired)
-    numbers = known.numbers
-    presence = rigs.Presence(depsgraph.view_layer, depsgraph.scene)
-    reasons = np.zeros(len(numbers))
-    listed = _Listed(entries, known.places)
-    targets = _targets(listed, wired, arrays, known, depsgraph, presence, reasons)
+    listed = _Listed(rig, known.places)
+    off = {}
+    targets = _targets(listed, wired, arrays, known, depsgraph, off)
     if known.weights is not None:
         _turn(targets, known.offsets, known.weights)
-    if known.muted is not None:
-        reasons[known.muted] = MUTED
-    if np.count_nonzero(reasons):
+    if known.muted:
+        off.update(dict.fromkeys(known.muted, MUTED))
+    numbers = known.numbers
+    if off:
         numbers = numbers.copy()
-        numbers[reasons != 0.0, native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
-    poles = _poles(listed, wired, arrays, known.copy, depsgraph, presence)
+        numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
+    poles = _poles(listed, wired, arrays, known.copy, depsgraph)
     limits = _limits(rig, wired) if wired.has_limits else None
-    return Gathered(wired, arrays, numbers, targets, poles, limits, reasons, known.is_stiff)
+    return Gathered(wired, arrays, numbers, targets, poles, limits, off, known.is_stiff)
 
 
 class _Listed:
     """The group's entries, made into a list when somebody needs them."""
 
-    def __init__(self, entries, places):
-        self._entries, self._places, self._list = entries, places, None
+    def __init__(self, rig, places):
+        self._rig, self._places, self._list = rig, places, None
 
     def __call__(self):
         if self._list is None:
-            every = list(self._entries)
+            every = list(self._rig.motus.ik.entries)
             self._list = every if self._places is None else [every[place] for place in self._places]
         return self._list
 
@@ -119,7 +117,7 @@ def _settings_of(rig, wired):
     copy = copies.of(rig)
     if copy is None:
         return _read_settings(rig, wired, copies.has_animation(rig), 0)
-    if copy.is_animated(rig):
+    if copy.has_animated_settings(rig):
         return _read_settings(rig, wired, True, 0)
     key = "ik", wired.key
     if key not in copy.found:
@@ -135,7 +133,7 @@ def _read_settings(rig, wired, is_animated, copy):
     weights = numbers[:, ANIMATED.index("rotation_weight")]
     is_turned = np.count_nonzero(weights) > 0
     return _Settings(
-        numbers, places, muted if np.count_nonzero(muted) else None, weights if is_turned else None,
+        numbers, places, np.flatnonzero(muted).tolist(), weights if is_turned else None,
         _column(settings.entries, "rotation_offset", places, 3) if is_turned else None, is_stiff, copy)
 
 
@@ -170,24 +168,27 @@ def _column(entries, name, places, size=1, dtype="f4"):
     return found if places is None else found[places]
 
 
-def _targets(entries, wired, arrays, known, depsgraph, presence, reasons):
+def _targets(entries, wired, arrays, known, depsgraph, off):
     """(C, 16) world matrices."""
     found = wired.no_targets.copy()
-    if len(wired.targets.own[0]):
+    if wired.targets.has_own:
         _take_own(found, wired.targets, arrays)
-    _take_others(found, entries, wired.targets, known, depsgraph, presence, reasons)
+    if wired.targets.other_rows:
+        _take_others(found, entries, wired.targets, known, depsgraph, off)
     if wired.targets.none:
-        reasons[wired.targets.none] = NO_TARGET
+        off.update(dict.fromkeys(wired.targets.none, NO_TARGET))
     if wired.is_blended:
-        _blend(found, entries(), presence)
+        _blend(found, entries(), _presence(depsgraph))
     return found
 
 
-def _take_others(found, entries, goals, known, depsgraph, presence, reasons):
+def _presence(depsgraph):
+    return rigs.Presence(depsgraph.view_layer, depsgraph.scene)
+
+
+def _take_others(found, entries, goals, known, depsgraph, off):
     """Fill in world matrices of targets that are no bones of the rig; where there is no weight, maybe places only."""
     rows, bones = goals.other_rows, goals.other_bones
-    if not rows:
-        return
 
     def listed():
         return [entry.target for entry in (entries() if goals.are_others else [entries()[row] for row in rows])]
@@ -198,11 +199,10 @@ def _take_others(found, entries, goals, known, depsgraph, presence, reasons):
         found[slice(None) if goals.are_others else rows] = matrices
     else:
         if None in targets:
-            reasons[[row for row, target in zip(rows, targets) if target is None]] = NO_TARGET
+            off.update((row, NO_TARGET) for row, target in zip(rows, targets) if target is None)
             rows = [row for row, target in zip(rows, targets) if target]
             targets = [target for target in targets if target]
-        for index in presence.deleted(targets):
-            reasons[rows[index]] = TARGET_DELETED
+        off.update((rows[index], TARGET_DELETED) for index in _presence(depsgraph).deleted(targets))
         for row, target in zip(rows, targets):
             if known.weights is not None and known.weights[row]:
                 found[row] = rigs.columns(target.matrix_world)
@@ -212,7 +212,7 @@ def _take_others(found, entries, goals, known, depsgraph, presence, reasons):
         if row in bones:
             matrix = world_matrix(target, bones[row])
             if matrix is None:
-                reasons[row] = reasons[row] or NO_TARGET_BONE
+                off.setdefault(row, NO_TARGET_BONE)
             else:
                 found[row] = rigs.columns(matrix)
 
@@ -266,14 +266,14 @@ def _turn(targets, offsets, weights):
         axes[:] = turn.T @ axes
 
 
-def _poles(entries, wired, arrays, copy, depsgraph, presence):
+def _poles(entries, wired, arrays, copy, depsgraph):
     """(C, 3) places in the world; NaN where there is no pole."""
     goals = wired.poles
-    rows, bones = goals.own
-    if not len(rows) and not goals.other_rows:
+    if not goals.has_own and not goals.other_rows:
         return wired.no_poles
     found = wired.no_poles.copy()
-    if len(rows):
+    if goals.has_own:
+        rows, bones = goals.own
         heads = arrays.poses[bones, 12:16] @ arrays.world.reshape(4, 4)
         found[rows] = heads[:, :3]
     if not goals.other_rows:
@@ -285,6 +285,7 @@ def _poles(entries, wired, arrays, copy, depsgraph, presence):
     matrices = goals.standing.matrices(depsgraph.view_layer_eval, listed, copy)
     if matrices is not None:
         found[goals.other_rows] = matrices[:, 12:15]
+    presence = _presence(depsgraph)
     for row, pole in zip(goals.other_rows, listed()) if matrices is None or goals.other_bones else ():
         bone = goals.other_bones.get(row, "")
         if pole and (bone or matrices is None) and not presence.is_deleted(pole):

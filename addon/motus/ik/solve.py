@@ -26,10 +26,9 @@ def solve(context):
     table = context.outputs.reshape(-1, len(OUTPUTS))
     report.take(found.wired.told, axis=1, out=table, mode='clip')  # 'raise' would make a copy first
     reasons = table[:, REASON]
-    if np.count_nonzero(found.reasons):
-        is_off = found.reasons != 0.0
-        reasons[is_off] = found.reasons[is_off]
-    # All reasons below 0 are a want, but for MUTED, which is the least.
-    if reasons.min() < 0.0 and np.any((reasons < 0.0) & (reasons > reading.MUTED)):
+    if found.off:
+        reasons[list(found.off)] = list(found.off.values())
+    # All reasons below 0 are a want, but for MUTED, which is the least. argmin, as least numbers go, is quick.
+    if reasons[reasons.argmin()] < 0.0 and np.any((reasons < 0.0) & (reasons > reading.MUTED)):
         return SOME_ARE_OFF
     return STIFF if found.is_stiff else None

@@ -41,7 +41,9 @@ class Wired:
         parents = rigs.parents(rig, list(rows))
         self.plan = native.module.IkPlan(parents, bones, effectors, guards)
         roots = {parents[chain[0]] for chain in bones} - {-1}
-        self.posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))
+        posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))
+        names = tuple(rows)
+        self.wanted = rigs.Wanted(posed, frozenset(names[row] for row in self.plan.rows))
 
 
 class _Goals:
@@ -51,6 +53,7 @@ class _Goals:
         found = [(index, chain[key], chain[key + "_bone"]) for index, chain in enumerate(chains)]
         own = [(index, rows[bone]) for index, where, bone in found if where == 'OWN' and bone in rows]
         self.own = tuple(np.array(own, dtype=int).reshape(-1, 2).T)
+        self.has_own = len(own) > 0
         mine = {index for index, _ in own}
         self.other_rows = [index for index, where, _ in found if where and index not in mine]
         self.are_others = len(self.other_rows) == len(chains)

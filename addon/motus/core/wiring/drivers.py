@@ -1,10 +1,8 @@
 """Drivers: made, found and removed in one place."""
 
-import re
-
 import bpy
 
-_CHANNEL = re.compile(r'^pose\.bones\["(?P<bone>(?:[^"\\]|\\.)*)"\]\.(?:location|rotation_\w+|scale)$')
+from .. import actions
 
 
 def add(owner, path, expression, variables, index=None, use_self=False):
@@ -70,5 +68,5 @@ def drop_empty_animation(id_data):
 def driven_bones(obj):
     """Names of the bones that have a driver on their own location, rotation or scale."""
     animation = obj.animation_data
-    matches = (_CHANNEL.match(curve.data_path) for curve in (animation.drivers if animation else ()))
-    return {bpy.utils.unescape_identifier(match["bone"]) for match in matches if match}
+    matches = (actions.OWN_CHANNEL.match(curve.data_path) for curve in (animation.drivers if animation else ()))
+    return {bpy.utils.unescape_identifier(match["bone"]) for match in matches if match and match["bone"]}
