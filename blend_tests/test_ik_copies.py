@@ -106,6 +106,49 @@ class Copies(IkTestCase):
     def test_target_taken_out_of_the_scene(self):
         self.run_edit(lambda: self.scene.collection.objects.unlink(self.entry(0).target))
 
+    def test_objects_in_another_order(self):
+        """The view layer's list changes, and nothing of the rig with it."""
+        def edit():
+            for name in ("Target 1", "Target 0"):
+                obj = bpy.data.objects[name]
+                self.scene.collection.objects.unlink(obj)
+                self.scene.collection.objects.link(obj)
+        self.run_edit(edit, changes=False)
+
+    def test_a_crowd_comes_and_goes(self):
+        before = self.poses(self.rig_object, 4)
+        crowd = [self.target((9.0, place, 0.0), f"Extra {place}") for place in range(40)]
+
+        def leave():
+            for obj in crowd:
+                bpy.data.objects.remove(obj)
+        for edit in (lambda: None, leave):
+            self.run_edit(edit, changes=False)
+            self.assertEqual(self.poses(self.rig_object, 4).tolist(), before.tolist())
+
+    def test_hidden_targets(self):
+        def edit():
+            bpy.data.objects["Target 1"].hide_viewport = True
+            bpy.data.objects["Target 2"].hide_set(True)
+        before = self.poses(self.rig_object, 4)
+        self.run_edit(edit, changes=False)
+        self.assertEqual(self.poses(self.rig_object, 4).tolist(), before.tolist())
+
+    def test_in_two_scenes(self):
+        """Targets stand elsewhere in the lists of the second scene, which was made after the rig was wired."""
+        other = bpy.data.scenes.new("Other")
+        for name in ("Target 2", "Target 0", "Rig", "Target 1"):
+            other.collection.objects.link(bpy.data.objects[name])
+        support.addon("core.wiring.attaching").refresh(support.addon("core.system").registered["ik"], self.rig_object)
+        self.assertIn(self.copies.KEY, other)
+        expected = self.poses(self.rig_object, 30.5)
+        bpy.context.window.scene = other
+        other.frame_set(30, subframe=0.5)
+        evaluated = self.rig_object.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        found = [list(value) for bone in evaluated.pose.bones for value in bone.matrix]
+        bpy.context.window.scene = self.scene
+        self.assertEqual(found, [list(value) for pose in expected for value in pose])
+
     def test_entries_in_another_order(self):
         def edit():
             self.entry(0).position_weight = 0.2
@@ -263,7 +306,9 @@ class Copies(IkTestCase):
         bpy.ops.motus.look_at_add(object="Rig", bone="Root 0", target="Target 0")
         for arm in range(ARMS):
             bpy.ops.motus.ik_remove(object="Rig", bone=f"Arm {arm}. 1")
-        self.assertIn(self.copies.KEY, self.rig_object)
+        for datablock in (self.rig_object, self.rig_object.data, self.scene):
+            self.assertIn(self.copies.KEY, datablock)
         bpy.ops.motus.look_at_remove(object="Rig", bone="Root 0")
         self.assertNotIn(self.copies.KEY, self.rig_object)
         self.assertNotIn(self.copies.KEY, self.rig_object.data)
+        self.assertNotIn(self.copies.KEY, self.scene)

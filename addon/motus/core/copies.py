@@ -15,7 +15,7 @@ import bpy
 from . import actions
 
 KEY = "motus_copy"
-"""Custom property of an owner: one integer, 0 on the original. An array, since an item of it is written where it lies."""
+"""Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
 LARGEST = 256  # copies that are known at a time
 
 # From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
@@ -61,20 +61,23 @@ class Copy:
 
 
 def prepare(owner):
-    """Let evaluated copies of a rig, and of its armature, be told apart. Called when it is wired."""
-    for datablock in (owner, owner.data):
+    """Let evaluated copies of a rig, of its armature and of its scenes be told apart. Called when it is wired."""
+    for datablock in (owner, owner.data, *owner.users_scene):
         if not datablock.library and KEY not in datablock:
             datablock[KEY] = [0]
             datablock.update_tag()
 
 
 def release(owner):
-    """Take that back."""
+    """Take that back, from what no other rig needs it for."""
     if owner.pop(KEY, None) is None:
         return
     data = owner.data
     if not data.library and all(KEY not in other for other in bpy.data.objects if other.data == data):
         data.pop(KEY, None)
+    for scene in bpy.data.scenes:
+        if not scene.library and all(KEY not in other for other in scene.objects):
+            scene.pop(KEY, None)
 
 
 def of(evaluated):

@@ -183,30 +183,39 @@ class Standing:
 
     def __init__(self):
         self._every = self._wanted = self._rows = self._room = None
-        self._copy = 0
+        self._state = ()
 
-    def matrices(self, view_layer, objects, copy=0):
+    def matrices(self, depsgraph, objects, copy=0):
         """World matrices of evaluated objects, (n, 16) float32 column by column; None: they are to be asked one by one.
 
         So it is where one of them is None or not in the evaluated view layer, and where that has a great many others.
         objects(): the list of them. copy: number of the owner's copy (core/copies.py) that names them, and goes on to name the
         same; 0 where they may be others each time.
         """
-        layer = view_layer.id_data.name, view_layer.name
-        wanted = self._wanted if copy and copy == self._copy else list(map(hash, objects()))
-        if _layer_sizes.get(layer, 0) > LARGE_SCENE * len(wanted):
-            return None
-        # Of evaluated data no references are kept; what is compared is where it lies in memory.
-        found = view_layer.objects
-        every = list(map(hash, found.values()))
-        if every != self._every or wanted != self._wanted:
-            self._find(every, wanted, objects())
-            _layer_sizes[layer] = len(found)
-        self._copy = copy
+        # Which objects stand in a view layer is part of the scene's own copy.
+        state = copy, copies.number_of(depsgraph.scene_eval)
+        view_layer = depsgraph.view_layer_eval
+        if not all(state) or state != self._state:
+            self._look(view_layer, objects)
+            self._state = state
         if self._rows is None:
             return None
-        found.foreach_get("matrix_world", self._room)
+        view_layer.objects.foreach_get("matrix_world", self._room)
         return self._room.reshape(-1, 16).take(self._rows, axis=0)
+
+    def _look(self, view_layer, objects):
+        layer = view_layer.id_data.name, view_layer.name
+        wanted = list(map(hash, objects()))
+        most = LARGE_SCENE * len(wanted)
+        if _layer_sizes.get(layer, 0) <= most:
+            # Of evaluated data no references are kept; what is compared is where it lies in memory.
+            every = list(map(hash, view_layer.objects.values()))
+            _layer_sizes[layer] = len(every)
+            if len(every) <= most:
+                if every != self._every or wanted != self._wanted:
+                    self._find(every, wanted, objects())
+                return
+        self._every = self._rows = None
 
     def _find(self, every, wanted, objects):
         there = {*every, *(self._every or ())}

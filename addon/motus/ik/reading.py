@@ -193,7 +193,7 @@ def _take_others(found, entries, goals, known, depsgraph, off):
     def listed():
         return [entry.target for entry in (entries() if goals.are_others else [entries()[row] for row in rows])]
 
-    matrices = goals.standing.matrices(depsgraph.view_layer_eval, listed, known.copy)
+    matrices = goals.standing.matrices(depsgraph, listed, known.copy)
     targets = listed() if matrices is None or bones else ()
     if matrices is not None:
         found[slice(None) if goals.are_others else rows] = matrices
@@ -282,7 +282,7 @@ def _poles(entries, wired, arrays, copy, depsgraph):
     def listed():
         return [entries()[row].pole for row in goals.other_rows]
 
-    matrices = goals.standing.matrices(depsgraph.view_layer_eval, listed, copy)
+    matrices = goals.standing.matrices(depsgraph, listed, copy)
     if matrices is not None:
         found[goals.other_rows] = matrices[:, 12:15]
     presence = _presence(depsgraph)
