@@ -26,11 +26,18 @@ ForceTerms force_terms(const Profile& profile, float radius) {
     require(radius > 0.0f && std::isfinite(radius), "radius: must be > 0 and finite");
     ForceTerms terms;
     terms.falloff = profile.falloff;
-    terms.reach = reach_of(profile, radius);
+    terms.limit = radius;
     // A radius so small that its reciprocal is infinite must not make 0 / R undefined.
     terms.scale = std::min(1.0f / radius, std::numeric_limits<float>::max());
+    if (profile.falloff == Falloff::gaussian || profile.falloff == Falloff::constant) {
+        terms.of_squares = true;
+        // Nor may its square leave the root out of reach.
+        terms.limit = std::max(radius * radius, std::numeric_limits<float>::denorm_min());
+        terms.scale = std::min(1.0f / terms.limit, std::numeric_limits<float>::max());
+    }
     if (profile.falloff == Falloff::classic) {
         require(std::isfinite(profile.scale_factor), "scale_factor: must be finite");
+        terms.of_squares = true;
         terms.scale = 1.0f / (radius + 1.0f);
         terms.exponent = 1.0f + std::abs(profile.scale_factor);
     }
@@ -50,7 +57,8 @@ void forces(const Profile& profile, float radius, std::span<const float> distanc
     require(distances.size() == out.size(), "out: must be as long as distances");
     const ForceTerms terms = force_terms(profile, radius);
     const PullKernel& kernel = pull_kernels().back();
-    if (out.data() != distances.data()) std::copy(distances.begin(), distances.end(), out.begin());
+    std::transform(distances.begin(), distances.end(), out.begin(),
+                   [&terms](float distance) { return terms.of_squares ? distance * distance : distance; });
     for (std::size_t i = 0; i < out.size(); i += pull_block)
         kernel.force(terms, out.data() + i, std::min(pull_block, out.size() - i));
 }

@@ -21,8 +21,9 @@ using PerVertex = Unfilled<T, pull_block>;
 /// A profile with its radius, as numbers for the loops.
 struct ForceTerms {
     Falloff falloff = Falloff::smooth;
-    float reach = 1.0f;              ///< reach_of(profile, radius)
-    float scale = 1.0f;              ///< 1 / R; of `classic` 1 / (R + 1)
+    bool of_squares = false;         ///< the falloff is one of d^2, which is all that is measured then
+    float limit = 1.0f;              ///< reach_of(profile, radius), or its square: forces are 0 from there on
+    float scale = 1.0f;              ///< 1 / R; of `classic` 1 / (R + 1), of `gaussian` 1 / R^2
     float exponent = 1.0f;           ///< 1 + |k|
     const float* samples = nullptr;  ///< of `curve`
     int last_sample = 1;
@@ -60,13 +61,11 @@ struct Shares {
 /// are x, y, z after each other.
 struct PullKernel {
     const char* name;
-    /// Distances from `root`.
-    Seen (*measure)(const float* positions, std::size_t count, const glm::vec3& root, float reach,
-                    float* distances);
-    /// Distances |metric (p - root)|.
-    Seen (*measure_by)(const glm::mat3& metric, const float* positions, std::size_t count,
-                       const glm::vec3& root, float reach, float* distances);
-    /// Forces in place of distances.
+    /// Distances from `root`, or their squares, as `force` takes them. metric: upper triangular, distances
+    /// are |metric (p - root)|; null for straight ones.
+    Seen (*measure)(const ForceTerms& force, const glm::mat3* metric, const glm::vec3& root,
+                    const float* positions, std::size_t count, float* values);
+    /// Forces in place of what was measured.
     void (*force)(const ForceTerms& terms, float* values, std::size_t count);
     /// Whether all lie in [0, 1].
     bool (*are_weights)(const float* weights, std::size_t count);
@@ -74,10 +73,11 @@ struct PullKernel {
     void (*weigh)(const float* weights, std::size_t count, float* forces);
     /// Moves by one image.
     void (*move)(const MoveTerms& terms, const float* forces, std::size_t count, float* positions);
-    /// All three of any number of vertices, by one image without limits; metric: null for straight distances.
-    /// measured: other positions that distances are those of, or null.
+    /// All of these of any number of vertices, by one image without limits. measured: other positions that
+    /// distances are those of, or null. weights: one for each vertex, or null.
     Seen (*pull)(const ForceTerms& force, const MoveTerms& move, const glm::vec3& root,
-                 const glm::mat3* metric, std::size_t count, const float* measured, float* positions);
+                 const glm::mat3* metric, std::size_t count, const float* measured, const float* weights,
+                 float* positions);
     /// Adds an image to the shares, then moves by all of them.
     void (*share)(const glm::vec3& displacement, const float* forces, std::size_t count, Shares& shares);
     void (*move_by)(const MoveTerms& terms, const Shares& shares, std::size_t count, float* positions);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
 
@@ -25,6 +26,21 @@ void require(bool condition, const char* message) {
     return reinterpret_cast<float*>(positions);
 }
 
+/// A metric by which all vectors are as long: of one that turns and scales along the axes, as most objects'
+/// do, the scale alone; of others themselves.
+[[nodiscard]] glm::mat3 unturned(const glm::mat3& metric) {
+    const glm::dmat3 axes(metric);
+    const glm::dvec3 scale(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
+    constexpr double rounding = 3e-7;  // of a rotation in single precision
+    for (int axis = 0; axis < 3; ++axis) {
+        const int next = (axis + 1) % 3;
+        if (std::abs(glm::dot(axes[axis], axes[next])) > rounding * scale[axis] * scale[next]) return metric;
+    }
+    glm::mat3 result(0.0f);
+    for (int axis = 0; axis < 3; ++axis) result[axis][axis] = static_cast<float>(scale[axis]);
+    return result;
+}
+
 constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Vertices of a block that another image's Reach doesn't hold.
 constexpr float out_of_reach = infinity;
@@ -42,7 +58,7 @@ Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_coun
                const PullKernel& kernel)
     : force_(force_terms(dab.profile, dab.radius)),
       move_{dab.displacement, dab.minimum, dab.maximum, dab.clamp_axis},
-      metric_(dab.metric),
+      metric_(unturned(dab.metric)),
       is_plain_(dab.metric == glm::mat3(1.0f)),
       vertex_count_(vertex_count),
       kernel_(kernel) {
@@ -79,10 +95,7 @@ void Puller::look_at_weights(const float* weights, std::size_t count) const {
 
 bool Puller::measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
                      float* distances) const {
-    const Seen seen =
-        is_plain_
-            ? kernel_.measure(numbers(positions), count, image.root, force_.reach, distances)
-            : kernel_.measure_by(metric_, numbers(positions), count, image.root, force_.reach, distances);
+    const Seen seen = kernel_.measure(force_, metric(), image.root, numbers(positions), count, distances);
     // Far away the square is infinite while the position is not.
     if (seen.is_strange) look_at_positions(positions, count);
     return seen.is_near;
@@ -125,18 +138,20 @@ bool Puller::act(const glm::vec3* positions, const float* weights, std::size_t c
 void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last,
                        glm::vec3* out) const {
     const bool is_free = move_.minimum == -infinity && move_.maximum == infinity;
-    const bool is_simple = is_free && images_.size() == 1 && weights == nullptr;
+    const bool is_simple = is_free && images_.size() == 1;
     const glm::vec3* const positions = shapes.positions;
     for (std::size_t begin = first; begin < last; begin += pull_block) {
         const std::size_t count = std::min(pull_block, last - begin);
         const glm::vec3* from = positions + begin;
+        const float* const weight = weights != nullptr ? weights + begin : nullptr;
         if (!shapes.is_one()) look_at_positions(from, count);
         if (is_simple) {
             if (out != positions) std::copy_n(from, count, out + begin);
             const glm::vec3* const measured = shapes.is_one() ? out : shapes.measured;
-            const Seen seen =
-                kernel_.pull(force_, move_, images_[0].root, is_plain_ ? nullptr : &metric_, count,
-                             shapes.is_one() ? nullptr : numbers(measured + begin), numbers(out + begin));
+            if (weight != nullptr) look_at_weights(weight, count);
+            const Seen seen = kernel_.pull(force_, move_, images_[0].root, metric(), count,
+                                           shapes.is_one() ? nullptr : numbers(measured + begin), weight,
+                                           numbers(out + begin));
             // One that is strange has not moved.
             if (seen.is_strange) look_at_positions(measured + begin, count);
             continue;
@@ -144,8 +159,7 @@ void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t f
         const auto distances = [&](std::size_t image, float* values) {
             return measure(images_[image], shapes.measured + begin, count, values);
         };
-        const bool moved =
-            act(from, weights != nullptr ? weights + begin : nullptr, count, distances, out + begin);
+        const bool moved = act(from, weight, count, distances, out + begin);
         if (!moved && out != positions) std::copy_n(from, count, out + begin);
     }
 }
@@ -202,7 +216,9 @@ void Puller::act_along(const glm::vec3* positions, const float* weights,
                 const bool is_held = at < reach.vertices.size() && reach.vertices[at] == part[i];
                 values[i] = out_of_reach;
                 if (!is_held) continue;
-                if (is_finite(block.positions[i])) values[i] = reach.distances[at];
+                const float distance = reach.distances[at];
+                if (is_finite(block.positions[i]))
+                    values[i] = force_.of_squares ? distance * distance : distance;
                 ++at;
             }
             return at > first;

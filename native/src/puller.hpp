@@ -47,6 +47,7 @@ class Puller {
   private:
     struct Gathered;
 
+    [[nodiscard]] const glm::mat3* metric() const noexcept { return is_plain_ ? nullptr : &metric_; }
     [[nodiscard]] bool measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
                                float* distances) const;
     void gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
@@ -60,8 +61,8 @@ class Puller {
 
     ForceTerms force_;
     MoveTerms move_;
-    glm::mat3 metric_;
-    bool is_plain_;  ///< the metric is the identity
+    glm::mat3 metric_;  ///< the dab's, or one of the same lengths
+    bool is_plain_;     ///< the dab's is the identity
     std::size_t vertex_count_;
     const PullKernel& kernel_;
     std::vector<PullImage> images_;

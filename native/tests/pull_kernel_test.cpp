@@ -32,6 +32,9 @@ Dab dab_with(Falloff falloff, float radius) {
     return dab;
 }
 
+const glm::mat3 sheared{1.5f, 0.2f, 0.0f, -0.3f, 0.7f, 0.1f, 0.0f, 0.4f, 2.0f};
+const glm::mat3 turned{0.0f, 1.5f, 0.0f, -0.7f, 0.0f, 0.0f, 0.0f, 0.0f, 2.0f};
+
 void set_free(Dab& dab) {
     dab.minimum = -std::numeric_limits<float>::infinity();
     dab.maximum = std::numeric_limits<float>::infinity();
@@ -61,7 +64,7 @@ TEST_CASE("every instruction set gives the same bits", "[pull]") {
                     Dab dab = dab_with(falloff, radius);
                     dab.mirror = mirror;
                     if (count % 4 != 1) set_free(dab);
-                    if (count % 2 == 1) dab.metric = {1.5f, 0.2f, 0.0f, -0.3f, 0.7f, 0.1f, 0.0f, 0.4f, 2.0f};
+                    if (count % 2 == 1) dab.metric = count % 3 == 0 ? turned : sheared;
                     const auto plain = pulled_by(kernels.front(), points, dab, {});
                     const auto weighed = pulled_by(kernels.front(), points, dab, weights);
                     for (const PullKernel& kernel : kernels) {
@@ -76,25 +79,31 @@ TEST_CASE("every instruction set gives the same bits", "[pull]") {
     }
 }
 
-TEST_CASE("dabs without weights or limits, done in one pass, give the same bits as by blocks", "[pull]") {
+TEST_CASE("dabs without limits, done in one pass, give the same bits as by blocks", "[pull]") {
     const float huge = std::numeric_limits<float>::max();
     for (const std::size_t count : {1u, 5u, 15u, 16u, 17u, 33u, 700u, 5000u}) {
         std::vector<glm::vec3> points = cloud(count);
         points[count / 2] = {-0.0f, 0.0f, -0.0f};
         points[count - 1] = {huge, -huge, 0.0f};  // finite, but no square of it is
-        const std::vector<float> ones(count, 1.0f);
+        std::vector<float> weights = random_weights(count);
+        weights[count / 3] = 0.0f;
         for (const Falloff falloff : all_falloffs) {
             for (const float radius : {0.3f, 5.0f}) {
-                for (const bool is_metric : {false, true}) {
+                for (const glm::mat3& metric : {glm::mat3(1.0f), turned, sheared}) {
                     Dab dab = dab_with(falloff, radius);
                     set_free(dab);
-                    if (is_metric) dab.metric = {1.5f, 0.2f, 0.0f, -0.3f, 0.7f, 0.1f, 0.0f, 0.4f, 2.0f};
+                    dab.metric = metric;
+                    Dab by_blocks = dab;
+                    by_blocks.minimum = -huge;  // limits, which hold nothing back
+                    by_blocks.maximum = huge;
                     for (const PullKernel& kernel : pull_kernels()) {
                         INFO(kernel.name << ", " << count << " vertices, falloff "
                                          << static_cast<int>(falloff));
                         const std::vector<glm::vec3> found = pulled_by(kernel, points, dab, {});
-                        CHECK(same_bits(found, pulled_by(kernel, points, dab, ones)));
+                        CHECK(same_bits(found, pulled_by(kernel, points, by_blocks, {})));
                         CHECK((found[count - 1].x == huge && found[count - 1].y == -huge));
+                        CHECK(same_bits(pulled_by(kernel, points, dab, weights),
+                                        pulled_by(kernel, points, by_blocks, weights)));
                     }
                 }
             }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <numeric>
@@ -30,6 +31,11 @@ Dab sample_dab() {
 
 /// Stretched, turned and sheared.
 const glm::mat3 world{1.5f, 0.2f, 0.0f, -0.3f, 0.7f, 0.1f, 0.0f, 0.4f, 2.0f};
+
+/// Turned about (1, 2, 2) and stretched along the axes, not sheared.
+const glm::mat3 stretched =
+    glm::mat3(glm::mat3_cast(glm::angleAxis(0.7, glm::dvec3(1.0, 2.0, 2.0) / 3.0)) *
+              glm::dmat3(glm::dvec3(1.5, 0, 0), glm::dvec3(0, 0.6, 0), glm::dvec3(0, 0, 2.0)));
 
 }  // namespace
 
@@ -68,17 +74,19 @@ TEST_CASE("a pull follows the rules", "[pull]") {
     for (const Falloff falloff : {Falloff::classic, Falloff::smooth, Falloff::sphere, Falloff::linear,
                                   Falloff::sharp, Falloff::constant, Falloff::gaussian, Falloff::curve}) {
         for (const unsigned mirror : {0u, 1u, 6u, 7u}) {
-            for (const bool is_stretched : {false, true}) {
+            for (const glm::mat3& metric : {glm::mat3(1.0f), stretched, world}) {
                 Dab dab = sample_dab();
                 // Off by rounding, a vertex may fall on either side of the radius: a step for `constant`
                 // alone.
                 dab.profile = {falloff, 1.5f, curve};
                 dab.mirror = mirror;
-                if (is_stretched) dab.metric = world;
+                dab.metric = metric;
                 INFO("falloff " << static_cast<int>(falloff) << ", mirror " << mirror << ", metric "
-                                << is_stretched);
-                CHECK(error(points, dab, pulled(points, dab)) < 2e-6);
-                CHECK(error(points, dab, pulled(points, dab, weights), weights) < 2e-6);
+                                << metric[0].x);
+                // Only the scale is left of that one, rounded, and the sphere's edge is steep.
+                const double most = metric == stretched ? 4e-6 : 2e-6;
+                CHECK(error(points, dab, pulled(points, dab)) < most);
+                CHECK(error(points, dab, pulled(points, dab, weights), weights) < most);
             }
         }
     }

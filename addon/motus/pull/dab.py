@@ -244,7 +244,11 @@ class Session:
         numbers = dab.vertex, dab.displacement, self.brush, dab.radius, self._start
         if self._puller.may_sweep(self.brush, dab.radius, self._start):
             after, room = self._spare(), self._room(write)
-            moved = self._puller.sweep(before, *numbers, after, room)
+            if room is not None and not self._unwritten:
+                # It holds the shape already, and has just been through the processor.
+                moved = self._puller.sweep(room, *numbers, room, after)
+            else:
+                moved = self._puller.sweep(before, *numbers, after, room)
             self.current = after
             before = before if moved is None else before[moved]
         else:
