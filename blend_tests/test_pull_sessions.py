@@ -140,6 +140,25 @@ class Accumulation(SessionTestCase):
             shapes.append(results[0])
         self.assertGreater(np.abs(shapes[0] - shapes[1]).max(), 0.05)
 
+    def test_written_at_once_or_later_the_same(self):
+        """Several dabs of one movement of the mouse are written with the last of them."""
+        for accumulate in (True, False):
+            results = []
+            for are_written in ((True,) * 5, (False, True, False, False, True), (True, False, True, True, False)):
+                obj = self.ball(4)
+                before = self.bits(obj)
+                session = self.session(obj, radius=1.2, direction='NORMAL', accumulate=accumulate)
+                session.begin_stroke()
+                for vertex, is_written in zip((500, 30, 600, 601, 40), are_written):
+                    session.pull(vertex, session.displacement(vertex), write=is_written)
+                session.flush()
+                results.append(self.bits(obj))
+                self.assertEqual(session.current.tobytes(), results[-1])
+                session.restore()
+                self.assertEqual(self.bits(obj), before)
+            self.assertEqual(results, [results[0]] * 3)
+            self.assertNotEqual(results[0], before)
+
     def test_from_the_original_the_bump_follows(self):
         for has_tree in (False, True):
             obj = self.plane()
