@@ -1,5 +1,6 @@
 """Sessions of many dabs, as the mouse makes them: picking, accumulation, smoothing, steps back, and doing it again."""
 
+import itertools
 import math
 import sys
 from unittest import mock
@@ -367,6 +368,29 @@ class Redo(SessionTestCase):
         self.assertEqual(name, obj.name)
         self.assertNear(shape, before, 0.0)
         self.assertNear(after, self.places(obj), 0.0)
+
+    def test_shapes_that_were_given_away_stay_as_they_are(self):
+        """The last pull's shapes are kept beyond a session, which may begin again; by every way to move vertices."""
+        for radius, accumulate, has_tree in itertools.product((0.1, 1.2), (True, False), (True, False)):
+            obj = self.ball(4)
+            first = self.bits(obj)
+            session = self.session(obj, radius=radius, direction='NORMAL', accumulate=accumulate)
+            if has_tree:
+                session.pick((0.0, 0.0, 5.0), DOWN)
+            self.stroke(session, 500, 30)
+            between = self.bits(obj)
+            given = session.shapes_of_last()
+            before = [shape.tobytes() for shape in given]
+            self.assertEqual(before[1], between)
+            self.stroke(session, 600, 601)
+            session.smooth(600, 0.5)
+            session.finish()
+            self.assertTrue(session.begin_again(bpy.context, obj, session.brush))
+            self.stroke(session, 10, 40, 11)
+            self.assertEqual([shape.tobytes() for shape in given], before)
+            self.assertTrue(session.step_back())
+            session.restore()
+            self.assertNotIn(self.bits(obj), (first, between))
 
     def test_the_shape_before_the_last_pull(self):
         """Shapes that are no longer needed are filled anew; this one is."""

@@ -47,6 +47,7 @@ class Session:
         _refuse_strange(self.current)
         self._surface = Surface(self.mesh, depsgraph)
         self._puller = Puller(self.mesh, self._surface, self.space)
+        self._given = ()
         self._begin()
 
     def begin_again(self, context, obj, brush):
@@ -64,13 +65,13 @@ class Session:
         return True
 
     def _begin(self):
-        # These shapes are never changed in place, so that others may keep them.
-        self._original = self._base = self._start = self.current.copy()
+        # These shapes are never changed in place, so that others may keep them; see _writable().
+        self._original = self._base = self._start = self.current
         self._surface.start_is_current()
         self._is_fresh = True
         self._history = History()
         self._unwritten = []
-        self._spares = []  # shapes for sweeps to fill, in turn
+        self._spares = []  # shapes for sweeps to fill, in turn; see _spare()
         self._last_moved = NONE_MOVED
 
     # --- Where it pulls ---------------------------------------------------------------------------------------------
@@ -227,7 +228,17 @@ class Session:
     @property
     def has_changed(self):
         """Whether any vertex is elsewhere than when the session began."""
-        return not _same(self._original, self.current)
+        if self.current is self._original:
+            return False
+        roots = [dab.vertex for dab in self.dabs]  # which moves most
+        return not _same(self._original[roots], self.current[roots]) or not _same(self._original, self.current)
+
+    def shapes_of_last(self):
+        """The shapes (n, 3) before the last pull and after it; the session leaves them as they are."""
+        last = self.last
+        before = last.before if last.moved is None else last.shape_before(self.current)
+        self._given = before, self.current
+        return self._given
 
     @property
     def dabs(self):
@@ -252,7 +263,7 @@ class Session:
             self.current = after
             before = before if moved is None else before[moved]
         else:
-            moved, before = self._puller.pull(self.current, *numbers)
+            moved, before = self._puller.pull(self._writable(), *numbers)
         self._history.add(dab, self.brush, place, moved, before)
         self._changed([moved], write, room, self.brush.largest_force * np.linalg.norm(dab.displacement))
 
@@ -261,9 +272,11 @@ class Session:
         numbers, room = (dab.vertex, dab.displacement, self.brush, dab.radius), None
         if self._puller.may_sweep(self.brush, dab.radius, self._base):
             room = self._room(write)
+            if self._is_kept(self.current):
+                self.current = self._spare()
             moved = self._puller.sweep(self._base, *numbers, self._base, self.current, room)
         else:
-            moved = self._puller.pull_from(self._base, self.current, self._last_moved, *numbers)
+            moved = self._puller.pull_from(self._base, self._writable(), self._last_moved, *numbers)
         self._history.add(dab, self.brush, place, None, self._base)
         # What the dab before has moved is back in its place, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
@@ -272,7 +285,7 @@ class Session:
     def _smooth(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
         moved, before = self._puller.smooth(
-            self.current, dab.vertex, dab.strength, self.brush, dab.radius, self._start)
+            self._writable(), dab.vertex, dab.strength, self.brush, dab.radius, self._start)
         self._history.add(dab, self.brush, place, moved, before)
         self._changed([moved], write)
         if not self.brush.accumulate:
@@ -280,11 +293,21 @@ class Session:
             self._base = self._start
             self._last_moved = NONE_MOVED
 
+    def _is_kept(self, shape):
+        """Whether somebody else counts on the shape to stay as it is."""
+        last = self._history.last
+        kept = (self._original, self._base, self._start, *self._given, last.before if last else None)
+        return any(shape is one for one in kept)
+
+    def _writable(self):
+        """The current shape, to be changed in place."""
+        if self._is_kept(self.current):
+            self.current = self.current.copy()
+        return self.current
+
     def _spare(self):
         """Room (n, 3) for another shape: one that is no longer kept, or new."""
-        last = self._history.last
-        kept = (self.current, last.before if last else None)
-        found = next((one for one in self._spares if all(one is not other for other in kept)), None)
+        found = next((one for one in self._spares if one is not self.current and not self._is_kept(one)), None)
         if found is None:
             found = np.empty_like(self.current)
             self._spares.append(found)

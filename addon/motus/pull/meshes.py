@@ -26,7 +26,7 @@ def problem(obj):
         return tr("Dynamic topology changes the vertices while they are pulled: switch it off first")
     if any(modifier.type == 'MULTIRES' for modifier in obj.modifiers):
         return tr("{object} has a Multiresolution modifier: apply it or remove it first").format(object=obj.name)
-    if obj.mode != 'EDIT' and not mesh.vertices:
+    if obj.mode != 'EDIT' and len(mesh.vertices) == 0:  # to ask for any vertex un-shares their places
         return tr("{object} has no vertices").format(object=obj.name)
     key = obj.active_shape_key
     if key is not None and getattr(key, "lock_shape", False):
@@ -43,7 +43,7 @@ def open_mesh(obj):
         from . import mesh_edit
         # What has been edited so far is in Blender's edit mesh alone; this puts it into the arrays.
         obj.update_from_editmode()
-        if not obj.data.vertices:
+        if len(obj.data.vertices) == 0:
             raise Refused(tr("{object} has no vertices").format(object=obj.name))
         return mesh_edit.EditMesh(obj)
     return ObjectMesh(obj)

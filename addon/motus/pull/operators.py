@@ -128,7 +128,7 @@ def keep_last(record, session):
     record.metric = session.space.metric(pulled.brush.unit).ravel().tolist()
     if pulled.brush.curve:
         record.curve = pulled.brush.curve
-    history.last_shapes = session.object_name, pulled.shape_before(session.current), session.current.copy()
+    history.last_shapes = session.object_name, *session.shapes_of_last()
 
 
 def no_such_vertex(session, vertex):

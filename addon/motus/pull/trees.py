@@ -34,7 +34,7 @@ class Tree:
         self._drift += at_most
         if indices is None or self._moved is None:
             self._moved = None
-        else:
+        elif len(indices):
             self._moved.append(indices)
             if len(self._moved) > MOST_PARTS:
                 self._moved = None
