@@ -61,8 +61,8 @@ struct Shares {
 /// are x, y, z after each other.
 struct PullKernel {
     const char* name;
-    /// Distances from `root`, or their squares, as `force` takes them. metric: upper triangular, distances
-    /// are |metric (p - root)|; null for straight ones.
+    /// Distances from `root`, or their squares, as `force` takes them. metric: distances are
+    /// |metric (p - root)|; null for straight ones.
     Seen (*measure)(const ForceTerms& force, const glm::mat3* metric, const glm::vec3& root,
                     const float* positions, std::size_t count, float* values);
     /// Forces in place of what was measured.
