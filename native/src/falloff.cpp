@@ -38,6 +38,9 @@ ForceTerms force_terms(const Profile& profile, float radius) {
     if (profile.falloff == Falloff::classic) {
         require(std::isfinite(profile.scale_factor), "scale_factor: must be finite");
         terms.of_squares = true;
+        // The radius is the square of the reach, which may have been rounded down.
+        const float reach = reach_of(profile, radius);
+        terms.limit = std::min(radius, reach * reach);
         terms.scale = 1.0f / (radius + 1.0f);
         terms.exponent = 1.0f + std::abs(profile.scale_factor);
     }

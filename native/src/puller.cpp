@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <limits>
 #include <stdexcept>
 
@@ -26,21 +25,6 @@ void require(bool condition, const char* message) {
     return reinterpret_cast<float*>(positions);
 }
 
-/// A metric by which all vectors are as long: of one that turns and scales along the axes, as most objects'
-/// do, the scale alone; of others themselves.
-[[nodiscard]] glm::mat3 unturned(const glm::mat3& metric) {
-    const glm::dmat3 axes(metric);
-    const glm::dvec3 scale(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
-    constexpr double rounding = 3e-7;  // of a rotation in single precision
-    for (int axis = 0; axis < 3; ++axis) {
-        const int next = (axis + 1) % 3;
-        if (std::abs(glm::dot(axes[axis], axes[next])) > rounding * scale[axis] * scale[next]) return metric;
-    }
-    glm::mat3 result(0.0f);
-    for (int axis = 0; axis < 3; ++axis) result[axis][axis] = static_cast<float>(scale[axis]);
-    return result;
-}
-
 constexpr float infinity = std::numeric_limits<float>::infinity();
 /// Vertices of a block that another image's Reach doesn't hold.
 constexpr float out_of_reach = infinity;
@@ -58,7 +42,7 @@ Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_coun
                const PullKernel& kernel)
     : force_(force_terms(dab.profile, dab.radius)),
       move_{dab.displacement, dab.minimum, dab.maximum, dab.clamp_axis},
-      metric_(unturned(dab.metric)),
+      metric_(dab.metric),
       is_plain_(dab.metric == glm::mat3(1.0f)),
       vertex_count_(vertex_count),
       kernel_(kernel) {

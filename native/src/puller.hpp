@@ -61,8 +61,8 @@ class Puller {
 
     ForceTerms force_;
     MoveTerms move_;
-    glm::mat3 metric_;  ///< the dab's, or one of the same lengths
-    bool is_plain_;     ///< the dab's is the identity
+    glm::mat3 metric_;
+    bool is_plain_;  ///< the metric is the identity
     std::size_t vertex_count_;
     const PullKernel& kernel_;
     std::vector<PullImage> images_;

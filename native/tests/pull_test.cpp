@@ -83,10 +83,8 @@ TEST_CASE("a pull follows the rules", "[pull]") {
                 dab.metric = metric;
                 INFO("falloff " << static_cast<int>(falloff) << ", mirror " << mirror << ", metric "
                                 << metric[0].x);
-                // Only the scale is left of that one, rounded, and the sphere's edge is steep.
-                const double most = metric == stretched ? 4e-6 : 2e-6;
-                CHECK(error(points, dab, pulled(points, dab)) < most);
-                CHECK(error(points, dab, pulled(points, dab, weights), weights) < most);
+                CHECK(error(points, dab, pulled(points, dab)) < 2e-6);
+                CHECK(error(points, dab, pulled(points, dab, weights), weights) < 2e-6);
             }
         }
     }
