@@ -166,7 +166,10 @@ DoubleArray solve_plan(const LookAtPlan& plan, const py::object& rest, const py:
                        const py::object& settings, const py::object& targets, const py::object& head_forward,
                        const py::object& eyes_forward, const py::object& rotations) {
     const std::size_t count = plan.size();
-    const RigView rig = rig_arrays(plan.parents(), rest, poses, basis, py::none(), inheritance);
+    const std::size_t bones = plan.parents().size();
+    RigView rig = rig_at_rest(plan.parents(), rest, inheritance);
+    rig.poses = elements<float>(poses, "poses", {bones, 16});
+    rig.basis = elements<float>(basis, "basis", {bones, 16});
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
     const std::span<const double> setting_rows =
         elements<double>(settings, "settings", {count, column_count});

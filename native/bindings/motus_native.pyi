@@ -303,6 +303,12 @@ class LookAtPlan:
 
 _Inherit = Literal["FULL", "FIX_SHEAR", "ALIGNED", "AVERAGE", "NONE", "NONE_LEGACY"]
 
+class IkRest:
+    """Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable."""
+
+class IkBones:
+    """Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable."""
+
 class IkPlan:
     """Chains of one rig's bones, solved together from their animated (FK) pose. Immutable."""
 
@@ -320,13 +326,17 @@ class IkPlan:
     def rows(self) -> tuple[int, ...]: ...  # bone of each result row
     @property
     def absolute(self) -> tuple[bool, ...]: ...  # rows in pose space
-    def solve(
+    def rest(
         self,
-        rest: NDArray[np.float32],  # (b, 16), as poses and basis, column by column
-        poses: NDArray[np.float32],
-        basis: NDArray[np.float32],
+        rest: NDArray[np.float32],  # (b, 16), column by column
         lengths: NDArray[np.float32],  # (b,)
         inheritance: NDArray[np.int32],  # (b,): mode of inherit_scale + 8 inherits rotation + 16 has local location
+    ) -> IkRest: ...
+    def bones(self, rest: IkRest, basis: NDArray[np.float32]) -> IkBones: ...  # basis: (b, 16), column by column
+    def solve(
+        self,
+        bones: IkBones,
+        poses: NDArray[np.float32],  # (b, 16), column by column
         world: _Array,  # (16,), column by column
         settings: _Array,  # (c, len(SETTINGS))
         targets: _Array,  # (c, 16), world, column by column
@@ -337,11 +347,8 @@ class IkPlan:
     ) -> _Array: ...  # (c, len(REPORT))
     def match(
         self,
-        rest: NDArray[np.float32],
+        bones: IkBones,
         poses: NDArray[np.float32],
-        basis: NDArray[np.float32],
-        lengths: NDArray[np.float32],
-        inheritance: NDArray[np.int32],
         world: _Array,
         settings: _Array,
     ) -> tuple[_Array, _Array]: ...  # targets (c, 16), poles (c, 3)

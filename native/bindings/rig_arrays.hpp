@@ -54,16 +54,13 @@ template <class T>
     return matrix;
 }
 
-/// All bones of a rig with those parents. `lengths` may be None where nothing reads them.
-[[nodiscard]] inline RigView rig_arrays(std::span<const int> parents, py::handle rest, py::handle poses,
-                                        py::handle basis, py::handle lengths, py::handle inheritance) {
+/// All bones of a rig with those parents, without what not every solver reads: poses, basis, lengths.
+[[nodiscard]] inline RigView rig_at_rest(std::span<const int> parents, py::handle rest,
+                                         py::handle inheritance) {
     const std::size_t count = parents.size();
     RigView rig;
     rig.parents = parents;
     rig.rest = elements<float>(rest, "rest", {count, 16});
-    rig.poses = elements<float>(poses, "poses", {count, 16});
-    rig.basis = elements<float>(basis, "basis", {count, 16});
-    if (!lengths.is_none()) rig.lengths = elements<float>(lengths, "lengths", {count});
     rig.inheritance = elements<int>(inheritance, "inheritance", {count});
     return rig;
 }

@@ -88,17 +88,37 @@ py::tuple flags_of(std::span<const unsigned char> flags) {
     return result;
 }
 
-py::object solve(const IkPlan& plan, const py::object& rest, const py::object& poses, const py::object& basis,
-                 const py::object& lengths, const py::object& inheritance, const py::object& world,
+IkRest read_rest(const IkPlan& plan, const py::object& rest, const py::object& lengths,
+                 const py::object& inheritance) {
+    const std::size_t bones = plan.parents().size();
+    RigView rig = rig_at_rest(plan.parents(), rest, inheritance);
+    rig.lengths = elements<float>(lengths, "lengths", {bones});
+    return {plan, rig};
+}
+
+IkBones read_bones(const IkPlan& plan, const IkRest& rest, const py::object& basis) {
+    if (rest.rows().size() != plan.rows().size()) value_error("rest", "must be of the same plan");
+    return {plan, rest, elements<float>(basis, "basis", {plan.parents().size(), 16})};
+}
+
+/// What solve() and match() have in common.
+IkInput common_input(const IkPlan& plan, const IkBones& bones, const py::object& poses,
+                     const py::object& world, const py::object& settings) {
+    IkInput input;
+    if (bones.rows().size() != plan.rows().size()) value_error("bones", "must be of the same plan");
+    input.bones = bones;
+    input.poses = elements<float>(poses, "poses", {plan.parents().size(), 16});
+    input.world = matrix_of_columns(world, "world");
+    input.settings = rows_of<IkSettings>(settings, "settings", plan.chain_count());
+    return input;
+}
+
+py::object solve(const IkPlan& plan, const IkBones& bones, const py::object& poses, const py::object& world,
                  const py::object& settings, const py::object& targets, const py::object& poles,
                  const py::object& limits, const py::object& rotations, const py::object& scales) {
     const std::size_t chains = plan.chain_count();
     const std::size_t rows = plan.rows().size();
-    IkInput input;
-    if (lengths.is_none()) type_error("lengths", "must be an aligned, C-contiguous array of float32");
-    input.rig = rig_arrays(plan.parents(), rest, poses, basis, lengths, inheritance);
-    input.world = matrix_of_columns(world, "world");
-    input.settings = rows_of<IkSettings>(settings, "settings", chains);
+    IkInput input = common_input(plan, bones, poses, world, settings);
     input.targets = rows_of<glm::dmat4>(targets, "targets", chains);
     input.poles = rows_of<glm::dvec3>(poles, "poles", chains);
     if (!limits.is_none()) input.limits = rows_of<JointLimits>(limits, "limits", plan.chain_bone_count());
@@ -118,15 +138,10 @@ py::object solve(const IkPlan& plan, const py::object& rest, const py::object& p
     return report;
 }
 
-py::tuple match(const IkPlan& plan, const py::object& rest, const py::object& poses, const py::object& basis,
-                const py::object& lengths, const py::object& inheritance, const py::object& world,
+py::tuple match(const IkPlan& plan, const IkBones& bones, const py::object& poses, const py::object& world,
                 const py::object& settings) {
     const std::size_t chains = plan.chain_count();
-    IkInput input;
-    if (lengths.is_none()) type_error("lengths", "must be an aligned, C-contiguous array of float32");
-    input.rig = rig_arrays(plan.parents(), rest, poses, basis, lengths, inheritance);
-    input.world = matrix_of_columns(world, "world");
-    input.settings = rows_of<IkSettings>(settings, "settings", chains);
+    const IkInput input = common_input(plan, bones, poses, world, settings);
     DoubleArray targets, poles;
     const std::span<glm::dmat4> target_rows = new_rows<glm::dmat4>(targets, chains);
     const std::span<glm::dvec3> pole_rows = new_rows<glm::dvec3>(poles, chains);
@@ -186,6 +201,9 @@ py::object pose_to_bone(const py::object& rest, const py::object& parent_rest, c
 }  // namespace
 
 void bind_rig_ik(py::module_& m) {
+    py::class_<IkRest>(m, "IkRest", "Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.");
+    py::class_<IkBones>(m, "IkBones",
+                        "Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable.");
     py::class_<IkPlan> plan(m, "IkPlan", R"(
 Chains of one rig's bones, solved together. Immutable.
 
@@ -205,15 +223,23 @@ Raises ValueError or TypeError that names the argument.)");
         "Whether each row is rotation and scale in pose space; else they come on top of the bone's own.");
     plan.attr("SETTINGS") = names_of(settings_columns);
     plan.attr("REPORT") = names_of(report_columns);
-    plan.def("solve", &solve, "rest"_a, "poses"_a, "basis"_a, "lengths"_a, "inheritance"_a, "world"_a,
-             "settings"_a, "targets"_a, "poles"_a, "limits"_a = py::none(), "rotations"_a = py::none(),
-             "scales"_a = py::none(), R"(
+    plan.def("rest", &read_rest, "rest"_a, "lengths"_a, "inheritance"_a, R"(
+Reads the bones that the plan is about as they are at rest: IkRest, right until the armature is edited.
+
+rest: (b, 16) float32, Bone.matrix_local as foreach_get gives it.  lengths: (b,) float32.  inheritance: (b,) int32, the
+number of Bone.inherit_scale (FULL 0, FIX_SHEAR 1, ALIGNED 2, AVERAGE 3, NONE 4, NONE_LEGACY 5), + 8 where it inherits
+rotation, + 16 where its location is local.  Wrong shapes and types raise ValueError or TypeError that names the argument.)");
+    plan.def("bones", &read_bones, "rest"_a, "basis"_a, R"(
+Reads them as they are animated: IkBones, right until a bone's own transform changes.
+
+rest: of rest().  basis: (b, 16) float32, PoseBone.matrix_basis as foreach_get gives it.
+Wrong shapes and types raise ValueError or TypeError that names the argument.)");
+    plan.def("solve", &solve, "bones"_a, "poses"_a, "world"_a, "settings"_a, "targets"_a, "poles"_a,
+             "limits"_a = py::none(), "rotations"_a = py::none(), "scales"_a = py::none(), R"(
 Turns the chains from their animated (FK) pose to their targets.
 
-rest, poses, basis: (b, 16) float32, Bone.matrix_local, PoseBone.matrix and .matrix_basis as foreach_get gives them; of
-poses only the parents of chains are read.  lengths: (b,) float32.  inheritance: (b,) int32, the number of
-Bone.inherit_scale (FULL 0, FIX_SHEAR 1, ALIGNED 2, AVERAGE 3, NONE 4, NONE_LEGACY 5), + 8 where it inherits rotation, + 16
-where its location is local.  All float64 from here on.  world: (16,) the rig's matrix_world, column by column.
+bones: of bones().  poses: (b, 16) float32, PoseBone.matrix as foreach_get gives it; only the parents of chains are read.
+All float64 from here on.  world: (16,) the rig's matrix_world, column by column.
 settings: (c, len(SETTINGS)).  targets: (c, 16) world matrices, column by column.  poles: (c, 3) world, NaN for none.
 limits: (chain bones, 6) rad, least x, y, z and greatest x, y, z of swing (x, z) and twist (y), or None.
 rotations, scales: (rows, 4) w, x, y, z and (rows, 3) to write into; C-contiguous, apart in memory.
@@ -223,8 +249,7 @@ Returns (c, len(REPORT)): residual, distance, reach and tip in the world, of the
 angle left between effector and target, rad; reason a code of Reason, or -1.
 Numbers that are not finite are allowed: such a chain's rows are neutral and its reason is -1. Wrong shapes and types
 raise ValueError or TypeError that names the argument.)");
-    plan.def("match", &match, "rest"_a, "poses"_a, "basis"_a, "lengths"_a, "inheritance"_a, "world"_a,
-             "settings"_a, R"(
+    plan.def("match", &match, "bones"_a, "poses"_a, "world"_a, "settings"_a, R"(
 Targets and poles for which the solution is the animated pose: ((c, 16), (c, 3)), as solve() takes them.
 
 The targets are rigid. A chain with numbers that are not finite gets the identity and no pole (NaN).)");

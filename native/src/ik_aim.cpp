@@ -134,9 +134,9 @@ void IkAim::find_joints(const IkPose& pose, const AimGoal& goal, const Line& lin
 void IkAim::turn_bones(IkPose& pose, std::size_t count, const Line& line) {
     glm::dquat carries = line.turn;  // what the bone before turned by, in the pose
     for (std::size_t i = 0; i < count; ++i) {
-        const bool next_stays = i + 1 < count && !pose.bone(i + 1).offset.inherit_rotation;
+        const bool next_stays = i + 1 < count && !pose.bone(i + 1).offset->inherit_rotation;
         const glm::dquat frame_before = next_stays ? pose.frame(i) : no_turn;
-        const bool is_carried = i > 0 && pose.bone(i).offset.inherit_rotation;
+        const bool is_carried = i > 0 && pose.bone(i).offset->inherit_rotation;
         pose.enter(i);
         to_spaces_[i] = inverse_axes(pose.posed(i).space.axes);
         const glm::dmat3& to_space = to_spaces_[i];

@@ -31,11 +31,11 @@ double distance_before(double distance, double reach, const IkSettings& settings
 }
 
 /// Orientation of the effector in the FK pose.
-glm::dquat effector_frame(const RigView& rig, const IkPlan::Chain& chain, const IkPose& pose) {
+glm::dquat effector_frame(const IkInput& input, const IkPlan::Chain& chain, const IkPose& pose) {
     const std::size_t last = pose.size() - 1;
     if (!chain.has_free_effector) return pose.frame(last);
-    const HangingBone bone = read_hanging(rig, chain.effector.bone);
-    return frame_in(linear_space(bone.offset, pose.posed(last).axes), bone.own.rotation, bone.own.scale);
+    const AnimatedBone& bone = input.bones.rows()[chain.effector.row];
+    return frame_in(linear_space(*bone.offset, pose.posed(last).axes), bone.rotation, bone.scale);
 }
 
 struct Match {
@@ -43,7 +43,7 @@ struct Match {
     glm::dvec3 pole{0.0};
 };
 
-Match match_one(const RigView& rig, const IkPlan::Chain& chain, const IkPose& pose, const RigWorld& world,
+Match match_one(const IkInput& input, const IkPlan::Chain& chain, const IkPose& pose, const RigWorld& world,
                 const IkSettings& settings) {
     // A tail bone with the target's orientation leaves the rest of the chain to go where it begins.
     const bool turns_tail = !chain.has_free_effector && pose.size() > 1 && settings.rotation_weight >= 0.5 &&
@@ -57,7 +57,7 @@ Match match_one(const RigView& rig, const IkPlan::Chain& chain, const IkPose& po
     const glm::dvec3 target = pose.tip() + (before - distance) * chord.along;
 
     Match match;
-    match.target = glm::mat4_cast(frame_of(world.axes * glm::mat3_cast(effector_frame(rig, chain, pose))));
+    match.target = glm::mat4_cast(frame_of(world.axes * glm::mat3_cast(effector_frame(input, chain, pose))));
     match.target[3] = glm::dvec4(world.to_world(target), 1.0);
     // The pole's side, turned by pole_angle, is that of the bend.
     const double back = -settings.pole_angle;
@@ -72,7 +72,7 @@ Match match_one(const RigView& rig, const IkPlan::Chain& chain, const IkPose& po
 
 void match_rig_ik(const IkPlan& plan, const IkInput& input, std::span<glm::dmat4> targets,
                   std::span<glm::dvec3> poles) {
-    check_ik_rig(plan, input.rig);
+    check_ik_rig(plan, input);
     const std::size_t chains = plan.chain_count();
     if (input.settings.size() != chains || targets.size() != chains || poles.size() != chains)
         throw std::invalid_argument("settings, targets, poles: one entry per chain is needed");
@@ -83,8 +83,8 @@ void match_rig_ik(const IkPlan& plan, const IkInput& input, std::span<glm::dmat4
         poles[index] = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
         const IkPlan::Chain chain = plan.chain(index);
         if (!world.is_valid || !are_finite(&input.settings[index].position_weight, setting_count)) continue;
-        if (!pose.read(input.rig, chain)) continue;
-        const Match match = match_one(input.rig, chain, pose, world, within_domains(input.settings[index]));
+        if (!pose.read(input, chain)) continue;
+        const Match match = match_one(input, chain, pose, world, within_domains(input.settings[index]));
         if (!are_finite(&match.target[0][0], 16) || !are_finite(&match.pole.x, 3)) continue;
         targets[index] = match.target;
         poles[index] = match.pole;

@@ -113,6 +113,7 @@ IkPlan::Chain IkPlan::chain(std::size_t index) const {
     const Entry& entry = entries_[index];
     Chain chain;
     chain.bones = chains_[index].bones;
+    chain.parent = parents_[static_cast<std::size_t>(chain.bones.front())];
     chain.first_row = entry.first_row;
     chain.has_free_effector = entry.has_free_effector;
     chain.is_effector_absolute = entry.is_effector_absolute;

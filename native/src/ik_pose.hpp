@@ -9,27 +9,10 @@
 #include <vector>
 
 #include "bone_space.hpp"
-#include "motus/rig.hpp"
+#include "ik_bones.hpp"
 #include "motus/rig_ik.hpp"
 
 namespace motus {
-
-/// A bone's own transform, taken apart as Blender does it: location * rotation * scale; where it is mirrored,
-/// all three scales are negative.
-struct OwnTransform {
-    glm::dvec3 location{0.0};
-    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
-    glm::dvec3 scale{1.0};
-};
-[[nodiscard]] OwnTransform own_transform(const RigView& rig, std::size_t bone);
-
-/// A chain's bone as it is animated.
-struct IkBone {
-    BoneOffset offset;
-    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
-    glm::dvec3 scale{1.0};
-    glm::dvec3 next{0.0};  ///< the next joint, or the tip, seen from the bone in its pose
-};
 
 /// A bone in a pose.
 struct PosedBone {
@@ -44,15 +27,15 @@ class IkPose {
   public:
     explicit IkPose(std::size_t longest);
 
-    /// Reads the FK pose and puts the bones into it. False where a number is not finite.
-    [[nodiscard]] bool read(const RigView& rig, const IkPlan::Chain& chain);
+    /// Puts the chain's bones, which the input keeps, into their FK pose. False where a number is not finite.
+    [[nodiscard]] bool read(const IkInput& input, const IkPlan::Chain& chain);
 
-    [[nodiscard]] std::size_t size() const noexcept { return count_; }
-    [[nodiscard]] const IkBone& bone(std::size_t i) const { return bones_[i]; }
+    [[nodiscard]] std::size_t size() const noexcept { return bones_.size(); }
+    [[nodiscard]] const AnimatedBone& bone(std::size_t i) const { return bones_[i]; }
     [[nodiscard]] const PosedBone& posed(std::size_t i) const { return posed_[i]; }
-    [[nodiscard]] std::span<const glm::dvec3> joints() const { return {joints_.data(), count_ + 1}; }
+    [[nodiscard]] std::span<const glm::dvec3> joints() const { return {joints_.data(), size() + 1}; }
     [[nodiscard]] const glm::dvec3& root() const { return joints_[0]; }
-    [[nodiscard]] const glm::dvec3& tip() const { return joints_[count_]; }
+    [[nodiscard]] const glm::dvec3& tip() const { return joints_[size()]; }
 
     /// The joint after bone i seen from its root, in the bone's space before its own rotation; from the space
     /// that it stands in now.
@@ -73,19 +56,11 @@ class IkPose {
     [[nodiscard]] glm::dquat rotation_for(std::size_t i, const glm::dquat& frame) const;
 
   private:
-    std::size_t count_ = 0;
     glm::dmat3 parent_axes_{1.0};
-    std::vector<IkBone> bones_;
+    std::span<const AnimatedBone> bones_;
     std::vector<PosedBone> posed_;
     std::vector<glm::dvec3> joints_;
 };
-
-/// A bone that hangs on a chain, as it is animated.
-struct HangingBone {
-    BoneOffset offset;
-    OwnTransform own;
-};
-[[nodiscard]] HangingBone read_hanging(const RigView& rig, std::size_t bone);
 
 /// frame_of() of a bone with that rotation in that space; the scale's signs count.
 [[nodiscard]] glm::dquat frame_in(const LinearSpace& space, const glm::dquat& rotation,

@@ -19,10 +19,9 @@ struct PoseParts {
     glm::dvec3 scale{1.0};
 };
 
-PoseParts pose_of(const HangingBone& bone, const PosedBone& parent) {
-    const LinearSpace space = linear_space(bone.offset, parent.axes);
-    const glm::dmat3 axes =
-        scaled(space.axes * glm::mat3_cast(bone.own.rotation), bone.own.scale * space.post_scale);
+PoseParts pose_of(const AnimatedBone& bone, const PosedBone& parent) {
+    const LinearSpace space = linear_space(*bone.offset, parent.axes);
+    const glm::dmat3 axes = scaled(space.axes * glm::mat3_cast(bone.rotation), bone.scale * space.post_scale);
     PoseParts parts;
     parts.rotation = frame_of(axes);
     const glm::dmat3 unit = glm::mat3_cast(parts.rotation);
@@ -51,7 +50,7 @@ void IkSolution::pose_weighted(const IkTask& task, bool is_stretched) {
     pose_.place(last, pose_.rotation_for(last, frame), pose_.posed(last).stretch);
 }
 
-double IkSolution::write(const RigView& rig, const IkPlan::Chain& chain, const IkTask& task,
+double IkSolution::write(std::span<const AnimatedBone> rows, const IkPlan::Chain& chain, const IkTask& task,
                          const IkOutput& output) {
     const double weight = task.settings.position_weight;
     const std::size_t count = pose_.size();
@@ -68,12 +67,12 @@ double IkSolution::write(const RigView& rig, const IkPlan::Chain& chain, const I
     double angle = 0.0;
     if (!chain.guards.empty() || chain.is_effector_absolute) {
         pose_weighted(task, false);
-        write_guards(rig, chain, output);
-        if (chain.is_effector_absolute) angle = write_effector(rig, chain, task, output);
+        write_guards(rows, chain, output);
+        if (chain.is_effector_absolute) angle = write_effector(rows, chain, task, output);
     }
     if (!has_goal || chain.is_effector_absolute) return angle;
     pose_weighted(task, is_stretched_);
-    if (chain.has_free_effector) return write_effector(rig, chain, task, output);
+    if (chain.has_free_effector) return write_effector(rows, chain, task, output);
     const std::size_t last = count - 1;
     if (turns_tail_)
         output.rotations[chain.first_row + last] =
@@ -81,18 +80,19 @@ double IkSolution::write(const RigView& rig, const IkPlan::Chain& chain, const I
     return angle_between(pose_.frame(last), task.orientation);
 }
 
-void IkSolution::write_guards(const RigView& rig, const IkPlan::Chain& chain, const IkOutput& output) const {
+void IkSolution::write_guards(std::span<const AnimatedBone> rows, const IkPlan::Chain& chain,
+                              const IkOutput& output) const {
     for (const IkPlan::Hanging& guard : chain.guards) {
-        const PoseParts parts = pose_of(read_hanging(rig, guard.bone), pose_.posed(guard.on));
+        const PoseParts parts = pose_of(rows[guard.row], pose_.posed(guard.on));
         output.rotations[guard.row] = parts.rotation;
         output.scales[guard.row] = parts.scale;
     }
 }
 
-double IkSolution::write_effector(const RigView& rig, const IkPlan::Chain& chain, const IkTask& task,
-                                  const IkOutput& output) const {
+double IkSolution::write_effector(std::span<const AnimatedBone> rows, const IkPlan::Chain& chain,
+                                  const IkTask& task, const IkOutput& output) const {
     const IkPlan::Hanging& effector = chain.effector;
-    const HangingBone bone = read_hanging(rig, effector.bone);
+    const AnimatedBone& bone = rows[effector.row];
     const PosedBone& parent = pose_.posed(effector.on);
     const double weight = task.settings.rotation_weight;
     glm::dquat frame = no_turn;
@@ -102,10 +102,9 @@ double IkSolution::write_effector(const RigView& rig, const IkPlan::Chain& chain
         output.rotations[effector.row] = frame;
         output.scales[effector.row] = parts.scale;
     } else {
-        const LinearSpace space = linear_space(bone.offset, parent.axes);
-        frame = between(frame_in(space, bone.own.rotation, bone.own.scale), task.orientation, weight);
-        output.rotations[effector.row] =
-            relative(bone.own.rotation, rotation_in(space, frame, bone.own.scale));
+        const LinearSpace space = linear_space(*bone.offset, parent.axes);
+        frame = between(frame_in(space, bone.rotation, bone.scale), task.orientation, weight);
+        output.rotations[effector.row] = relative(bone.rotation, rotation_in(space, frame, bone.scale));
     }
     return weight > 0.0 ? angle_between(frame, task.orientation) : 0.0;
 }

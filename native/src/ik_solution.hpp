@@ -28,7 +28,9 @@ class IkSolution {
     explicit IkSolution(std::size_t longest);
 
     /// Reads the FK pose; false where a number is not finite.
-    [[nodiscard]] bool read(const RigView& rig, const IkPlan::Chain& chain) { return pose_.read(rig, chain); }
+    [[nodiscard]] bool read(const IkInput& input, const IkPlan::Chain& chain) {
+        return pose_.read(input, chain);
+    }
     /// The pose that it is in: after read() the FK pose, after solve() the whole solution, after write() what
     /// the weights leave of it.
     [[nodiscard]] const IkPose& pose() const { return pose_; }
@@ -39,8 +41,10 @@ class IkSolution {
     /// Takes the FK pose for the solution: nothing turns.
     void stay();
 
-    /// Blends and writes the chain's rows. Returns the angle left between effector and target.
-    double write(const RigView& rig, const IkPlan::Chain& chain, const IkTask& task, const IkOutput& output);
+    /// Blends and writes the chain's rows. rows: the bones of all. Returns the angle left between effector
+    /// and target.
+    double write(std::span<const AnimatedBone> rows, const IkPlan::Chain& chain, const IkTask& task,
+                 const IkOutput& output);
 
   private:
     void turn_tail(const IkTask& task, AimGoal goal, AimReport& report, double stretch);
@@ -48,9 +52,10 @@ class IkSolution {
     void take_pose();
     void stretch_bones(double rest, double last_stretch);
     void pose_weighted(const IkTask& task, bool is_stretched);
-    void write_guards(const RigView& rig, const IkPlan::Chain& chain, const IkOutput& output) const;
-    [[nodiscard]] double write_effector(const RigView& rig, const IkPlan::Chain& chain, const IkTask& task,
-                                        const IkOutput& output) const;
+    void write_guards(std::span<const AnimatedBone> rows, const IkPlan::Chain& chain,
+                      const IkOutput& output) const;
+    [[nodiscard]] double write_effector(std::span<const AnimatedBone> rows, const IkPlan::Chain& chain,
+                                        const IkTask& task, const IkOutput& output) const;
 
     IkPose pose_;
     IkAim aim_;

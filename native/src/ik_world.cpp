@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "ik_bones.hpp"
+
 namespace motus {
 
 IkSettings within_domains(IkSettings settings) {
@@ -15,11 +17,11 @@ IkSettings within_domains(IkSettings settings) {
     return settings;
 }
 
-void check_ik_rig(const IkPlan& plan, const RigView& rig) {
-    const std::size_t bones = plan.parents().size();
-    if (rig.parents.size() != bones || rig.rest.size() != 16 * bones || rig.poses.size() != 16 * bones ||
-        rig.basis.size() != 16 * bones || rig.lengths.size() != bones || rig.inheritance.size() != bones)
-        throw std::invalid_argument("rig: its arrays must have an entry for each bone of the plan");
+void check_ik_rig(const IkPlan& plan, const IkInput& input) {
+    if (input.bones.rows().size() != plan.rows().size())
+        throw std::invalid_argument("bones: they must be the plan's");
+    if (input.poses.size() != 16 * plan.parents().size())
+        throw std::invalid_argument("poses: there must be one for each bone of the plan");
 }
 
 }  // namespace motus

@@ -11,10 +11,11 @@
 
 namespace motus {
 
-[[nodiscard]] inline bool are_finite(const double* values, std::size_t count) {
-    double sum = 0.0;
-    for (std::size_t i = 0; i < count; ++i) sum += 0.0 * values[i];
-    return sum == 0.0;
+template <class Number>
+[[nodiscard]] inline bool are_finite(const Number* values, std::size_t count) {
+    Number sum = 0;
+    for (std::size_t i = 0; i < count; ++i) sum += 0 * values[i];
+    return sum == 0;
 }
 
 /// Between pose space and the world.
@@ -42,7 +43,7 @@ inline constexpr std::size_t setting_count = sizeof(IkSettings) / sizeof(double)
 /// Settings in the domains that they are documented with; finite ones only.
 [[nodiscard]] IkSettings within_domains(IkSettings settings);
 
-/// std::invalid_argument where the arrays are not as long as the plan's rig.
-void check_ik_rig(const IkPlan& plan, const RigView& rig);
+/// std::invalid_argument where bones or poses are not those of the plan's rig.
+void check_ik_rig(const IkPlan& plan, const IkInput& input);
 
 }  // namespace motus

@@ -68,11 +68,9 @@ bool is_chain_finite(const IkPlan::Chain& chain, const IkOutput& output, const I
     return all;
 }
 
-bool is_hanging_finite(const RigView& rig, const IkPlan::Chain& chain) {
-    return std::all_of(chain.guards.begin(), chain.guards.end(), [&rig](const IkPlan::Hanging& guard) {
-        const glm::dmat4 rest = matrix_at(rig.rest, guard.bone);
-        const glm::dmat4 basis = matrix_at(rig.basis, guard.bone);
-        return are_finite(&rest[0][0], 16) && are_finite(&basis[0][0], 16);
+bool are_guards_finite(const IkInput& input, const IkPlan::Chain& chain) {
+    return std::all_of(chain.guards.begin(), chain.guards.end(), [&input](const IkPlan::Hanging& guard) {
+        return input.bones.rows()[guard.row].is_finite;
     });
 }
 
@@ -100,7 +98,7 @@ void solve_one(const IkPlan& plan, const IkInput& input, std::size_t index, cons
     IkReport& report = output.report[index];
     report = IkReport{};
     report.reason = not_finite;
-    if (!is_hanging_finite(input.rig, chain) || !solution.read(input.rig, chain)) {
+    if (!are_guards_finite(input, chain) || !solution.read(input, chain)) {
         write_neutral(chain, output);
         return;
     }
@@ -115,7 +113,7 @@ void solve_one(const IkPlan& plan, const IkInput& input, std::size_t index, cons
         solution.stay();
     }
     if (!is_on) task->settings.position_weight = 0.0;
-    report.angle = solution.write(input.rig, chain, *task, output);
+    report.angle = solution.write(input.bones.rows(), chain, *task, output);
     if (!is_chain_finite(chain, output, report)) {  // numbers so large that their products are not
         write_neutral(chain, output);
         report = IkReport{};
@@ -124,7 +122,7 @@ void solve_one(const IkPlan& plan, const IkInput& input, std::size_t index, cons
 }
 
 void check_sizes(const IkPlan& plan, const IkInput& input, const IkOutput& output) {
-    check_ik_rig(plan, input.rig);
+    check_ik_rig(plan, input);
     const std::size_t chains = plan.chain_count();
     if (input.settings.size() != chains || input.targets.size() != chains || input.poles.size() != chains ||
         output.report.size() != chains)

@@ -99,14 +99,22 @@ struct Solve {
         targets.push_back(glm::translate(glm::dmat4(1.0), target));
         poles.emplace_back(std::numeric_limits<double>::quiet_NaN());
     }
-    [[nodiscard]] IkInput input() const { return {rig.view(), world, settings, targets, poles, limits}; }
+    [[nodiscard]] IkInput input(const IkPlan& plan) const {
+        return {IkBones(plan, IkRest(plan, rig.view()), rig.basis),
+                rig.poses,
+                world,
+                settings,
+                targets,
+                poles,
+                limits};
+    }
     void run() {
         const IkPlan plan(rig.parents, chains, guards);
         rows.assign(plan.rows().begin(), plan.rows().end());
         rotations.assign(rows.size(), glm::dquat(0.0, 0.0, 0.0, 0.0));
         scales.assign(rows.size(), glm::dvec3(0.0));
         report.assign(chains.size(), IkReport{});
-        solve_rig_ik(plan, input(), {rotations, scales, report});
+        solve_rig_ik(plan, input(plan), {rotations, scales, report});
     }
     [[nodiscard]] std::size_t row_of(int bone) const {
         return static_cast<std::size_t>(std::find(rows.begin(), rows.end(), bone) - rows.begin());
@@ -116,7 +124,7 @@ struct Solve {
     [[nodiscard]] glm::dmat4 posed(int bone, const glm::dmat4& parent_pose, const glm::dquat& rotation,
                                    const glm::dvec3& scale) const {
         const auto index = static_cast<std::size_t>(bone);
-        const OwnTransform own = own_transform(rig.view(), index);
+        const OwnTransform own = own_transform(rig.basis, index);
         const glm::dmat4 basis = transform(own.location, own.rotation * rotation, own.scale * scale);
         return to_pose(parent_space(bone_rest(rig.view(), index), parent_pose), basis);
     }

@@ -93,41 +93,32 @@ def _inheritance(bone):
             | HAS_LOCAL_LOCATION * bone.use_local_location)
 
 
-class Wanted(NamedTuple):
-    """What somebody reads of a rig. poses: rows whose pose; basis: names, a frozenset, of the bones whose own transform."""
-
-    poses: list
-    basis: frozenset
+def read(rig, known=None):
+    """Arrays of an evaluated rig. known: its Still, where plan() has just given that."""
+    known = known or still(rig, names_of(rig))
+    return Arrays(
+        known.names, known.rest, poses(rig, known), basis(rig, known), known.lengths, known.inheritance,
+        columns(rig.matrix_world))
 
 
 FEW = 8
 """A bone's pose that is asked for by itself takes as long as so many that are read by one call."""
 
 
-def read(rig, known=None, wanted=None):
-    """Arrays of an evaluated rig. known: its Still, where plan() has just given that. wanted: the only rows that are needed,
-    others may be anything; None for all."""
-    known = known or still(rig, names_of(rig))
+def poses(rig, known, rows=None):
+    """Arrays.poses alone. rows: a list of the only ones that are needed, others may be anything; None for all."""
     pose, count = rig.pose.bones, len(known.names)
-    if wanted is None or FEW * len(wanted.poses) > count:
-        poses = _matrices("poses", pose, "matrix", count)
-    else:
-        poses = scratch("rig_few_poses", (count, 16), np.float32)
-        for row in wanted.poses:
-            poses[row] = columns(pose[known.names[row]].matrix)
-    basis = _basis(rig, pose, count, wanted and wanted.basis)
-    return Arrays(known.names, known.rest, poses, basis, known.lengths, known.inheritance, columns(rig.matrix_world))
+    if rows is None or FEW * len(rows) > count:
+        return _matrices("poses", pose, "matrix", count)
+    found = scratch("rig_few_poses", (count, 16), np.float32)
+    for row in rows:
+        found[row] = columns(pose[known.names[row]].matrix)
+    return found
 
 
-def _basis(rig, pose, count, names):
-    """Read once for each copy of the rig, where nothing animates the bones of these names."""
-    copy = copies.of(rig)
-    if copy is None or copy.has_animated_poses(rig, names):
-        return _matrices("basis", pose, "matrix_basis", count)
-    key = "basis", names
-    if key not in copy.found:
-        copy.found[key] = _matrices("basis", pose, "matrix_basis", count).copy()
-    return copy.found[key]
+def basis(rig, known):
+    """Arrays.basis alone."""
+    return _matrices("basis", rig.pose.bones, "matrix_basis", len(known.names))
 
 
 def columns(matrix):

@@ -5,11 +5,9 @@ from typing import NamedTuple
 
 from mathutils import Matrix, Quaternion, Vector
 
+from ..core import rigs
 from ..core.lazy import numpy as np
 from . import groups, reading
-
-
-COPIED = ("rest", "poses", "basis", "lengths", "inheritance")
 
 
 class ChainRows(NamedTuple):
@@ -46,32 +44,31 @@ class Solver:
     def __init__(self, evaluated, group, depsgraph):
         found = reading.gather(evaluated, group.data[groups.PLAN], depsgraph)
         # The arrays hold only until the next rig is read.
-        self._rig = found.rig._replace(**{
-            name: np.array(getattr(found.rig, name)) for name in COPIED})
-        self._plan, self._limits, self._poles = found.wired.plan, found.limits, found.poles
+        self._posed = found.posed._replace(poses=found.posed.poses.copy())
+        self._basis = rigs.basis(evaluated, found.wired.still).copy()
+        self._plan, self._own, self._limits, self._poles = found.wired.plan, found.bones, found.limits, found.poles
         self.settings, self.targets = np.array(found.settings), np.array(found.targets)
         self.columns = {name: column for column, name in enumerate(self._plan.SETTINGS)}
-        self.world = Matrix(found.rig.world.reshape(4, 4).T.tolist())
-        self._rows = {name: row for row, name in enumerate(found.rig.names)}
+        self.world = Matrix(found.posed.world.reshape(4, 4).T.tolist())
+        self._rows = {name: row for row, name in enumerate(found.wired.still.names)}
         self._bones = evaluated.original.data.bones
         self.rotations = np.zeros((len(self._plan.rows), 4))
         self.scales = np.ones((len(self._plan.rows), 3))
 
     def solve(self):
         """Solve with settings and targets as they are now."""
-        rig = self._rig
         return self._plan.solve(
-            rig.rest, rig.poses, rig.basis, rig.lengths, rig.inheritance, rig.world, self.settings, self.targets,
-            self._poles, limits=self._limits, rotations=self.rotations, scales=self.scales)
+            self._own, *self._posed, self.settings, self.targets, self._poles, limits=self._limits,
+            rotations=self.rotations, scales=self.scales)
 
     def poses(self, chain):
         """World matrices of a chain's bones, by ChainRows, as it was solved last."""
         first = self._bones[chain.bones[0]]
-        above = self._matrix(self._rig.poses, first.parent.name) if first.parent else None
+        above = self._matrix(self._posed.poses, first.parent.name) if first.parent else None
         found = []
         for name, row in zip(chain.bones, chain.rows):
             bone = self._bones[name]
-            location, rotation, scale = self._matrix(self._rig.basis, name).decompose()
+            location, rotation, scale = self._matrix(self._basis, name).decompose()
             turn, stretch = Quaternion(self.rotations[row]), Vector(self.scales[row])
             is_absolute = chain.is_effector_absolute and name == chain.bones[-1]
             if not is_absolute:

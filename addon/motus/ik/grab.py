@@ -73,12 +73,15 @@ class _PoseGrab:
         self._before = [tuple(getattr(thing, path)) for thing, path in zip(self.things, self.paths)]
         self._limits = _limits(rig, evaluated, entry, bones, depsgraph)
         arrays = rigs.read(evaluated)
-        # The arrays hold only until the next rig is read.
-        self._arrays = [np.array(part) for part in arrays[1:]]
         rows = [arrays.names.index(name) for name in bones]
         # The chain ends at the point that is held.
-        self._arrays[3][rows[-1]] *= max(factor, SHORTEST)
+        lengths = arrays.lengths.copy()
+        lengths[rows[-1]] *= max(factor, SHORTEST)
         self._plan = native.module.IkPlan(rigs.parents(rig, list(arrays.names)), [rows], [rows[-1]], [])
+        self._bones = self._plan.bones(
+            self._plan.rest(arrays.rest, lengths, arrays.inheritance), arrays.basis)
+        # The array holds only until the next rig is read.
+        self._posed = reading.Posed(arrays.poses.copy(), arrays.world)
         self._settings = _settings(self._plan, entry, self._limits is not None)
         self._own = [evaluated.pose.bones[name].matrix_basis.to_quaternion() for name in bones]
 
@@ -88,10 +91,9 @@ class _PoseGrab:
             self.restore()
             return
         rotations, scales = np.empty((len(self.things), 4)), np.empty((len(self.things), 3))
-        rest, poses, basis, lengths, inheritance, world = self._arrays
         self._plan.solve(
-            rest, poses, basis, lengths, inheritance, world, self._settings, _columns(Matrix.Translation(place)),
-            np.full((1, 3), np.nan), limits=self._limits, rotations=rotations, scales=scales)
+            self._bones, *self._posed, self._settings, _columns(Matrix.Translation(place)), np.full((1, 3), np.nan),
+            limits=self._limits, rotations=rotations, scales=scales)
         for thing, path, before, own, turn in zip(self.things, self.paths, self._before, self._own, rotations):
             setattr(thing, path, rotation_values(thing, own @ Quaternion(turn.tolist()), before))
 

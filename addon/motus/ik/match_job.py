@@ -190,9 +190,7 @@ class _Wanted:
         entries = evaluated.motus.ik.entries
         for text in self._texts:
             found = reading.gather(evaluated, text, depsgraph)
-            rig = found.rig
-            goals, poles = found.wired.plan.match(
-                rig.rest, rig.poses, rig.basis, rig.lengths, rig.inheritance, rig.world, found.settings)
+            goals, poles = found.wired.plan.match(found.bones, *found.posed, found.settings)
             for chain in self._chosen:
                 if chain.group.data[groups.PLAN] == text:
                     row = chain.rows.index

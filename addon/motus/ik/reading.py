@@ -23,6 +23,13 @@ ANIMATED = ("position_weight", "rotation_weight", "softness", "stretch", "pole_a
 _STRETCH = ANIMATED.index("stretch")
 
 
+class Posed(NamedTuple):
+    """Where a rig and its bones stand. poses: as in rigs.Arrays, valid until the thread reads the next rig."""
+
+    poses: Any
+    world: Any
+
+
 class Gathered(NamedTuple):
     """Arguments of IkPlan.solve and IkPlan.match, and what keeps an entry from them.
 
@@ -31,7 +38,8 @@ class Gathered(NamedTuple):
     """
 
     wired: Wired
-    rig: rigs.Arrays
+    bones: Any
+    posed: Posed
     settings: Any
     targets: Any
     poles: Any
@@ -43,13 +51,13 @@ class Gathered(NamedTuple):
 def gather(rig, text, depsgraph):
     """Read an evaluated rig. text: what groups.py noted of the group. Raises RigChanged."""
     wired = _plan(rig, text)
-    return _gather(rig, wired, rigs.read(rig, wired.still), depsgraph)
+    return _gather(rig, wired, rigs.poses(rig, wired.still), depsgraph)
 
 
 def gather_wired(rig, data, depsgraph):
     """The same for a group's data as the wiring has kept it; of the poses only what IkPlan.solve reads."""
     wired = _plan(rig, data[PLAN])
-    return _gather(rig, wired, rigs.read(rig, wired.still, wired.wanted), depsgraph)
+    return _gather(rig, wired, rigs.poses(rig, wired.still, wired.posed), depsgraph)
 
 
 def _plan(rig, text):
@@ -72,11 +80,20 @@ class _Settings(NamedTuple):
     copy: int
 
 
-def _gather(rig, wired, arrays, depsgraph):
+def _bones(rig, wired):
+    """Read once for each copy of the rig, where nothing animates these bones."""
+    copy = copies.of(rig)
+    if copy is None or copy.has_animated_poses(rig, wired.moved):
+        return wired.bones(rig)
+    return wired.bones_of_copy(rig, copy.number)
+
+
+def _gather(rig, wired, poses, depsgraph):
     known = _settings_of(rig, wired)
+    posed = Posed(poses, rigs.columns(rig.matrix_world))
     listed = _Listed(rig, known.places)
     off = {}
-    targets = _targets(listed, wired, arrays, known, depsgraph, off)
+    targets = _targets(listed, wired, posed, known, depsgraph, off)
     if known.weights is not None:
         _turn(targets, known.offsets, known.weights)
     if known.muted:
@@ -85,9 +102,9 @@ def _gather(rig, wired, arrays, depsgraph):
     if off:
         numbers = numbers.copy()
         numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
-    poles = _poles(listed, wired, arrays, known.copy, depsgraph)
+    poles = _poles(listed, wired, posed, known.copy, depsgraph)
     limits = _limits(rig, wired) if wired.has_limits else None
-    return Gathered(wired, arrays, numbers, targets, poles, limits, off, known.is_stiff)
+    return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, limits, off, known.is_stiff)
 
 
 class _Listed:
@@ -168,11 +185,11 @@ def _column(entries, name, places, size=1, dtype="f4"):
     return found if places is None else found[places]
 
 
-def _targets(entries, wired, arrays, known, depsgraph, off):
+def _targets(entries, wired, posed, known, depsgraph, off):
     """(C, 16) world matrices."""
     found = wired.no_targets.copy()
     if wired.targets.has_own:
-        _take_own(found, wired.targets, arrays)
+        _take_own(found, wired.targets, posed)
     if wired.targets.other_rows:
         _take_others(found, entries, wired.targets, known, depsgraph, off)
     if wired.targets.none:
@@ -217,12 +234,12 @@ def _take_others(found, entries, goals, known, depsgraph, off):
                 found[row] = rigs.columns(matrix)
 
 
-def _take_own(found, goals, arrays):
+def _take_own(found, goals, posed):
     """Fill in world matrices of bones of the rig itself."""
     rows, bones = goals.own
     # Column by column, a matrix reads as its transpose.
-    posed = arrays.poses[bones].reshape(-1, 4, 4) @ arrays.world.reshape(4, 4)
-    found[rows] = posed.reshape(-1, 16)
+    matrices = posed.poses[bones].reshape(-1, 4, 4) @ posed.world.reshape(4, 4)
+    found[rows] = matrices.reshape(-1, 16)
 
 
 def world_matrix(target, bone=""):
@@ -266,7 +283,7 @@ def _turn(targets, offsets, weights):
         axes[:] = turn.T @ axes
 
 
-def _poles(entries, wired, arrays, copy, depsgraph):
+def _poles(entries, wired, posed, copy, depsgraph):
     """(C, 3) places in the world; NaN where there is no pole."""
     goals = wired.poles
     if not goals.has_own and not goals.other_rows:
@@ -274,7 +291,7 @@ def _poles(entries, wired, arrays, copy, depsgraph):
     found = wired.no_poles.copy()
     if goals.has_own:
         rows, bones = goals.own
-        heads = arrays.poses[bones, 12:16] @ arrays.world.reshape(4, 4)
+        heads = posed.poses[bones, 12:16] @ posed.world.reshape(4, 4)
         found[rows] = heads[:, :3]
     if not goals.other_rows:
         return found

@@ -19,10 +19,9 @@ def solve(context):
         found = reading.gather_wired(rig, context.data, context.depsgraph)
     except reading.RigChanged:
         return NOT_WIRED
-    arrays, plan = found.rig, found.wired.plan
-    report = plan.solve(
-        arrays.rest, arrays.poses, arrays.basis, arrays.lengths, arrays.inheritance, arrays.world, found.settings,
-        found.targets, found.poles, limits=found.limits, rotations=context.rotations, scales=context.scales)
+    report = found.wired.plan.solve(
+        found.bones, *found.posed, found.settings, found.targets, found.poles, limits=found.limits,
+        rotations=context.rotations, scales=context.scales)
     table = context.outputs.reshape(-1, len(OUTPUTS))
     report.take(found.wired.told, axis=1, out=table, mode='clip')  # 'raise' would make a copy first
     reasons = table[:, REASON]

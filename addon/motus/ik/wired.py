@@ -41,9 +41,31 @@ class Wired:
         parents = rigs.parents(rig, list(rows))
         self.plan = native.module.IkPlan(parents, bones, effectors, guards)
         roots = {parents[chain[0]] for chain in bones} - {-1}
-        posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))
+        # Rows whose poses are read, and names of the bones whose own transforms are.
+        self.posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))
         names = tuple(rows)
-        self.wanted = rigs.Wanted(posed, frozenset(names[row] for row in self.plan.rows))
+        self.moved = frozenset(names[row] for row in self.plan.rows)
+
+        self._known_rest, self._known_bones = (None, None), (0, None, None)
+
+    def bones(self, rig):
+        """The plan's bones as an evaluated rig has them animated."""
+        return self.plan.bones(self._at_rest(), rigs.basis(rig, self.still))
+
+    def bones_of_copy(self, rig, number):
+        """The same for a copy of the rig, by its number, in which nothing animates them: read once."""
+        rest = self._at_rest()
+        if self._known_bones[:2] != (number, rest):
+            self._known_bones = number, rest, self.bones(rig)
+        return self._known_bones[2]
+
+    def _at_rest(self):
+        still, rest = self._known_rest
+        if still is not self.still:  # rigs.plan() has found the armature edited
+            still = self.still
+            rest = self.plan.rest(still.rest, still.lengths, still.inheritance)
+            self._known_rest = still, rest
+        return rest
 
 
 class _Goals:

@@ -9,6 +9,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -86,6 +87,7 @@ class IkPlan {
     };
     struct Chain {
         std::span<const int> bones;
+        int parent = -1;  ///< of the first bone, -1 for none
         std::size_t first_row = 0;
         bool has_free_effector = false;  ///< no chain bone
         bool is_effector_absolute = false;
@@ -117,9 +119,45 @@ class IkPlan {
     std::size_t longest_chain_ = 0;
 };
 
+struct RestBone;
+struct AnimatedBone;
+
+/// The bones of a plan's rows at rest, each beside its parent. An immutable value, right until the armature
+/// is edited; copies share it.
+class IkRest {
+  public:
+    IkRest() = default;  // of no plan
+    /// Reads neither poses nor basis. Numbers that are not finite are allowed. std::invalid_argument where
+    /// the rig's arrays do not have the plan's number of bones.
+    IkRest(const IkPlan& plan, const RigView& rig);
+
+    /// In the order of the plan's rows.
+    [[nodiscard]] std::span<const RestBone> rows() const noexcept;
+
+  private:
+    std::shared_ptr<const std::vector<RestBone>> rows_;
+};
+
+/// The same bones as they are animated (FK): all that a solve reads of them but where their chain's parent
+/// stands. An immutable value, right until a bone's own transform changes; copies share it.
+class IkBones {
+  public:
+    IkBones() = default;  // of no plan
+    /// basis: as in RigView, of all bones. std::invalid_argument where `rest` or `basis` are not the plan's.
+    IkBones(const IkPlan& plan, IkRest rest, std::span<const float> basis);
+
+    /// In the order of the plan's rows.
+    [[nodiscard]] std::span<const AnimatedBone> rows() const noexcept;
+
+  private:
+    IkRest rest_;
+    std::shared_ptr<const std::vector<AnimatedBone>> rows_;
+};
+
 /// What a solve reads. Sizes are checked by solve_rig_ik(); numbers that are not finite are allowed.
 struct IkInput {
-    RigView rig;                           ///< its parents are the plan's
+    IkBones bones;                         ///< of the plan
+    std::span<const float> poses;          ///< as in RigView; read for the parents of chains
     glm::dmat4 world{1.0};                 ///< the rig's matrix_world
     std::span<const IkSettings> settings;  ///< one per chain
     std::span<const glm::dmat4> targets;   ///< one per chain, world

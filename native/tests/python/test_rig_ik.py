@@ -58,15 +58,21 @@ class Arm:
             poses.append(native.bone_to_pose(self.rest[i], self.rest[i - 1], poses[i - 1], basis[i]))
         return np.array(poses)
 
-    def rig(self):
+    def at_rest(self):
         return {
-            "rest": columns(self.rest), "poses": columns(self.poses), "basis": columns(self.basis),
-            "lengths": np.ones(BONES, np.float32), "inheritance": np.full(BONES, FLAGS, np.int32),
-            "world": np.eye(4).T.ravel().copy(), "settings": self.settings,
-        }
+            "rest": columns(self.rest), "lengths": np.ones(BONES, np.float32),
+            "inheritance": np.full(BONES, FLAGS, np.int32)}
 
-    def arguments(self):
-        return {**self.rig(), "targets": columns(self.target[None], np.float64), "poles": self.pole}
+    def bones(self, plan):
+        return plan.bones(plan.rest(**self.at_rest()), columns(self.basis))
+
+    def rig(self, plan):
+        return {
+            "bones": self.bones(plan), "poses": columns(self.poses), "world": np.eye(4).T.ravel().copy(),
+            "settings": self.settings}
+
+    def arguments(self, plan):
+        return {**self.rig(plan), "targets": columns(self.target[None], np.float64), "poles": self.pole}
 
 
 class RigIkTest(unittest.TestCase):
@@ -78,7 +84,7 @@ class RigIkTest(unittest.TestCase):
 
     def solve(self, **changed):
         outputs = {"rotations": self.rotations, "scales": self.scales}
-        return self.plan.solve(**{**self.arm.arguments(), **outputs, **changed})
+        return self.plan.solve(**{**self.arm.arguments(self.plan), **outputs, **changed})
 
     def report(self, **changed):
         return dict(zip(native.IkPlan.REPORT, self.solve(**changed)[0]))
@@ -124,7 +130,7 @@ class RigIkTest(unittest.TestCase):
         self.assertEqual(report["reason"], native.Reason.LIMIT)
 
     def test_match(self):
-        targets, poles = self.plan.match(**self.arm.rig())
+        targets, poles = self.plan.match(**self.arm.rig(self.plan))
         self.assertLess(self.report(targets=targets, poles=poles)["residual"], 1e-9)
         np.testing.assert_allclose(self.rotations, np.tile([1, 0, 0, 0], (3, 1)), atol=1e-7)
         np.testing.assert_allclose(targets[0, 12:15], self.arm.poses[3][:3, 3], atol=1e-6)
@@ -136,13 +142,10 @@ class RigIkTest(unittest.TestCase):
         np.testing.assert_array_equal(self.scales, 1.0)
 
     def test_wrong_arguments_are_named(self):
-        arguments = self.arm.arguments()
+        other = native.IkPlan(self.arm.parents, [CHAIN], [2], [])
         wrong = {
-            "rest": (arguments["rest"].astype(float), TypeError),
-            "poses": (arguments["poses"][:3], ValueError),
-            "basis": (arguments["basis"].T, TypeError),
-            "lengths": (np.ones(3, np.float32), ValueError),
-            "inheritance": (np.ones(4, np.int64), TypeError),
+            "bones": (self.arm.bones(other), ValueError),
+            "poses": (columns(self.arm.poses)[:3], ValueError),
             "world": (np.eye(4), ValueError),
             "settings": (np.zeros((2, 11)), ValueError),
             "targets": ([[0.0] * 16], TypeError),
@@ -157,6 +160,42 @@ class RigIkTest(unittest.TestCase):
         shared = np.zeros(21)
         with self.assertRaisesRegex(ValueError, "scales"):
             self.solve(rotations=shared[:12].reshape(3, 4), scales=shared[9:18].reshape(3, 3))
+
+    def test_wrong_bones_are_named(self):
+        arguments = self.arm.at_rest()
+        wrong = {
+            "rest": (arguments["rest"].astype(float), TypeError),
+            "lengths": (np.ones(3, np.float32), ValueError),
+            "inheritance": (np.ones(4, np.int64), TypeError),
+        }
+        for name, (value, error) in wrong.items():
+            with self.subTest(name), self.assertRaisesRegex(error, f"^{name}: "):
+                self.plan.rest(**{**arguments, name: value})
+        with self.assertRaisesRegex(TypeError, "^basis: "):
+            self.plan.bones(self.plan.rest(**arguments), columns(self.arm.basis).T)
+        other = native.IkPlan(self.arm.parents, [CHAIN], [2], [])
+        with self.assertRaisesRegex(ValueError, "^rest: "):
+            self.plan.bones(other.rest(**arguments), columns(self.arm.basis))
+        for bones in (None, self.plan.rest(**arguments)):
+            with self.assertRaisesRegex(TypeError, "incompatible"):
+                self.solve(bones=bones)
+        for made_by_plans in (native.IkRest, native.IkBones):
+            with self.assertRaises(TypeError):
+                made_by_plans()
+
+    def test_bones_stay_as_they_were_read(self):
+        arguments, basis = self.arm.at_rest(), columns(self.arm.basis)
+        rest = self.plan.rest(**arguments)
+        bones = self.plan.bones(rest, basis)
+        before = self.solve(bones=bones)
+        basis.fill(np.nan)
+        arguments["rest"].fill(np.nan)
+        np.testing.assert_array_equal(self.solve(bones=bones), before)
+        self.assertEqual(self.report(bones=self.plan.bones(rest, basis))["reason"], -1.0)
+        lost = self.plan.bones(self.plan.rest(**arguments), columns(self.arm.basis))
+        self.assertEqual(self.report(bones=lost)["reason"], -1.0)
+        del rest  # what is read of it stays
+        np.testing.assert_array_equal(self.solve(bones=bones), before)
 
     def test_wrong_plans_are_named(self):
         parents = self.arm.parents
