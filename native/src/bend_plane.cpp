@@ -21,6 +21,28 @@ glm::dvec3 fixed_normal(const glm::dvec3& along) {
     return straightened(normal - (start + along) * (glm::dot(normal, along) / opposed), along);
 }
 
+// Squares of lengths between which squares keep their digits.
+constexpr double tiny = 1e-200, huge = 1e200;
+
+/// normal_across() where the plane's part across the line is so small that it fades out. sine: its share.
+glm::dvec3 normal_nearly_along(const glm::dvec3& along, const glm::dvec3& across, double sine) {
+    const glm::dvec3 fixed = fixed_normal(along);
+    if (sine < 1e-12) return fixed;  // what is left is rounding
+    const glm::dvec3 unit = across * (1.0 / glm::length(across));
+    return blended_normal(fixed, straightened(unit, along), along, smooth_step(sine / pole_band));
+}
+
+/// faded_normal() of lengths whose squares do not keep their digits.
+glm::dvec3 slowly(const BendSide& side, const glm::dvec3& without, const glm::dvec3& across) {
+    const double distance = std::max(glm::length(side.pole), side.near);
+    const double sine = distance > 0.0 ? glm::length(across) / distance : 0.0;
+    const double weight = smooth_step(sine / side.band);
+    const glm::dvec3 of_pole = unit_vector(across);
+    if (weight == 0.0 || of_pole == glm::dvec3(0.0)) return without;
+    const double sign = side.bend;
+    return blended_normal(without, sign * straightened(of_pole, side.along), side.along, weight);
+}
+
 }  // namespace
 
 glm::dvec3 unit_vector(glm::dvec3 v) {
@@ -44,27 +66,27 @@ glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const gl
 }
 
 glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane) {
-    const glm::dvec3 wanted = unit_vector(plane);
+    const double size = glm::dot(plane, plane);
+    const bool is_safe = size > tiny && size < huge;
+    const glm::dvec3 wanted = is_safe ? plane : unit_vector(plane);
     const glm::dvec3 across = wanted - glm::dot(wanted, along) * along;
-    const double sine = glm::length(across);
-    if (sine >= pole_band) return across * (1.0 / sine);
-    const glm::dvec3 fixed = fixed_normal(along);
-    if (sine < 1e-12) return fixed;  // what is left is rounding
-    return blended_normal(fixed, straightened(across * (1.0 / sine), along), along,
-                          smooth_step(sine / pole_band));
+    const double square = glm::dot(across, across);
+    const double whole = is_safe ? size : 1.0;
+    if (square >= pole_band * pole_band * whole) return across * (1.0 / std::sqrt(square));
+    return normal_nearly_along(along, across, std::sqrt(square / whole));
 }
 
-glm::dvec3 faded_normal(BendSide side) {
+// Not inlined, for the sake of the frequent branch of bend_normal().
+[[gnu::noinline]] glm::dvec3 faded_normal(BendSide side) {
     const bool has_plane = side.plane != glm::dvec3(0.0);
     const double sign = side.bend;
     const glm::dvec3 without = normal_across(side.along, side.plane) * (has_plane ? 1.0 : sign);
     const glm::dvec3 across = glm::cross(side.along, side.pole);
-    const double distance = std::max(glm::length(side.pole), side.near);
-    const double sine = distance > 0.0 ? glm::length(across) / distance : 0.0;
-    const double weight = smooth_step(sine / side.band);
-    const glm::dvec3 of_pole = unit_vector(across);
-    if (weight == 0.0 || of_pole == glm::dvec3(0.0)) return without;
-    return blended_normal(without, sign * straightened(of_pole, side.along), side.along, weight);
+    const double square = glm::dot(across, across);
+    const double far_square = std::max(glm::dot(side.pole, side.pole), side.near * side.near);
+    if (!(square > tiny && far_square < huge)) return slowly(side, without, across);
+    const double weight = smooth_step(std::sqrt(square / (side.band * side.band * far_square)));
+    return blended_normal(without, straightened(sign * across, side.along), side.along, weight);
 }
 
 }  // namespace motus
