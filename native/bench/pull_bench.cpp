@@ -160,8 +160,10 @@ int main() {
         milliseconds([&] { pull(points, power.next(), {}, points); }), naive);
     row("pull, with weights", milliseconds([&] { pull(points, all.next(), weights, points); }), naive);
     Turns turned(2.0f);
+    turned.dab.metric = glm::mat3(0.0f, 1.7f, 0.0f, -1.7f, 0.0f, 0.0f, 0.0f, 0.0f, 1.7f);
+    row("pull, turned and scaled", milliseconds([&] { pull(points, turned.next(), {}, points); }), naive);
     turned.dab.metric = glm::mat3(1.0f, 0.1f, 0.0f, 0.0f, 1.3f, 0.0f, 0.2f, 0.0f, 0.8f);
-    row("pull, by a metric", milliseconds([&] { pull(points, turned.next(), {}, points); }), naive);
+    row("pull, sheared", milliseconds([&] { pull(points, turned.next(), {}, points); }), naive);
     Turns twice(2.0f);
     twice.dab.mirror = 1;
     row("pull, mirrored", milliseconds([&] { pull(points, twice.next(), {}, points); }), naive);

@@ -16,6 +16,11 @@ void require(bool condition, const char* message) {
     if (!condition) throw std::invalid_argument(message);
 }
 
+/// Whether a falloff is one of (d / R)^2.
+bool is_of_squares(Falloff falloff) {
+    return falloff == Falloff::sphere || falloff == Falloff::gaussian || falloff == Falloff::constant;
+}
+
 }  // namespace
 
 float reach_of(const Profile& profile, float radius) {
@@ -29,7 +34,7 @@ ForceTerms force_terms(const Profile& profile, float radius) {
     terms.limit = radius;
     // A radius so small that its reciprocal is infinite must not make 0 / R undefined.
     terms.scale = std::min(1.0f / radius, std::numeric_limits<float>::max());
-    if (profile.falloff == Falloff::gaussian || profile.falloff == Falloff::constant) {
+    if (is_of_squares(profile.falloff)) {
         terms.of_squares = true;
         // Nor may its square leave the root out of reach.
         terms.limit = std::max(radius * radius, std::numeric_limits<float>::denorm_min());

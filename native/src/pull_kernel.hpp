@@ -23,7 +23,7 @@ struct ForceTerms {
     Falloff falloff = Falloff::smooth;
     bool of_squares = false;         ///< the falloff is one of d^2, which is all that is measured then
     float limit = 1.0f;              ///< reach_of(profile, radius), or its square: forces are 0 from there on
-    float scale = 1.0f;              ///< 1 / R; of `classic` 1 / (R + 1), of `gaussian` 1 / R^2
+    float scale = 1.0f;              ///< 1 / R, or 1 / R^2 of squares; of `classic` 1 / (R + 1)
     float exponent = 1.0f;           ///< 1 + |k|
     const float* samples = nullptr;  ///< of `curve`
     int last_sample = 1;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/matrix.hpp>
 #include <limits>
 #include <stdexcept>
 
@@ -23,6 +24,24 @@ void require(bool condition, const char* message) {
 
 [[nodiscard]] float* numbers(glm::vec3* positions) {
     return reinterpret_cast<float*>(positions);
+}
+
+/// How often as long a metric that turns and scales all directions alike makes a vector; 0 of others, and of
+/// sizes that might leave the floats.
+[[nodiscard]] double uniform_scale(const glm::mat3& metric) {
+    const glm::dmat3 axes(metric);
+    const glm::dmat3 products = glm::transpose(axes) * axes;
+    const double square = products[0][0];
+    constexpr double least = 1e-8, most = 1e8;  // squared
+    if (!(square > least && square < most)) return 0.0;
+    constexpr double alike = 1e-6;  // single precision's rounding of a rotation
+    for (int column = 0; column < 3; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            const double wanted = column == row ? square : 0.0;
+            if (std::abs(products[column][row] - wanted) > alike * square) return 0.0;
+        }
+    }
+    return std::sqrt(square);
 }
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
@@ -57,6 +76,15 @@ Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_coun
     require(out_count == vertex_count, "out: must be as long as positions");
     require(vertex_count <= std::numeric_limits<std::uint32_t>::max(), "positions: are too many");
     images_ = images_of(dab);
+    const double size = is_plain_ ? 1.0 : uniform_scale(dab.metric);
+    straight_ = force_;
+    if (size > 0.0) {
+        const auto share = static_cast<float>(force_.of_squares ? size * size : size);
+        // As with radii so small that their squares vanish: the root stays within reach, and 0 * scale is 0.
+        straight_.limit = std::max(force_.limit / share, std::numeric_limits<float>::denorm_min());
+        straight_.scale = std::min(force_.scale * share, std::numeric_limits<float>::max());
+        is_plain_ = true;
+    }
 }
 
 void Puller::report() const {
@@ -79,7 +107,7 @@ void Puller::look_at_weights(const float* weights, std::size_t count) const {
 
 bool Puller::measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
                      float* distances) const {
-    const Seen seen = kernel_.measure(force_, metric(), image.root, numbers(positions), count, distances);
+    const Seen seen = kernel_.measure(straight_, metric(), image.root, numbers(positions), count, distances);
     // Far away the square is infinite while the position is not.
     if (seen.is_strange) look_at_positions(positions, count);
     return seen.is_near;
@@ -88,13 +116,13 @@ bool Puller::measure(const PullImage& image, const glm::vec3* positions, std::si
 /// distances(image, values) fills in the distances to the image with that number; false where all are out of
 /// reach. False where nothing moves: then `out` is as it was.
 template <class Distances>
-bool Puller::act(const glm::vec3* positions, const float* weights, std::size_t count, Distances&& distances,
-                 glm::vec3* out) const {
+bool Puller::act(const ForceTerms& force, const glm::vec3* positions, const float* weights, std::size_t count,
+                 Distances&& distances, glm::vec3* out) const {
     PerVertex<float> numbers_of_block;
     float* const values = numbers_of_block.data();
     const auto make_forces = [&](std::size_t image) {
         if (!distances(image, values)) return false;
-        kernel_.force(force_, values, count);
+        kernel_.force(force, values, count);
         if (weights != nullptr) kernel_.weigh(weights, count, values);
         return true;
     };
@@ -133,7 +161,7 @@ void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t f
             if (out != positions) std::copy_n(from, count, out + begin);
             const glm::vec3* const measured = shapes.is_one() ? out : shapes.measured;
             if (weight != nullptr) look_at_weights(weight, count);
-            const Seen seen = kernel_.pull(force_, move_, images_[0].root, metric(), count,
+            const Seen seen = kernel_.pull(straight_, move_, images_[0].root, metric(), count,
                                            shapes.is_one() ? nullptr : numbers(measured + begin), weight,
                                            numbers(out + begin));
             // One that is strange has not moved.
@@ -143,7 +171,7 @@ void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t f
         const auto distances = [&](std::size_t image, float* values) {
             return measure(images_[image], shapes.measured + begin, count, values);
         };
-        const bool moved = act(from, weight, count, distances, out + begin);
+        const bool moved = act(straight_, from, weight, count, distances, out + begin);
         if (!moved && out != positions) std::copy_n(from, count, out + begin);
     }
 }
@@ -171,7 +199,8 @@ void Puller::act_among(const Shapes& shapes, const float* weights, std::span<con
             return measure(images_[image], measured, part.size(), values);
         };
         glm::vec3* moved = block.positions.data();
-        if (!act(moved, weights != nullptr ? block.weights.data() : nullptr, part.size(), distances, moved))
+        if (!act(straight_, moved, weights != nullptr ? block.weights.data() : nullptr, part.size(),
+                 distances, moved))
             continue;
         for (std::size_t i = 0; i < part.size(); ++i) out[part[i]] = moved[i];
     }
@@ -208,7 +237,8 @@ void Puller::act_along(const glm::vec3* positions, const float* weights,
             return at > first;
         };
         glm::vec3* moved = block.positions.data();
-        if (!act(moved, weights != nullptr ? block.weights.data() : nullptr, part.size(), distances, moved))
+        if (!act(force_, moved, weights != nullptr ? block.weights.data() : nullptr, part.size(), distances,
+                 moved))
             continue;
         for (std::size_t i = 0; i < part.size(); ++i) out[part[i]] = moved[i];
     }

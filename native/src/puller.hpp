@@ -56,13 +56,15 @@ class Puller {
     void look_at_weights(const float* weights, std::size_t count) const;
 
     template <class Distances>
-    [[nodiscard]] bool act(const glm::vec3* positions, const float* weights, std::size_t count,
-                           Distances&& distances, glm::vec3* out) const;
+    [[nodiscard]] bool act(const ForceTerms& force, const glm::vec3* positions, const float* weights,
+                           std::size_t count, Distances&& distances, glm::vec3* out) const;
 
-    ForceTerms force_;
+    ForceTerms force_;  ///< of distances in the metric's unit
+    ForceTerms
+        straight_;  ///< of those that are measured here: with the metric's scale in it, where it has one
     MoveTerms move_;
     glm::mat3 metric_;
-    bool is_plain_;  ///< the metric is the identity
+    bool is_plain_;  ///< the metric need not be looked at any more
     std::size_t vertex_count_;
     const PullKernel& kernel_;
     std::vector<PullImage> images_;

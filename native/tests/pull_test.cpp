@@ -90,6 +90,30 @@ TEST_CASE("a pull follows the rules", "[pull]") {
     }
 }
 
+TEST_CASE("a metric that turns and scales all directions alike is another radius", "[pull]") {
+    const std::vector<glm::vec3> points = cloud(5003);
+    const glm::mat3 turn =
+        glm::mat3_cast(glm::angleAxis(0.8f, glm::normalize(glm::vec3(0.3f, 1.0f, -0.5f))));
+    for (const Falloff falloff : {Falloff::smooth, Falloff::sphere, Falloff::linear, Falloff::gaussian}) {
+        for (const float size : {1e-9f, 1e-3f, 0.4f, 1.0f, 40.0f, 1e6f, 1e9f}) {
+            for (const float mirrored : {1.0f, -1.0f}) {
+                Dab dab = sample_dab();
+                dab.profile = {falloff, 0.0f, {}};
+                const std::vector<glm::vec3> wanted = pulled(points, dab);
+                dab.metric = mirrored * size * turn;
+                dab.radius *= size;
+                const std::vector<glm::vec3> found = pulled(points, dab);
+                double largest = 0.0;
+                for (std::size_t i = 0; i < points.size(); ++i)
+                    largest = std::max(largest, glm::distance(glm::dvec3(found[i]), glm::dvec3(wanted[i])));
+                INFO("falloff " << static_cast<int>(falloff) << ", size " << mirrored * size);
+                // The sphere's edge is steep.
+                CHECK(largest < (falloff == Falloff::sphere ? 5e-4 : 2e-6));
+            }
+        }
+    }
+}
+
 TEST_CASE("constant moves all within the radius as one and nothing beyond", "[pull]") {
     const std::vector<glm::vec3> points = cloud(20000);
     Dab dab = sample_dab();
