@@ -201,9 +201,10 @@ py::object pose_to_bone(const py::object& rest, const py::object& parent_rest, c
 }  // namespace
 
 void bind_rig_ik(py::module_& m) {
-    py::class_<IkRest>(m, "IkRest", "Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.");
-    py::class_<IkBones>(m, "IkBones",
-                        "Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable.");
+    const py::class_<IkRest> rest(m, "IkRest",
+                                  "Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.");
+    const py::class_<IkBones> bones(
+        m, "IkBones", "Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable.");
     py::class_<IkPlan> plan(m, "IkPlan", R"(
 Chains of one rig's bones, solved together. Immutable.
 

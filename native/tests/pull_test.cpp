@@ -92,8 +92,7 @@ TEST_CASE("a pull follows the rules", "[pull]") {
 
 TEST_CASE("a metric that turns and scales all directions alike is another radius", "[pull]") {
     const std::vector<glm::vec3> points = cloud(5003);
-    const glm::mat3 turn =
-        glm::mat3_cast(glm::angleAxis(0.8f, glm::normalize(glm::vec3(0.3f, 1.0f, -0.5f))));
+    const glm::mat3 turn = glm::mat3_cast(glm::angleAxis(0.8f, glm::normalize(glm::vec3(0.3f, 1.0f, -0.5f))));
     for (const Falloff falloff : {Falloff::smooth, Falloff::sphere, Falloff::linear, Falloff::gaussian}) {
         for (const float size : {1e-9f, 1e-3f, 0.4f, 1.0f, 40.0f, 1e6f, 1e9f}) {
             for (const float mirrored : {1.0f, -1.0f}) {
