@@ -1,5 +1,7 @@
 """Checking chains over a range of frames."""
 
+import math
+
 import bpy
 import support
 from ik_cases import REACHABLE, IkTestCase, turn
@@ -88,6 +90,44 @@ class Frames(CheckTestCase):
         self.check(frame_start=1, frame_end=2)
         self.assertEqual(entry.check_reason, 'LIMIT')
         self.assertGreater(entry.check_worst, 0.1)
+
+    def test_orientation(self):
+        """Turned by half a turn, the last bone leaves the other one too short."""
+        target = self.target((1.25, 0.0, 1.0))
+        target.rotation_euler = (0.0, 0.0, math.pi / 2.0)
+        entry = self.reach()
+        entry.rotation_weight, entry.rotation_offset = 1.0, (0.0, 0.0, 0.0)
+        self.assertRegex(self.sentence(self.rigged), "^With the target's orientation .* are left$")
+        self.check(frame_start=1, frame_end=2)
+        self.assertEqual((entry.check_frames, entry.check_reason), ("1-2", 'TURN'))
+        self.assertAlmostEqual(entry.check_worst, self.output(self.rigged, "Bone 1.residual"), places=6)
+        self.assertIn("Too far with the target's orientation on frames 1-2", self.told(entry))
+
+    def test_half_stretched(self):
+        self.target((2.0, 0.0, 1.0))
+        self.reach(stretch=0.5)
+        left = support.addon("ik.status").length(bpy.context, self.output(self.rigged, "Bone 1.residual"))
+        self.assertEqual(self.sentence(self.rigged), f"The target is {left} too far away")
+
+    def test_a_check_of_before_a_change(self):
+        target = self.moving(self.FAR)
+        entry = self.reach()
+        self.check()
+        outdated = support.addon("ik.check_results").contradicts
+        self.assertFalse(outdated(entry, 20, True) or outdated(entry, 77, True) or outdated(entry, 50, False))
+        self.assertTrue(outdated(entry, 20, False) and outdated(entry, 50, True))
+        self.assertFalse(outdated(entry, 101, True))
+        self.check(frame_start=-20, frame_end=-5)
+        self.assertEqual(entry.check_frames, "")
+        self.assertTrue(outdated(entry, -10, True))
+        panel = support.addon("ik.tools_panel")
+        self.scene.frame_set(-10)
+        bpy.context.view_layer.update()
+        self.assertFalse(panel.is_outdated(bpy.context, self.rigged, entry))
+        target.animation_data_clear()
+        target.location = (3.0, 0.0, 1.0)
+        bpy.context.view_layer.update()
+        self.assertTrue(panel.is_outdated(bpy.context, self.rigged, entry))
 
     def test_softness_is_no_fault(self):
         self.target(Vector((1.3, 0.0, 1.0)))

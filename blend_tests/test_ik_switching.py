@@ -214,6 +214,61 @@ class Triggered(SwitchTestCase):
         bpy.data.objects["D"].location = (1.2, 2.1, 1.0)
         self.assertAt(B, 3)
 
+    def other_arm(self):
+        """Another rig, whose arm is less than 0.9 from its target "D" until that is moved."""
+        other = self.arm(name="Other", joints=((0.0, 2.0, 1.0), (0.7, 2.15, 1.0), (1.3, 2.0, 1.0)))
+        self.target((0.6, 2.3, 1.4), "D")
+        bpy.ops.motus.ik_add(object="Other", bone="Bone 1", target="D")
+        self.switch("B", trigger_object="Other", trigger_system="ik", trigger_output="Bone 1.distance",
+                    trigger_start=0.9, trigger_end=1.1)
+        return other
+
+    def assertTriggered(self):
+        for place, wanted in (((1.2, 2.1, 1.0), B), ((0.6, 2.3, 1.4), A)):
+            bpy.data.objects["D"].location = place
+            self.assertAt(wanted, 3)
+
+    def test_the_output_moves_to_a_hub(self):
+        other = self.other_arm()
+        self.assertTriggered()
+        driver = other.driver_add("motus.ik.entries[0].position_weight").driver
+        driver.expression = "1.0"
+        for _ in range(3):  # wired again after the evaluation that has noticed it
+            bpy.context.view_layer.update()
+        self.assertTriggered()
+        other.driver_remove("motus.ik.entries[0].position_weight")
+        bpy.ops.motus.ik_refresh(object="Other")
+        self.assertTriggered()
+
+    def test_the_output_moves_to_another_slot(self):
+        self.other_arm()
+        self.target((1.4, 2.1, 1.0), "E")
+        bpy.ops.motus.ik_add(object="Other", bone="Hand", target="E", chain_length=1)
+        self.assertTriggered()
+        bpy.ops.motus.ik_remove(object="Other", bone="Bone 1")
+        bpy.ops.motus.ik_add(object="Other", bone="Bone 1", target="D")
+        self.assertTriggered()
+        bpy.ops.motus.ik_remove(object="Other", bone="Hand")
+        self.assertTriggered()
+
+    def test_the_trigger_is_removed_and_comes_back(self):
+        self.aeroplane()
+        self.switch("B", trigger_object="Aeroplane", trigger_start=0.05, trigger_end=0.15)
+        bpy.ops.motus.path_follow_remove(object="Aeroplane")
+        self.assertAt(A, 60)
+        bpy.ops.motus.path_follow_add(object="Aeroplane", curve="Course", timing='DURATION',
+                                      duration=100 / self.scene.render.fps)
+        for frame, place in ((1, A), (60, B), (2, A)):
+            self.assertAt(place, frame)
+
+    def test_what_is_solved_on_the_rig_itself(self):
+        self.target((0.6, -0.3, 1.2), "E")
+        bpy.ops.motus.ik_add(object="Rig", bone="Hand", target="E", chain_length=1)
+        self.assertRefused("cannot wait for what is solved on its own bones", bpy.ops.motus.ik_switch_target,
+                           object="Rig", bone="Bone 1", target="B", trigger_object="Rig", trigger_system="ik",
+                           trigger_output="Hand.distance")
+        self.assertIsNone(support.addon("ik.blend_trigger").driver_of(self.rigged, self.entry))
+
     def test_saved_and_opened_with_scripts_off(self):
         """Blender evaluates the driver without Python."""
         self.aeroplane()

@@ -183,6 +183,37 @@ class Outputs(IkTestCase):
         self.assertEqual(len(overlay.overlay(bpy.context, rig)), 1)
         self.assertEqual(overlay.overlay(bpy.context, bpy.data.objects["Target"]), [])
 
+    def test_overlay_of_what_is_left(self):
+        """To the target that Blend stands on; nothing under way, or where the animation alone counts."""
+        rig = self.arm()
+        self.target()
+        entry = self.reach()
+        extra = entry.extra_targets.add()
+        extra.object = self.target((0.0, 0.0, 4.0), "Far")
+        overlay = support.addon("ik.overlay")
+
+        def residuals():
+            self.evaluated(rig)
+            return [batch.points for batch in overlay.overlay(bpy.context, rig) if batch.kind == 'LINES']
+
+        self.assertEqual(residuals(), [])
+        entry.target_blend = 1.0
+        line, = residuals()
+        self.assertNear(line, (self.tail(rig), (0.0, 0.0, 4.0)))
+        entry.target_blend = 0.5
+        self.assertEqual(residuals(), [])
+        entry.target_blend, entry.position_weight = 1.0, 0.0
+        self.assertEqual(residuals(), [])
+
+    def test_overlay_of_reach_has_no_stretch(self):
+        rig = self.arm()
+        self.target((0.0, 0.0, 4.0))
+        self.reach(stretch=1.0)
+        self.evaluated(rig)
+        circle = support.addon("ik.overlay").overlay(bpy.context, rig)[0].points
+        reach = sum(rig.data.bones[name].length for name in ("Bone 0", "Bone 1"))
+        self.assertNear(np.linalg.norm(circle - np.array(ARM[0]), axis=1), np.full(65, reach), 1e-5)
+
     def test_matrices_stay_rigid(self):
         rig = self.arm()
         self.reach("Hand", use_tail=False, rotation_weight=1.0)

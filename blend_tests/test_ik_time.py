@@ -1,6 +1,7 @@
 """Inverse kinematics over time and in copies: every frame alone equals playback, copies keep to themselves."""
 
 import bpy
+import numpy as np
 from ik_cases import ARM, REACHABLE, IkTestCase, add_bone, add_chain, tentacle, turn
 from mathutils import Vector
 
@@ -64,6 +65,60 @@ class Time(IkTestCase):
         for frame in (17.25, 17.5, 17.75):
             self.poses(rig, frame)
             self.assertNear(self.tail(rig, "Bone 3"), self.evaluated(target).matrix_world.translation, 1e-5)
+
+
+STRAIGHT = ((0.0, 0.0, 1.0), (0.7, 0.0, 1.0), (1.3, 0.0, 1.0))
+
+
+class Keyed(IkTestCase):
+    """A keyed setting gives the poses of the setting itself, whichever frame comes first."""
+
+    def assertKeyed(self, name, start, end, joints=ARM, place=REACHABLE, pole=True, **keywords):
+        rig = self.arm(joints)
+        for axis in "xyz":
+            bone = rig.pose.bones["Bone 1"]
+            setattr(bone, f"use_ik_limit_{axis}", True)
+            setattr(bone, f"ik_min_{axis}", -0.3)
+            setattr(bone, f"ik_max_{axis}", 0.3)
+        self.target(place).rotation_euler = (0.4, 0.8, 0.2)
+        self.target((0.6, -3.0, 1.2), "Pole")
+        entry = self.reach(**({"pole": "Pole"} if pole else {}), **keywords)
+        wanted = {}
+        for frame, value in ((1, start), (11, end)):
+            setattr(entry, name, value)
+            wanted[frame] = self.poses(rig)
+        self.assertGreater(np.abs(wanted[1] - wanted[11]).max(), 0.01, name)
+        for frame, value in ((1, start), (11, end)):
+            setattr(entry, name, value)
+            self.assertTrue(entry.keyframe_insert(name, frame=frame), name)
+        for frame in (11, 1, 11, 20, 0):
+            self.assertSamePose(rig, wanted[1 if frame < 2 else 11], 2e-6, frame)
+
+    def test_softness(self):
+        self.assertKeyed("softness", 0.0, 0.5, place=(1.2, 0.2, 1.2))
+
+    def test_stretch(self):
+        self.assertKeyed("stretch", 0.25, 1.0, place=(2.0, 0.4, 1.2))
+
+    def test_pole_angle(self):
+        self.assertKeyed("pole_angle", 0.0, 1.0)
+
+    def test_bend(self):
+        self.assertKeyed("bend", 'TOWARDS', 'AWAY')
+
+    def test_bend_axis(self):
+        self.assertKeyed("hinge_angle", 0.0, 1.2, joints=STRAIGHT, pole=False)
+
+    def test_limits(self):
+        self.assertKeyed("use_limits", False, True, place=(0.3, 0.2, 1.2), pole=False)
+
+    def test_weights(self):
+        self.assertKeyed("position_weight", 1.0, 0.3)
+        self.setUp()
+        self.assertKeyed("rotation_weight", 0.0, 1.0)
+
+    def test_offset(self):
+        self.assertKeyed("rotation_offset", (0.0, 0.0, 0.0), (0.5, 0.2, -0.4), rotation_weight=1.0)
 
 
 class Copies(IkTestCase):

@@ -64,6 +64,49 @@ class RemoveTest(cases.PinsTestCase):
         self.assertEqual([round(float(height), 5) for height in heights], [1.0, 0.0, 3.0])
         self.assertEqual(len(support.addon("core.actions").fcurves(grid)), 2)
 
+    def keyed_pins(self):
+        """A grid whose three pins reach 1, 2 and 3 at frame 11, and their roots."""
+        grid = cases.new_grid()
+        roots = [centre(grid), vertex_at(grid, 0.6, 0.6), vertex_at(grid, -0.6, 0.6)]
+        for index, root in enumerate(roots):
+            cases.key_strength(add(grid, root, radius=0.3), {1: 0.0, 11: 1.0 + index})
+        return grid, roots
+
+    def assert_heights(self, obj, roots, *wanted):
+        frame_set(11)
+        heights = evaluated(obj)[roots, 2]
+        self.assertEqual([round(float(height), 5) for height in heights], list(wanted))
+
+    def test_another_object_with_the_same_action_keeps_its_keys(self):
+        grid, roots = self.keyed_pins()
+        other = grid.copy()
+        bpy.context.collection.objects.link(other)
+        self.assertEqual(other.animation_data.action, grid.animation_data.action)
+        motus.pin_remove(object=other.name, index=0)
+        self.assert_heights(grid, roots, 1.0, 2.0, 3.0)
+        self.assert_heights(other, roots, 0.0, 2.0, 3.0)
+        motus.pin_move(object=other.name, index=0, direction='DOWN')
+        self.assert_heights(grid, roots, 1.0, 2.0, 3.0)
+        self.assert_heights(other, roots, 0.0, 2.0, 3.0)
+
+    def test_keys_in_strips_stay_with_their_pins(self):
+        grid, roots = self.keyed_pins()
+        animation = grid.animation_data
+        action = animation.action
+        slot = getattr(animation, "action_slot", None)
+        strip = animation.nla_tracks.new().strips.new("Pulls", 1, action)
+        if slot:
+            strip.action_slot = slot
+        animation.action = None
+        self.assert_heights(grid, roots, 1.0, 2.0, 3.0)
+        motus.pin_move(index=0, direction='DOWN')
+        self.assert_heights(grid, roots, 1.0, 2.0, 3.0)
+        motus.pin_remove(index=0)
+        self.assert_heights(grid, roots, 1.0, 0.0, 3.0)
+        motus.pin_apply(to='KEYS')
+        values = [key.value for key in grid.data.shape_keys.key_blocks[1:]]
+        self.assertEqual(sorted(round(value, 5) for value in values), [1.0, 3.0])
+
     def test_each_is_one_undo_step(self):
         grid = cases.new_grid()
         bpy.ops.ed.undo_push(message="start")

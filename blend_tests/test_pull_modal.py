@@ -114,6 +114,15 @@ class TypedNumbers(unittest.TestCase):
         self.assertEqual(self.typed('ONE', 'NUMPAD_1')[0].value, 11.0)
         self.assertEqual(self.typed('NUMPAD_1', takes_numpad=True)[0].value, 1.0)
 
+    def test_the_sign_changes_wherever_it_is_typed(self):
+        self.assertEqual(self.typed('MINUS', 'ONE', 'PERIOD', 'FIVE')[0].value, -1.5)
+        made, taken = self.typed('TWO', 'NUMPAD_MINUS')
+        self.assertEqual((made.value, taken), (-2.0, [True, True]))
+        made.key('MINUS')
+        self.assertEqual(made.value, 2.0)
+        self.assertEqual(self.typed('NUMPAD_MINUS')[1], [False])
+        self.assertIsNone(self.typed('MINUS')[0].value)
+
     def test_a_point_alone_is_no_number(self):
         self.assertIsNone(self.typed('PERIOD')[0].value)
 
@@ -191,6 +200,18 @@ class CursorShape(unittest.TestCase):
         np.testing.assert_allclose(np.linalg.norm(points @ np.linalg.inv(matrix).T, axis=1), 2.0, atol=1e-9)
         np.testing.assert_allclose(points @ np.array((0.0, 0.6, 0.8)), 0.0, atol=1e-9)
 
+    def test_dots_leave_room_between_them(self):
+        thinned = self.shape().thinned
+        grid = np.stack(np.meshgrid(np.arange(100.0), np.arange(100.0)), axis=-1).reshape(-1, 2)
+        step, size = thinned(grid, 2.0, 5.0, 2.0)
+        self.assertEqual(size, 2.0)
+        self.assertAlmostEqual(100.0 * 100.0 / (len(grid) / step), 16.0, delta=1.0)
+        step, size = thinned(8.0 * grid, 2.0, 5.0, 2.0)
+        self.assertEqual(step, 1)
+        self.assertAlmostEqual(size, 4.0, places=1)
+        self.assertEqual(thinned(100.0 * grid, 2.0, 5.0, 2.0), (1, 5.0))
+        self.assertEqual(thinned(np.zeros((0, 2)), 2.0, 5.0, 2.0)[0], 1)
+
     def test_the_disc_has_the_falloffs_forces(self):
         shape = self.shape()
         points, forces, triangles = shape.disc(np.zeros(3), np.eye(3)[:2], a_brush(radius=2.0, falloff='LINEAR'))
@@ -237,6 +258,22 @@ class Inset(unittest.TestCase):
             worked_from = rotation.to_matrix() @ Vector((0.0, 0.0, 1.0))
             shown_from = view.inverted().to_3x3() @ Vector((0.0, 0.0, 1.0))
             self.assertGreater(worked_from.angle(shown_from), math.radians(40.0))
+
+    def test_sidebars_and_shelves_are_kept_clear_of(self):
+        inset = support.addon("pull.inset")
+        region = WAY(x=100, y=50, width=1000, height=700)
+        around = [
+            WAY(type='UI', x=880, y=50, width=220, height=700), WAY(type='TOOLS', x=100, y=50, width=60, height=700),
+            WAY(type='ASSET_SHELF', x=100, y=50, width=1000, height=90), WAY(type='HEADER', x=100, y=720, width=1000, height=30),
+            WAY(type='UI', x=1100, y=50, width=1, height=1), WAY(type='TOOLS', x=0, y=50, width=100, height=700)]
+        x, y, width, height = inset.rectangle(region, around)
+        self.assertGreater(x, 60)
+        self.assertLess(x + width, 780)
+        self.assertGreater(y, 90)
+        self.assertEqual(width, int((780 - 60) * inset.SHARE))
+        self.assertEqual(inset.rectangle(region, around[4:]), inset.rectangle(region))
+        self.assertIsNone(inset.rectangle(WAY(x=0, y=0, width=400, height=300), [
+            WAY(type='UI', x=150, y=0, width=250, height=300)]))
 
     def test_no_room_no_inset(self):
         inset = support.addon("pull.inset")

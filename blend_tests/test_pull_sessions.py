@@ -9,6 +9,7 @@ import bmesh
 import bpy
 import numpy as np
 import support
+from mathutils import Vector
 from pull_cases import PullTestCase, forces
 
 DOWN = (0.0, 0.0, -1.0)
@@ -24,6 +25,30 @@ class SessionTestCase(PullTestCase):
     def session(self, obj, **changes):
         values = {"radius": 0.5, "strength": 0.2, "direction": 'Z', **changes}
         return self.dab.Session(bpy.context, obj, self.brushes.Brush(**values))
+
+    def test_towards_the_viewer(self):
+        """On an object that is turned and scaled too, exactly along the view."""
+        obj = self.ball(2)
+        obj.rotation_euler, obj.scale = (0.4, 0.9, -0.3), (1.5, 1.5, 0.7)
+        bpy.context.view_layer.update()
+        view = Vector((0.36, -0.48, 0.8))
+        session = self.session(obj, direction='VIEW')
+        for sign in (1.0, -1.0):
+            self.assertNear(session.displacement(5, sign, view), sign * 0.2 * view)
+
+    def test_a_pens_pressure(self):
+        """As the switches say: of the strength, of the radius, of both or of neither."""
+        for strength in (False, True):
+            for size in (False, True):
+                obj = self.plane()
+                session = self.session(obj, use_pressure_strength=strength, use_pressure_size=size)
+                root, flat = self.middle(obj), self.places(obj)
+                session.begin_stroke()
+                self.assertTrue(session.pull(root, session.displacement(root), 0.5))
+                moved = self.places(obj) - flat
+                self.assertNear(moved[root, 2], 0.1 if strength else 0.2)
+                reach = np.linalg.norm(flat[moved.any(axis=1)] - flat[root], axis=1).max()
+                self.assertTrue(0.2 < reach < 0.25 if size else 0.4 < reach < 0.5, reach)
 
     def stroke(self, session, *vertices):
         session.begin_stroke()

@@ -127,6 +127,48 @@ def test_f_and_brackets():
     assert pull.heights().max() == 0.0
 
 
+def test_f_is_the_tools_even_where_nothing_is_read():
+    """Blender's own F makes a face of what is selected."""
+    pull.build('EDIT')
+    pull.take_tool()
+    module = support.addon("pull.hover")
+    most, module.MOST_IN_EDIT_MODE = module.MOST_IN_EDIT_MODE, 0
+    grid = bpy.data.objects["Grid"]
+    with window_support.override():
+        bpy.ops.mesh.select_all(action='SELECT')
+        bpy.ops.mesh.delete(type='ONLY_FACE')
+        bpy.ops.mesh.select_all(action='SELECT')
+    yield from hover()
+    assert not module._kept, "it was read"
+    x, y = window_support.centre()
+    yield from pull.key('F', x, y)
+    window_support.move(x + 60, y)
+    yield 0.2
+    assert brush().radius > 0.9
+    yield from pull.key('ESC', x + 60, y)
+    grid.update_from_editmode()
+    assert len(grid.data.polygons) == 0
+    module.MOST_IN_EDIT_MODE = most
+
+
+def test_inset_beside_the_sidebar():
+    pull.build()
+    brush().show_inset = True
+    pull.take_tool()
+    area = window_support.window().screen.areas
+    view = next(one for one in area if one.type == 'VIEW_3D')
+    view.spaces.active.show_region_ui = True
+    yield from hover()
+    yield from window_support.picture("pull_inset_sidebar")
+    region, sidebar = (next(one for one in view.regions if one.type == kind) for kind in ('WINDOW', 'UI'))
+    assert sidebar.width > 50
+    x, y, width, height = support.addon("pull.inset").rectangle(region, view.regions)
+    assert region.x + x + width <= sidebar.x
+    view.spaces.active.show_region_ui = False
+    brush().show_inset = False
+    yield 0.2
+
+
 def test_inset_on_and_off():
     pull.build()
     bpy.ops.mesh.primitive_monkey_add(size=3.0)

@@ -13,14 +13,37 @@ OWN_CHANNEL = re.compile(
 
 def fcurves(id_data):
     """The F-curves that animate a datablock; an empty tuple where there are none."""
-    animation = id_data.animation_data
-    action = animation and animation.action
+    return curves_of(id_data.animation_data)
+
+
+def curves_of(player):
+    """The same of what plays an action: animation data or a strip of the NLA; or None."""
+    action = player and player.action
     if not action:
         return ()
     if not capabilities.has_slotted_actions():
         return action.fcurves
-    bag = animation.action_slot and _channelbag(action, animation.action_slot)
+    bag = player.action_slot and _channelbag(action, player.action_slot)
     return bag.fcurves if bag else ()
+
+
+def players(id_data):
+    """All that plays an action for a datablock: its animation data, and the strips of its NLA."""
+    animation = id_data.animation_data
+    if animation is None:
+        return []
+    return [animation, *(strip for track in animation.nla_tracks for strip in track.strips if strip.action)]
+
+
+def make_own(player):
+    """Let nobody else play the action of animation data or of a strip: a copy where it is shared or linked."""
+    action = player.action
+    if not action.library and action.users - action.use_fake_user <= 1:
+        return
+    slot = player.action_slot.identifier if capabilities.has_slotted_actions() and player.action_slot else ""
+    player.action = action.copy()
+    if slot:
+        player.action_slot = player.action.slots.get(slot)
 
 
 def all_fcurves(action):

@@ -41,6 +41,14 @@ def output_source(owner, system_name, output):
         system=tr(system.label), object=owner.name, output=output))
 
 
+def check_elsewhere(rig, owner, system_name):
+    """Refuse an output of the rig's own bones: whatever is solved on a rig waits for all of its drivers, Blend's too."""
+    system = registered.get(system_name)
+    if owner == rig and system and system.groups is not None:
+        raise Refused(tr("{object} cannot wait for what is solved on its own bones: choose another trigger").format(
+            object=rig.name))
+
+
 def _entry_count(owner):
     """How many entries wait for one another at most."""
     return len(dependencies.levels(owner)) if owner.type == 'ARMATURE' else 0

@@ -2,14 +2,9 @@
 
 import bpy
 
-from ..core import native
 from ..core.translations import tr
 from . import check_results, controls, status, targets
 from .frame_walk import Kept, OverFrames, active_rig, go_to
-
-LEAST = 1e-5
-"""Share of the chain's reach: less is not worth a warning."""
-
 
 class _Finding:
     """What was found of one entry."""
@@ -24,18 +19,6 @@ class _Finding:
         self.frames.append(frame)
         if left > self.worst:
             self.worst, self.reason = left, reason
-
-
-def _reason(report):
-    """(what is left, of check_results.WHY); (0, 'NONE') where the target is reached, or softness alone keeps it off."""
-    codes = native.module.Reason
-    names = {int(codes.TOO_FAR): 'FAR', int(codes.TOO_NEAR): 'NEAR', int(codes.LIMIT): 'LIMIT',
-             int(codes.ITERATIONS): 'ITERATIONS'}
-    found = names.get(int(report.reason), 'NONE')
-    is_soft = found == 'FAR' and report.distance <= report.reach
-    if found == 'NONE' or is_soft or report.residual <= LEAST * report.reach:
-        return 0.0, 'NONE'
-    return report.residual, found
 
 
 class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
@@ -80,7 +63,7 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
                     found = status.report(rig, entry.name, depsgraph)
                     if found is None or now.is_muted or now.position_weight * evaluated.influence == 0.0:
                         continue
-                    left, reason = _reason(found)
+                    left, reason = status.fault(found, now)
                     if reason != 'NONE':
                         self._findings[entry.name].add(frame, left, reason)
                 yield index + 1

@@ -1,8 +1,12 @@
 """What checking a chain over a range of frames found: kept with its entry, and said in words."""
 
+import re
+
 import bpy
 
 from ..core.translations import tr
+
+_RUN = re.compile(r"(-?[\d.]+)(?:-(-?[\d.]+))?")
 
 WHY = (
     ('NONE', "Nothing", "Every target is reached"),
@@ -10,6 +14,7 @@ WHY = (
     ('NEAR', "Too Near", "The target is nearer than the chain can fold"),
     ('LIMIT', "Limit", "A joint limit is in the way"),
     ('ITERATIONS', "Iterations", "The iterations were used up"),
+    ('TURN', "Orientation", "Turned as the target is, the last bone leaves the others too short"),
 )
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
 
@@ -51,6 +56,15 @@ def ranges(frames, step):
     return ", ".join(f"{first:g}" if first == last else f"{first:g}-{last:g}" for first, last in runs)
 
 
+def contradicts(entry, frame, is_away):
+    """Whether a frame that was checked is otherwise now: something has been changed since."""
+    return _lies_in(entry.check_range, frame) and _lies_in(entry.check_frames, frame) != is_away
+
+
+def _lies_in(text, frame):
+    return any(float(first) <= frame <= float(last or first) for first, last in _RUN.findall(text))
+
+
 def sentence(entry, length):
     """The result in the user's language; "" before any check. length: how a number of world units is written."""
     if not entry.check_range:
@@ -61,6 +75,7 @@ def sentence(entry, length):
         'FAR': tr("Out of reach on frames {frames}, at most {length} short (checked {range})"),
         'NEAR': tr("Too near on frames {frames}, at most {length} (checked {range})"),
         'LIMIT': tr("Held by joint limits on frames {frames}, at most {length} short (checked {range})"),
+        'TURN': tr("Too far with the target's orientation on frames {frames}, at most {length} short (checked {range})"),
         'ITERATIONS': tr("Iterations used up on frames {frames}, at most {length} short (checked {range})"),
     }
     return templates[entry.check_reason].format(

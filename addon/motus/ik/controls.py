@@ -32,17 +32,26 @@ def _control(obj, bone):
     return Control(obj, bone if obj.pose and bone in obj.pose.bones else "")
 
 
-def station(entry, blend):
-    """The Control that the chain goes to at a value of Blend; None between two of them."""
+def goal_at(entry, blend):
+    """(object or None, bone) that the chain goes to at a value of Blend; None between two of them."""
     whole = round(blend)
     if abs(blend - whole) > STANDS:
         return None
     whole = min(whole, len(entry.extra_targets))
-    obj, bone = (entry.target, entry.target_bone) if whole == 0 else (
-        entry.extra_targets[whole - 1].object, entry.extra_targets[whole - 1].bone)
-    if obj is None:
+    if whole == 0:
+        return entry.target, entry.target_bone
+    extra = entry.extra_targets[whole - 1]
+    return extra.object, extra.bone
+
+
+def station(entry, blend):
+    """The same as a Control."""
+    goal = goal_at(entry, blend)
+    if goal is None:
+        return None
+    if goal[0] is None:
         raise Refused(tr("{bone} has no target: choose one").format(bone=entry.name))
-    return _control(obj, bone)
+    return _control(*goal)
 
 
 def pole(entry):

@@ -121,8 +121,7 @@ def _group(owner, key, entries_found, driven):
             "target": _where(owner, entry.target), "target_bone": entry.target_bone,
             "pole": _where(owner, entry.pole), "pole_bone": entry.pole_bone, "extras": len(entry.extra_targets),
             "settings": {
-                "bend": -1.0 if entry.bend == 'AWAY' else 1.0, "use_limits": float(entry.use_limits),
-                **{name: float(getattr(entry, name)) for name in ("hinge_angle", "tolerance", "iterations")}}})
+                name: float(getattr(entry, name)) for name in ("tolerance", "iterations")}})
     text = json.dumps({"fingerprint": rigs.fingerprint(owner), "chains": plan, "guards": kept + guards})
     return Group(
         key=key,

@@ -7,7 +7,7 @@ from mathutils import Quaternion
 from ..core import rigs
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch
-from . import chains, placing, reading
+from . import chains, controls, placing, reading, status
 
 STEPS = 64  # of a circle
 LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn
@@ -34,12 +34,12 @@ def overlay(context, owner):
             continue
         joints = placing.posed_joints(rig, chain)
         if shown.show_reach and index == active:
-            found += _circles(rig, chain, entry, joints)
+            report = status.report(owner, entry.name, depsgraph)
+            found += _circles(rig, chain, entry, joints, report.reach if report else 0.0)
         pole = _place(entry.pole, entry.pole_bone, presence)
         if pole:
             poles += [_middle(joints), pole]
-        # Between further targets it is under way, and what is left means nothing.
-        target = _place(entry.target, entry.target_bone, presence) if entry.target_blend == 0.0 else None
+        target = _target(rig, entry, presence)
         if target and (target - joints[-1]).length > LEAST_RESIDUAL * placing.length(joints):
             residuals += [joints[-1], target]
     if shown.show_pole and poles:
@@ -56,19 +56,31 @@ def _place(goal, bone, presence):
     return matrix.translation.copy() if matrix else None
 
 
+def _target(rig, entry, presence):
+    """Where the chain is to be; None where its animation alone counts, or under way between two targets."""
+    goal = controls.goal_at(entry, entry.target_blend)
+    if goal is None or entry.position_weight * rig.motus.ik.influence == 0.0:
+        return None
+    return _place(*goal, presence)
+
+
 def _middle(joints):
     """The joint that is farthest from the line between root and tip."""
     along = joints[-1] - joints[0]
     return max(joints[1:-1] or joints[:1], key=lambda joint: (joint - joints[0]).cross(along).length)
 
 
-def _circles(rig, chain, entry, joints):
-    """The farthest and the nearest place that the tip can come to, in the plane of the bend."""
+def _circles(rig, chain, entry, joints, reach):
+    """The farthest and the nearest place that the tip can come to without stretch, in the plane of the bend.
+
+    reach: as it was reported; 0 where nothing was.
+    """
     normal = placing.bend_normal(joints) or placing.hinge_normal(rig, chain, entry.hinge_angle)
     links = [(end - start).length for start, end in zip(joints, joints[1:])]
-    found = [_circle(joints[0], normal, sum(links), REACH_COLOR, 1.5)]
-    nearest = 2.0 * max(links) - sum(links)
-    if nearest > 1e-6 * sum(links):
+    reach = reach or sum(links)
+    found = [_circle(joints[0], normal, reach, REACH_COLOR, 1.5)]
+    nearest = reach * (2.0 * max(links) / sum(links) - 1.0)
+    if nearest > 1e-6 * reach:
         found.append(_circle(joints[0], normal, nearest, NEAR_COLOR, 1.0))
     return found
 

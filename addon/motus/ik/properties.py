@@ -78,17 +78,17 @@ class IkKeywords:
         "the bone above it", default=True, update=_rewire, options=set(), override=OVERRIDABLE)
     bend: bpy.props.EnumProperty(
         name="Bend", description="Which side of the line from root to target the chain bends to", items=BENDS,
-        default='TOWARDS', override=OVERRIDABLE, **_WIRED)
+        default='TOWARDS', override=OVERRIDABLE, update=_touch, options=ANIMATED)
     pole_angle: _angle("Pole Angle", "Turns the chain about the line from its root to the target")
     hinge_angle: _angle(
         "Bend Axis", "Direction about the first bone's length, from its X axis, about which the chain bends where the "
-        "animated pose is straight", **_WIRED)
+        "animated pose is straight")
     softness: _factor(
         "Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
     stretch: _factor("Stretch", "How much of what is missing the bones lengthen by", 0.0, update=_change_stretch)
     use_limits: bpy.props.BoolProperty(
         name="Use Limits", description="Keep the limits that the bones have for inverse kinematics", default=False,
-        override=OVERRIDABLE, **_WIRED)
+        override=OVERRIDABLE, update=_touch, options=ANIMATED)
     position_weight: _factor(
         "Position", "From the animated pose (0) to the one that reaches the target (1)", 1.0)
     rotation_weight: _factor(

@@ -10,7 +10,6 @@ from mathutils import Euler
 
 from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
-from ..core.wiring.scratch import scratch
 from .groups import PLAN
 from .wired import RigChanged, Wired
 
@@ -18,9 +17,9 @@ from .wired import RigChanged, Wired
 NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE, MUTED = -1.0, -2.0, -3.0, -4.0, -5.0
 UNWANTED = (NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE)
 
-ANIMATED = ("position_weight", "rotation_weight", "softness", "stretch", "pole_angle")
-"""Settings that are read at every frame: the first columns of IkPlan.SETTINGS. Others are known when it is wired."""
-_STRETCH = ANIMATED.index("stretch")
+ANIMATED = {"position_weight": "f4", "rotation_weight": "f4", "softness": "f4", "stretch": "f4", "pole_angle": "f4",
+            "hinge_angle": "f4", "use_limits": "?"}
+"""Settings that are read at every frame, with the types that foreach_get has quickly. Others are known when it is wired."""
 
 
 class Posed(NamedTuple):
@@ -68,7 +67,8 @@ class _Settings(NamedTuple):
     """What the entries say, group by group: read once for each copy of the rig where nothing animates them.
 
     numbers: as in Gathered, settings. places: see _places. muted: rows. weights: of the rotation, None where no entry takes
-    one; offsets: (C, 3) with it. copy: number of the copy, 0 where the next frame may say otherwise.
+    one; offsets: (C, 3) with it. has_limits: whether an entry keeps its bones' limits. copy: number of the copy, 0 where the
+    next frame may say otherwise.
     """
 
     numbers: Any
@@ -76,6 +76,7 @@ class _Settings(NamedTuple):
     muted: Any
     weights: Any
     offsets: Any
+    has_limits: bool
     is_stiff: bool
     copy: int
 
@@ -103,7 +104,7 @@ def _gather(rig, wired, poses, depsgraph):
         numbers = numbers.copy()
         numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
     poles = _poles(listed, wired, posed, known.copy, depsgraph)
-    limits = _limits(rig, wired) if wired.has_limits else None
+    limits = _limits(rig, wired) if known.has_limits else None
     return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, limits, off, known.is_stiff)
 
 
@@ -147,33 +148,35 @@ def _read_settings(rig, wired, is_animated, copy):
     places = _places(settings.entries, wired.names)
     numbers, is_stiff = _numbers(settings, places, wired, is_animated)
     muted = _column(settings.entries, "is_muted", places, dtype="?")
-    weights = numbers[:, ANIMATED.index("rotation_weight")]
+    weights = numbers[:, wired.columns["rotation_weight"]]
     is_turned = np.count_nonzero(weights) > 0
     return _Settings(
         numbers, places, np.flatnonzero(muted).tolist(), weights if is_turned else None,
-        _column(settings.entries, "rotation_offset", places, 3) if is_turned else None, is_stiff, copy)
+        _column(settings.entries, "rotation_offset", places, 3) if is_turned else None,
+        np.count_nonzero(numbers[:, wired.columns["use_limits"]]) > 0, is_stiff, copy)
 
 
 def _numbers(settings, places, wired, is_animated):
     """(C, len(IkPlan.SETTINGS)) float64, and whether a chain should stretch that was wired when it could not."""
-    numbers = wired.settings.copy()
-    rows = scratch("ik_settings", (len(ANIMATED), len(settings.entries)), np.float32)
+    numbers, columns = wired.settings.copy(), wired.columns
     # Without animation, what was wired without stretch has none.
     reads_stretch = wired.is_elastic or is_animated
-    for row, name in zip(rows, ANIMATED):
+    for name, dtype in ANIMATED.items():
         if name != "stretch" or reads_stretch:
-            settings.entries.foreach_get(name, row)
-        else:
-            row.fill(0.0)
-    numbers[:, :len(ANIMATED)] = (rows if places is None else rows[:, places]).T
+            numbers[:, columns[name]] = _column(settings.entries, name, places, dtype=dtype)
+    if wired.poles.are_any:
+        # foreach_get reads no enumerations of add-ons (3.4).
+        bends = np.array([-1.0 if entry.bend == 'AWAY' else 1.0 for entry in settings.entries])
+        numbers[:, columns["bend"]] = bends if places is None else bends[places]
     is_stiff = False
     if reads_stretch:
         # The sinks of a chain that was wired without stretch cannot lengthen a bone.
-        is_stiff = np.count_nonzero(numbers[~wired.stretches, _STRETCH]) > 0
-        numbers[:, _STRETCH] *= wired.stretches
+        is_stiff = np.count_nonzero(numbers[~wired.stretches, columns["stretch"]]) > 0
+        numbers[:, columns["stretch"]] *= wired.stretches
     influence = settings.influence
     if influence != 1.0:
-        numbers[:, :2] *= influence  # the weights
+        for name in ("position_weight", "rotation_weight"):
+            numbers[:, columns[name]] *= influence
     return numbers, is_stiff
 
 

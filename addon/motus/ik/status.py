@@ -11,6 +11,8 @@ from . import chains, reading
 from .groups import OUTPUTS
 from .setup import system
 
+LEAST_FAULT = 1e-5
+"""Share of a chain's reach: less is not worth a warning."""
 MOST_LEVELS = 16
 """Entries that wait for one another, looked for."""
 
@@ -44,7 +46,7 @@ def sentence(context, owner, entry):
     if found.reason in reading.UNWANTED:
         return 'ERROR', _unwanted(entry, found.reason)
     is_animated = entry.position_weight * owner.motus.ik.influence == 0.0
-    return 'INFO', "" if is_animated else _unreached(context, found)
+    return 'INFO', "" if is_animated else _unreached(context, entry, found)
 
 
 def _unwired(owner, entry):
@@ -72,12 +74,13 @@ def _unwanted(entry, reason):
     return tr("A number of this chain is not finite")
 
 
-def _unreached(context, found):
+def _unreached(context, entry, found):
     reasons = native.module.Reason
     if found.reason == int(reasons.TOO_FAR):
         if found.distance > found.reach:
-            missing = length(context, found.distance - found.reach)
-            return tr("The target is {length} too far away").format(length=missing)
+            return tr("The target is {length} too far away").format(length=length(context, found.residual))
+        if is_turned_away(entry, found):
+            return tr("With the target's orientation {length} are left").format(length=length(context, found.residual))
         return tr("Softness keeps the chain {length} from the target").format(length=length(context, found.residual))
     if found.reason == int(reasons.TOO_NEAR):
         return tr("The target is {length} too near").format(length=length(context, found.residual))
@@ -86,6 +89,25 @@ def _unreached(context, found):
     if found.reason == int(reasons.ITERATIONS):
         return tr("The iterations were used up: {length} are left").format(length=length(context, found.residual))
     return ""
+
+
+def fault(found, entry):
+    """(what is left, of check_results.WHY) of a Report; (0, 'NONE') where the target is reached, or softness alone keeps it
+    off."""
+    codes = native.module.Reason
+    names = {int(codes.TOO_FAR): 'FAR', int(codes.TOO_NEAR): 'NEAR', int(codes.LIMIT): 'LIMIT',
+             int(codes.ITERATIONS): 'ITERATIONS'}
+    reason = names.get(int(found.reason), 'NONE')
+    if reason == 'FAR' and found.distance <= found.reach:
+        reason = 'TURN' if is_turned_away(entry, found) else 'NONE'
+    if reason == 'NONE' or found.residual <= LEAST_FAULT * found.reach:
+        return 0.0, 'NONE'
+    return found.residual, reason
+
+
+def is_turned_away(entry, found):
+    """Whether a target within the chain's reach is too far for the bones before the last one, which takes its orientation."""
+    return found.distance <= found.reach and entry.softness == 0.0 and entry.rotation_weight > 0.0
 
 
 def warnings(context, owner, entry):

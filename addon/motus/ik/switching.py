@@ -134,6 +134,7 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         if self.trigger_data_path:
             source = blend_trigger.property_source(owner, self.trigger_data_path)
         else:
+            blend_trigger.check_elsewhere(rig, owner, self.trigger_system)
             source = blend_trigger.output_source(owner, self.trigger_system, self.trigger_output)
         return blend_trigger.switch(rig, entry, goal, source, *values, self.interpolation)
 

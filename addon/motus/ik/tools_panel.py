@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import ui
+from ..core.translations import tr
 from . import check_results, status
 from .panel import shown_entry
 
@@ -20,8 +21,20 @@ def draw(layout, context):
         _of_chain(row.operator(name, text="Frame"), rig, entry).use_range = False
     _of_chain(layout.operator("motus.ik_check", icon='VIEWZOOM'), rig, entry)
     sentence = check_results.sentence(entry, lambda value: status.length(context, value))
-    if sentence:
+    if sentence and is_outdated(context, rig, entry):
+        ui.draw_message(layout, tr("Something has changed since the last check: check again"), 'INFO', width=36)
+    elif sentence:
         ui.draw_message(layout, sentence, 'ERROR' if entry.check_frames else 'CHECKMARK', width=36)
+
+
+def is_outdated(context, rig, entry):
+    """Whether the last check found the present frame otherwise than it is."""
+    report = status.report(rig, entry.name, context.view_layer.depsgraph)
+    is_off = entry.is_muted or entry.position_weight * rig.motus.ik.influence == 0.0
+    if report is None or report.reason < 0.0 or is_off or context.scene.frame_subframe != 0.0:
+        return False
+    is_away = status.fault(report, entry)[1] != 'NONE'
+    return check_results.contradicts(entry, context.scene.frame_current, is_away)
 
 
 def _of_chain(button, rig, entry):

@@ -28,8 +28,8 @@ class Wired:
         self.names = [chain["name"] for chain in chains]
         self.stretches = np.array([chain["stretches"] for chain in chains])
         self.is_elastic = bool(self.stretches.any())
-        self.has_limits = any(chain["settings"]["use_limits"] for chain in chains)
-        self.settings = _settings_as_wired(chains)
+        self.columns = {name: column for column, name in enumerate(native.module.IkPlan.SETTINGS)}
+        self.settings = self._settings_as_wired(chains)
         self.is_blended = any(chain["extras"] for chain in chains)
         self.all_bones = np.array([row for chain in bones for row in chain])
         self.targets = _Goals(rows, chains, "target")
@@ -59,6 +59,14 @@ class Wired:
             self._known_bones = number, rest, self.bones(rig)
         return self._known_bones[2]
 
+    def _settings_as_wired(self, chains):
+        found = np.zeros((len(chains), len(self.columns)))
+        for row, chain in zip(found, chains):
+            for name, value in chain["settings"].items():
+                row[self.columns[name]] = value
+        found[:, self.columns["is_on"]] = 1.0
+        return found
+
     def _at_rest(self):
         still, rest = self._known_rest
         if still is not self.still:  # rigs.plan() has found the armature edited
@@ -80,15 +88,6 @@ class _Goals:
         self.other_rows = [index for index, where, _ in found if where and index not in mine]
         self.are_others = len(self.other_rows) == len(chains)
         self.other_bones = {index: bone for index, where, bone in found if bone and where and index not in mine}
+        self.are_any = bool(self.has_own or self.other_rows)
         self.none = [index for index, where, _ in found if not where]
         self.standing = rigs.Standing()
-
-
-def _settings_as_wired(chains):
-    names = native.module.IkPlan.SETTINGS
-    found = np.zeros((len(chains), len(names)))
-    for row, chain in zip(found, chains):
-        for name, value in chain["settings"].items():
-            row[names.index(name)] = value
-    found[:, names.index("is_on")] = 1.0
-    return found

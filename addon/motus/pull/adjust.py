@@ -37,10 +37,11 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
         view = viewports.view_at(context.window, event.mouse_x, event.mouse_y) if context.window else None
         if self.steps or view is None:
             return self.execute(context)
-        session = hover.session(context)
-        if session is None:
+        if not hover.is_tool_active(context):
             return {'CANCELLED', 'PASS_THROUGH'}
         try:
+            # The key is the tool's now, whatever is under it: Blender's own would change the mesh.
+            session = hover.session(context) or hover.read_now(context)
             session.brush = Brush.of(context.scene.motus.pull)
         except Refused as refusal:
             self.report({'WARNING'}, str(refusal))

@@ -26,6 +26,10 @@ SHADE = 0.4
 """Opacity where the force is 1."""
 MOST_DOTS = 6000
 DOT_SIZE = 5.0
+LEAST_DOT_SIZE = 2.0
+DOTS_APART = 2.0
+"""Dots are so many times their size apart at least, on the average: the surface shows between them."""
+DOT_OPACITY = 0.85
 WAITING_SIZE = 6.0
 
 _handle = []
@@ -109,7 +113,7 @@ def _draw_brush(context, view, session, hit, color, sign):
     center = np.array(hit.point)
     displacement = _displacement(session, hit, sign, view)
     if brush.distance != 'STRAIGHT':
-        _draw_dots(view, session, hit, color, DOT_SIZE * pixel)
+        _draw_dots(view, session, hit, color, pixel)
     if brush.distance != 'EDGES':
         axes = cursor_shape.frame(hit.normal, session.space.linear if brush.unit == 'LOCAL' else None)
         if brush.distance == 'STRAIGHT':
@@ -137,14 +141,17 @@ def _draw_disc(view, matrix, shape, color):
 
 
 def _draw_dots(view, session, hit, color, size):
-    """The vertices that move, as far as the eye can tell them apart."""
+    """The vertices that move, as far as the eye can tell them apart. size: of the unit of dots, pixels."""
     indices, forces = session.forces(hit.vertex)
     step = len(indices) // MOST_DOTS + 1
     places = drawing.to_window(
         view.region, view.data.perspective_matrix, np.asarray(session.world_positions(indices[::step]), float))
-    if places is not None:
-        # Even where the force is faint a vertex that moves can be told from one that stays.
-        drawing.dots(places, _shades(0.3 + 0.7 * forces[::step], color, 1.0), size)
+    if places is None:
+        return
+    forces = forces[::step]
+    step, size = cursor_shape.thinned(places, LEAST_DOT_SIZE * size, DOT_SIZE * size, DOTS_APART)
+    # Even where the force is faint a vertex that moves can be told from one that stays.
+    drawing.dots(places[::step], _shades(0.2 + 0.8 * forces[::step], color, DOT_OPACITY), size)
 
 
 def _shades(forces, color, opacity=SHADE):

@@ -49,6 +49,19 @@ def disc(center, axes, brush):
         first + (0, 1, width + 1), first + (0, width + 1, width)])
 
 
+def thinned(places, least, most, apart):
+    """(step, size): every step-th of these places, pixels (n, 2), drawn as a dot of that size leaves room between them.
+
+    The size lies between `least` and `most`; the dots are `apart` times as far from each other, on the average.
+    """
+    if len(places) == 0:
+        return 1, least
+    width, height = np.maximum(np.ptp(places, axis=0), 1.0)
+    spacing = math.sqrt(width * height / len(places))
+    step = math.ceil((apart * least / spacing) ** 2 - 1e-6)
+    return max(step, 1), min(max(spacing / apart, least), most)
+
+
 def bump(center, axes, brush, displacement, across):
     """The line, (n, 3), that a straight one over the surface becomes by a dab. across: the view's right."""
     turn = math.atan2(axes[1] @ across, axes[0] @ across)

@@ -57,6 +57,13 @@ def session(context):
     return _kept.get("session")
 
 
+def read_now(context):
+    """The session of the active object, read at once where it was not; for what the user has asked for. Raises Refused."""
+    made = Session(context, context.object, Brush.of(context.scene.motus.pull))
+    keep(context, made)
+    return made
+
+
 def take(context):
     """The kept session for a stroke that begins now, or None. Raises Refused."""
     if _kept.get("key") != _key(context.object):

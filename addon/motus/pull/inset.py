@@ -26,6 +26,8 @@ RISE = math.radians(25.0)
 LENS = 2.4
 """Half the picture's height lies so many times nearer than the eye."""
 SMALLEST = 96
+SIDES = {'UI', 'TOOLS'}
+SHELVES = {'ASSET_SHELF', 'ASSET_SHELF_HEADER'}
 
 _handle = []
 _buffers = {}
@@ -49,13 +51,35 @@ def stop():
     _failed.clear()
 
 
-def rectangle(region):
-    """(x, y, width, height) of the inset in a region, pixels; None where there is no room."""
-    width = int(region.width * SHARE)
+def rectangle(region, others=()):
+    """(x, y, width, height) of the inset in a region, pixels; None where there is no room.
+
+    others: regions of the same area; sidebars and shelves that lie over the region are kept clear of.
+    """
+    left, right, bottom = _free(region, others)
+    width = int((right - left) * SHARE)
     height = int(width / ASPECT)
-    if width < SMALLEST or height > region.height // 2:
+    if width < SMALLEST or height > (region.height - bottom) // 2:
         return None
-    return int(region.width - width - MARGIN), int(MARGIN), width, height
+    return int(right - width - MARGIN), int(bottom + MARGIN), width, height
+
+
+def _free(region, others):
+    """Left, right and bottom edge of what nothing lies over."""
+    left, right, bottom = 0, region.width, 0
+    for other in others:
+        x, y = other.x - region.x, other.y - region.y
+        is_over = min(other.width, other.height) > 1 and x < region.width and y < region.height and x + other.width > 0 and (
+            y + other.height > 0)
+        if not is_over:
+            continue
+        if other.type in SIDES and x > region.width // 2:
+            right = min(right, x)
+        elif other.type in SIDES:
+            left = max(left, x + other.width)
+        elif other.type in SHELVES:
+            bottom = max(bottom, y + other.height)
+    return left, right, bottom
 
 
 def camera(view_rotation, center, radius, aspect):
@@ -95,7 +119,7 @@ def _draw():
     context = bpy.context
     if not _is_wanted(context):
         return
-    place = rectangle(context.region)
+    place = rectangle(context.region, context.area.regions)
     if place is None:
         return
     try:

@@ -51,6 +51,9 @@ class MOTUS_OT_pin_apply(PinOperator, bpy.types.Operator):
             self.report({'WARNING'}, tr("The influence is animated: the shape keys have that of this frame"))
         for index, row in zip(indices, rows):
             pin = obj.motus.pull.pins[index]
+            if keys.has_strips(obj, index):
+                self.report({'WARNING'}, tr(
+                    "Strips of the NLA move {pin}: its shape key has the strength of this frame").format(pin=pin.name))
             full = row._replace(strength=1.0, is_muted=False)
             key = _add_key(obj, pin.name, _offsets(obj, [full], influence))
             key.mute = row.is_muted

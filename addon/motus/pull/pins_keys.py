@@ -13,14 +13,32 @@ _KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_
 
 def reorder(owner, places):
     """Let keys and drivers follow their pins. places: new index of each pin by its old one; None: it is removed."""
-    for holder in (actions.fcurves(owner), owner.animation_data.drivers if owner.animation_data else ()):
-        found = [(curve, _PATH.match(curve.data_path)) for curve in holder]
-        for curve, match in [pair for pair in found if pair[1]]:
-            place = places.get(int(match["index"]))
-            if place is None:
-                holder.remove(curve)
-            else:
-                curve.data_path = f"motus.pull.pins[{place}]{match['rest']}"
+    for player in actions.players(owner):
+        if any(places.get(place) != place for place in _pins_of(actions.curves_of(player))):
+            actions.make_own(player)  # an object that shares it has pins of its own
+            _reorder(actions.curves_of(player), places)
+    if owner.animation_data:
+        _reorder(owner.animation_data.drivers, places)
+
+
+def _reorder(curves, places):
+    found = [(curve, _PATH.match(curve.data_path)) for curve in curves]
+    for curve, match in [pair for pair in found if pair[1]]:
+        place = places.get(int(match["index"]))
+        if place is None:
+            curves.remove(curve)
+        else:
+            curve.data_path = f"motus.pull.pins[{place}]{match['rest']}"
+
+
+def _pins_of(curves):
+    """Indices of the pins that curves move."""
+    return {int(match["index"]) for match in (_PATH.match(curve.data_path) for curve in curves) if match}
+
+
+def has_strips(owner, index):
+    """Whether a strip of the NLA moves a pin."""
+    return any(index in _pins_of(actions.curves_of(player)) for player in actions.players(owner)[1:])
 
 
 def drop_empty(owner):

@@ -5,7 +5,8 @@ import bpy
 from .. import actions, copies
 from ..system import groups_of, of_owner, registered
 from . import (
-    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, proxy_sink, solver_driver)
+    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, proxy_sink, readers,
+    solver_driver)
 from .sinks import led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -16,6 +17,7 @@ def attach(system, owner):
 
 
 def _attach(system, owner):
+    followers = readers.of(system, owner)
     _detach(system, owner)
     settings = of_owner(system, owner)
     settings.is_active = True
@@ -23,6 +25,7 @@ def _attach(system, owner):
     groups = groups_of(system, owner)
     for group, kind in zip(groups, carriers.kinds(system, owner, groups)):
         _wire(system, owner, group, kind)
+    readers.point(system, owner, followers)
     settings.wired = carriers.signature(system, owner, groups)
     if owner.type == 'ARMATURE':
         copies.prepare(owner)
@@ -68,7 +71,9 @@ def _needs_proxy(member, driven):
 
 def detach(system, owner):
     """Remove everything attach() made; the owner's and members' own transforms, keys and constraints stay."""
+    followers = readers.of(system, owner)
     _detach(system, owner)
+    readers.point(system, owner, followers)
     if system.moves_points:
         geometry_sink.remove(system, owner)
     refresh_others(system, owner)

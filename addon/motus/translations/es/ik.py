@@ -90,6 +90,7 @@ INTERFACE = {
     "Share of the chain's length over which it slows down before it is straight":
         "Parte de la longitud de la cadena en la que frena antes de quedar recta",
     "Softness": "Suavidad",
+    "With the target's orientation {length} are left": "Con la orientación del objetivo faltan {length}",
     "Softness keeps the chain {length} from the target": "La suavidad mantiene la cadena a {length} del objetivo",
     "Some chains have no target that they could reach for: the list says why":
         "Algunas cadenas no tienen objetivo que alcanzar: la lista dice por qué",
@@ -222,6 +223,8 @@ INTERFACE = {
     "The range is empty: the end frame has to come after the start frame":
         "El intervalo está vacío: el fotograma final tiene que ir después del inicial",
     "The trigger's two values have to be different": "Los dos valores del desencadenante tienen que ser distintos",
+    "{object} cannot wait for what is solved on its own bones: choose another trigger":
+        "{object} no puede esperar lo que se calcula en sus propios huesos: elige otro desencadenante",
     "What triggers {bone} moves with the chain itself: choose another trigger":
         "Lo que desencadena {bone} se mueve con la propia cadena: elige otro desencadenante",
     "There is no system {system}": "No hay ningún sistema {system}",
@@ -258,6 +261,12 @@ INTERFACE = {
         "Fuera de alcance en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
     "Too near on frames {frames}, at most {length} (checked {range})":
         "Demasiado cerca en los fotogramas {frames}, como máximo {length} (comprobado {range})",
+    "Too far with the target's orientation on frames {frames}, at most {length} short (checked {range})":
+        "Demasiado lejos con la orientación del objetivo en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
+    "Something has changed since the last check: check again":
+        "Algo ha cambiado desde la última comprobación: comprueba de nuevo",
+    "Turned as the target is, the last bone leaves the others too short":
+        "Girado como el objetivo, el último hueso deja cortos a los demás",
     "Held by joint limits on frames {frames}, at most {length} short (checked {range})":
         "Retenida por límites de articulación en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
     "Iterations used up on frames {frames}, at most {length} short (checked {range})":

@@ -97,6 +97,8 @@ INTERFACE = {
         "Los límites actúan ahora sobre cada clave de forma por separado, ya no sobre todas las anclas juntas",
     "The influence is animated: the shape keys have that of this frame":
         "La influencia está animada: las claves de forma tienen la de este fotograma",
+    "Strips of the NLA move {pin}: its shape key has the strength of this frame":
+        "Tiras del ANL mueven {pin}: su clave de forma tiene la fuerza de este fotograma",
     "The strength of {pin} is beyond what a shape key allows":
         "La fuerza de {pin} excede lo que permite una clave de forma",
     "The mesh of {object} is used by others too: make it single-user first":

@@ -1,0 +1,87 @@
+"""Users' own drivers that read a system's outputs: when the outbox moves, as to a hub or to another slot, they go along.
+
+One whose output is no longer computed reads a property that is not there, named after the output: Blender marks such a
+driver, and it is found again when the output comes back.
+"""
+
+import re
+from typing import NamedTuple
+
+import bpy
+
+from . import outbox
+
+
+class Reader(NamedTuple):
+    """A target of a driver's variable, found again by what it is on. output: name of what it reads."""
+
+    user: bpy.types.ID
+    data_path: str
+    array_index: int
+    variable: str
+    index: int
+    output: str
+
+
+def of(system, owner):
+    """The Readers of what an owner's system computes, as it is wired now or was last."""
+    carriers = outbox.carriers(system, owner)
+    names = {(carrier, key): outbox.output_names(system, carrier, key) for key, carrier in carriers}
+    read = {owner, *(carrier for _, carrier in carriers)}
+    slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
+    found = []
+    for holder, curve in _drivers(set().union(*bpy.data.user_map(subset=read).values())):
+        for variable in curve.driver.variables:
+            for index, target in enumerate(variable.targets):
+                if target.id not in read:
+                    continue
+                at, absent = slot.match(target.data_path), waiting.match(target.data_path)
+                output = _output(names, target.id, at) if at else absent and bpy.utils.unescape_identifier(absent[1])
+                if output is not None:
+                    found.append(Reader(holder, curve.data_path, curve.array_index, variable.name, index, output))
+    return found
+
+
+def _waiting(system, output):
+    """Data path of a property that is never there."""
+    return f'["motus_{system.name}:{output}"]'
+
+
+def _drivers(users):
+    """(datablock, driver) of datablocks and of their own node trees, where they may be written."""
+    for user in users:
+        for holder in (user, getattr(user, "node_tree", None)):
+            animation = getattr(holder, "animation_data", None)
+            if animation and not holder.library:
+                for curve in animation.drivers:
+                    yield holder, curve
+
+
+def _output(names, carrier, slot):
+    """Name of the output in a slot; None where something else is."""
+    known = names.get((carrier, slot["key"] or ""), ())
+    place = int(slot["slot"]) - outbox.FIRST_OUTPUT
+    return known[place] if 0 <= place < len(known) else None
+
+
+def point(system, owner, readers):
+    """Let drivers read their outputs where these are now."""
+    places = {}
+    for key, carrier in outbox.carriers(system, owner):
+        for name in outbox.output_names(system, carrier, key):
+            places.setdefault(name, (carrier, outbox.output_path(system, name, owner, key)))
+    for reader in readers:
+        animation = reader.user.animation_data
+        curve = animation and animation.drivers.find(reader.data_path, index=reader.array_index)
+        variable = curve and curve.driver.variables.get(reader.variable)
+        if variable:
+            absent = owner, _waiting(system, bpy.utils.escape_identifier(reader.output))
+            _let_read(variable, variable.targets[reader.index], *places.get(reader.output, absent))
+
+
+def _let_read(variable, target, carrier, path):
+    if target.id != carrier:
+        if variable.type == 'SINGLE_PROP':
+            target.id_type = 'MESH' if isinstance(carrier, bpy.types.Mesh) else 'OBJECT'
+        target.id = carrier
+    target.data_path = path
