@@ -2,6 +2,7 @@
 
 import bpy
 import window_support
+from mathutils import Vector
 
 JOINTS = ((0.0, 0.0, 0.0), (0.0, -0.3, 1.5), (0.0, 0.0, 3.0))
 
@@ -40,6 +41,10 @@ def test_sidebar_and_overlay():
     with window_support.override():
         bpy.ops.view3d.view_all()
     yield 0.7
+    view = window_support.area().spaces.active.region_3d
+    view.view_distance *= 1.4
+    view.view_location += view.view_rotation @ Vector((1.2, 0.0, 0.0))  # out from under the sidebar
+    yield 0.3
     drawn = yield from window_support.open_tab("Motus")
     path = yield from window_support.picture("ik_sidebar")
     assert any(name.startswith("MOTUS_PT_ik") for name in drawn), drawn

@@ -83,7 +83,7 @@ def draw_pin(layout, context):
     if pin.falloff == 'CLASSIC':
         column.prop(pin, "scale_factor")
     column.prop(pin, "distance")
-    column.prop(pin, "displacement")
+    column.prop(pin, "displacement", text="Offset")  # its name is longer than the space for labels
     column.row(heading="Mirror").prop(pin, "mirror", expand=True)
     column.prop_search(pin, "vertex_group", obj, "vertex_groups")
     for name in ("minimum", "maximum"):
