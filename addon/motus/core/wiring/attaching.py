@@ -5,7 +5,8 @@ import bpy
 from .. import actions, copies
 from ..system import groups_of, of_owner, registered
 from . import (
-    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, proxy_sink, solver_driver)
+    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, overrides, proxy_sink,
+    solver_driver)
 from .sinks import led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -24,6 +25,7 @@ def _attach(system, owner):
     for group, kind in zip(groups, carriers.kinds(system, owner, groups)):
         _wire(system, owner, group, kind)
     settings.wired = carriers.signature(system, owner, groups)
+    overrides.mark(system, owner, groups)
     if owner.type == 'ARMATURE':
         copies.prepare(owner)
     _tag(system, owner)
@@ -80,6 +82,7 @@ def _detach(system, owner):
     remove_orphans(system, owner)
     for other in led_by(system, owner):
         of_owner(system, other).leader = None
+        overrides.unmark(system, other)
     for _, hub in outbox.hubs(system, owner):
         if outbox.is_own_hub(hub, owner):
             bpy.data.meshes.remove(hub.data)
@@ -88,6 +91,7 @@ def _detach(system, owner):
     anchor.release(settings)
     drivers.remove_where(owner, lambda path: path.startswith(f'["{outbox.out_key(system)}'))
     outbox.remove(system, owner)
+    overrides.unmark(system, owner)
     order.release(settings)
     settings.is_active = False
     settings.wired = ""

@@ -2,6 +2,7 @@
 
 - Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
+- A file was loaded, and Blender has not kept what was wired on an override (see overrides).
 - The bones of an armature were renamed, removed, or given other parents.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 
@@ -14,8 +15,9 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
+from .. import native
 from ..system import of_owner, registered
-from . import geometry_sink, outbox, proxy_sink
+from . import geometry_sink, outbox, overrides, proxy_sink
 
 log = logging.getLogger(__name__)
 
@@ -128,16 +130,29 @@ def _heal_copies():
     if count == _object_count[0]:
         return
     from . import attaching
-    owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
-    for owner in owners:
-        for system in registered.values():
-            place = system.name, owner.name
-            if not attaching.is_attached(system, owner) or place in _given_up or not has_strange_carriers(system, owner):
-                continue
-            attaching.refresh(system, owner)
-            if has_strange_carriers(system, owner):
-                _given_up.add(place)
+    for system, owner in _attached():
+        place = system.name, owner.name
+        if place in _given_up or not has_strange_carriers(system, owner):
+            continue
+        attaching.refresh(system, owner)
+        if has_strange_carriers(system, owner):
+            _given_up.add(place)
     _object_count[0] = len(bpy.data.objects)
+
+
+def _attached():
+    """(system, owner) of all that is wired in this file."""
+    owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
+    return [(system, owner) for owner in owners for system in registered.values() if of_owner(system, owner).is_active]
+
+
+def _heal_overrides():
+    from . import attaching
+    if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
+        return
+    for system, owner in _attached():
+        if overrides.is_lost(system, owner):
+            attaching.refresh(system, owner)
 
 
 def _heal_edited(depsgraph):
@@ -160,6 +175,17 @@ def _forget(*_):
     _object_count[0] = -1
 
 
+@persistent
+def _loaded(*_):
+    """Before the first evaluation."""
+    _forget()
+    try:
+        overrides.complete_references()
+        _heal_overrides()
+    except Exception:
+        log.exception("Motus: an overridden object could not be wired again")
+
+
 _HANDLERS = (bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.frame_change_post)
 
 
@@ -167,12 +193,14 @@ def register():
     """Watch for what was noticed."""
     for handlers in _HANDLERS:
         handlers.append(_heal)
-    bpy.app.handlers.load_post.append(_forget)
+    bpy.app.handlers.load_post.append(_loaded)
+    bpy.app.handlers.save_pre.append(overrides.complete_references)
 
 
 def unregister():
     """Stop watching."""
-    bpy.app.handlers.load_post.remove(_forget)
+    bpy.app.handlers.save_pre.remove(overrides.complete_references)
+    bpy.app.handlers.load_post.remove(_loaded)
     for handlers in _HANDLERS:
         handlers.remove(_heal)
     _forget()
