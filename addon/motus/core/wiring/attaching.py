@@ -5,8 +5,8 @@ import bpy
 from .. import actions, copies
 from ..system import groups_of, of_owner, registered
 from . import (
-    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, overrides, proxy_sink,
-    solver_driver)
+    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, override_drivers,
+    overrides, proxy_sink, solver_driver)
 from .sinks import led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -73,11 +73,13 @@ def detach(system, owner):
     _detach(system, owner)
     if system.moves_points:
         geometry_sink.remove(system, owner)
+    override_drivers.align(owner)
     refresh_others(system, owner)
 
 
 def _detach(system, owner):
     settings = of_owner(system, owner)
+    override_drivers.drop_stand_ins(owner)
     remove(sinks(system, owner))
     remove_orphans(system, owner)
     for other in led_by(system, owner):

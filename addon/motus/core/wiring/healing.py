@@ -2,7 +2,7 @@
 
 - Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
-- A file was loaded, and Blender has not kept what was wired on an override (see overrides).
+- A file was loaded, or a library again, and Blender has not kept what was wired on an override (see overrides).
 - The bones of an armature were renamed, removed, or given other parents.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 
@@ -71,15 +71,23 @@ def has_strange_carriers(system, owner):
 def _heal(_scene=None, depsgraph=None):
     if bpy.app.is_job_running('RENDER'):
         return
+    _try(lambda: _heal_all(depsgraph))
+
+
+def _heal_all(depsgraph):
+    _heal_driven()
+    _heal_copies()
+    _heal_meshes()
+    if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
+        _heal_edited(depsgraph)
+
+
+def _try(heal):
     try:
-        _heal_driven()
-        _heal_copies()
-        _heal_meshes()
-        if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
-            _heal_edited(depsgraph)
+        heal()
     except Exception:
         # A handler that raises would say so after every change.
-        log.exception("Motus: something that was copied or edited could not be wired again")
+        log.exception("Motus: something that was copied, edited or loaded could not be wired again")
 
 
 def _heal_driven():
@@ -148,6 +156,7 @@ def _attached():
 
 def _heal_overrides():
     from . import attaching
+    overrides.forget()
     if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
         return
     for system, owner in _attached():
@@ -172,6 +181,7 @@ def _forget(*_):
     _watched.clear()
     _unsettled.clear()
     _given_up.clear()
+    overrides.forget()
     _object_count[0] = -1
 
 
@@ -179,11 +189,14 @@ def _forget(*_):
 def _loaded(*_):
     """Before the first evaluation."""
     _forget()
-    try:
-        overrides.complete_references()
-        _heal_overrides()
-    except Exception:
-        log.exception("Motus: an overridden object could not be wired again")
+    _try(lambda: (overrides.complete_references(), _heal_overrides()))
+
+
+@persistent
+def _updated(*_):
+    # Not after every change of the frame: nothing that Blender keeps of an override goes then.
+    if not bpy.app.is_job_running('RENDER') and overrides.has_new_marks():
+        _try(_heal_overrides)
 
 
 _HANDLERS = (bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.frame_change_post)
@@ -193,6 +206,7 @@ def register():
     """Watch for what was noticed."""
     for handlers in _HANDLERS:
         handlers.append(_heal)
+    bpy.app.handlers.depsgraph_update_post.append(_updated)
     bpy.app.handlers.load_post.append(_loaded)
     bpy.app.handlers.save_pre.append(overrides.complete_references)
 
@@ -201,6 +215,7 @@ def unregister():
     """Stop watching."""
     bpy.app.handlers.save_pre.remove(overrides.complete_references)
     bpy.app.handlers.load_post.remove(_loaded)
+    bpy.app.handlers.depsgraph_update_post.remove(_updated)
     for handlers in _HANDLERS:
         handlers.remove(_heal)
     _forget()

@@ -14,22 +14,29 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..system import groups_of, input_variables, registered
-from . import carriers
+from . import carriers, override_drivers
+
+_known = {}
+"""(name of the mark, name of the override) -> what it said when it was last looked at."""
 
 
 def mark(system, owner, groups):
     """Note on the owner, and on the overrides that it drives, what is wired there now."""
     digest = _digest(system, owner, groups)
-    for obj in {owner, *_overridden(owner, groups)}:
-        # A group, since Blender sets a plain custom property of an override back whenever it looks for changes.
+    overridden = _overridden(owner, groups)
+    for obj in {owner, *overridden}:
+        # A group: plain custom properties are compared with the library's whenever Blender looks for changes.
         obj[_key(system)] = {"digest": digest}
-        if obj.override_library:
-            complete_reference(obj)
+    for obj in overridden:
+        _known[_key(system), obj.name] = digest
+        override_drivers.align(obj)
+        complete_reference(obj)
 
 
 def unmark(system, obj):
     """Take the note away."""
     obj.pop(_key(system), None)
+    _known.pop((_key(system), obj.name), None)
 
 
 def is_lost(system, owner):
@@ -39,8 +46,24 @@ def is_lost(system, owner):
     if not overridden:
         return False
     digest = _digest(system, owner, groups)
-    noted = (obj.get(_key(system)) for obj in overridden)
-    return any(one is None or one.get("digest") != digest for one in noted)
+    if any(_noted(obj, _key(system)) != digest for obj in overridden):
+        return True
+    _known.update({(_key(system), obj.name): digest for obj in overridden})
+    return False
+
+
+def has_new_marks():
+    """Whether any mark is another than when it was last looked at: a library was reloaded, or there was an undo."""
+    for (key, name), digest in _known.items():
+        obj = bpy.data.objects.get((name, None))
+        if obj and _noted(obj, key) != digest:
+            return True
+    return False
+
+
+def forget():
+    """Know of no marks any more."""
+    _known.clear()
 
 
 def complete_reference(owner):
@@ -65,6 +88,11 @@ def complete_references(*_):
 
 def _key(system):
     return f"motus_{system.name}_wired"
+
+
+def _noted(obj, key):
+    noted = obj.get(key)
+    return noted and noted.get("digest")
 
 
 def _overridden(owner, groups):

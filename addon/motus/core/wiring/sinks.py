@@ -47,8 +47,9 @@ def _bereft(system, obj, driven):
 
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
-    # An override may have lost its outbox.
-    carriers = {owner, *(carrier for _, carrier in outbox.carriers(system, owner))}
+    carriers = {carrier for _, carrier in outbox.carriers(system, owner)}
+    if owner.override_library:
+        carriers.add(owner)  # which may have lost its outbox
     return [(thing, constraint) for obj in _driven_objects(system, owner)
             for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
