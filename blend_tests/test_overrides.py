@@ -258,17 +258,42 @@ class TestOtherSystems(OverrideTestCase):
                 if is_animated:
                     car.driver_add("scale", 0).driver.expression = "1.0"
                 self.collect([car])
-                course = bpy.data.objects.new("Course", bpy.data.curves.new("Course", 'CURVE'))
-                course.data.dimensions = '3D'
-                course.data.splines.new('POLY').points.add(1)
-                course.data.splines[0].points[1].co = (8.0, 4.0, 2.0, 1.0)
-                bpy.context.scene.collection.objects.link(course)
+                self.new_course()
                 bpy.ops.motus.path_follow_add(object="Car", curve="Course")
                 bpy.context.scene.frame_set(60)
                 place = self.place(overrides('MESH')[0])
                 self.assertGreater(place.length, 0.1)
                 for _ in range(2):
                     self.assertLess((self.place(self.reopen(kind='MESH')) - place).length, 1e-5)
+
+    def test_train_of_overrides(self):
+        for is_animated in (False, True):
+            with self.subTest(is_animated=is_animated):
+                support.empty_scene()
+                cars = [bpy.data.objects.new(name, bpy.data.meshes.new(name)) for name in "ABC"]
+                for car in cars if is_animated else ():
+                    car.driver_add("scale", 0).driver.expression = "1.0"
+                self.collect(cars)
+                self.new_course()
+                bpy.ops.motus.path_train_add(objects="A,B,C", curve="Course", gap=1.0, timing='MANUAL', offset=5.0)
+                for _ in range(2):
+                    bpy.context.view_layer.update()
+                cars = overrides('MESH')
+                places, counts = [self.place(car) for car in cars], [len(car.constraints) for car in cars]
+                for _ in range(3):
+                    self.reopen(kind='MESH')
+                    cars = overrides('MESH')
+                    for car, place in zip(cars, places):
+                        self.assertLess((self.place(car) - place).length, 1e-5)
+                    self.assertEqual([len(car.constraints) for car in cars], counts)
+
+    @staticmethod
+    def new_course():
+        course = bpy.data.objects.new("Course", bpy.data.curves.new("Course", 'CURVE'))
+        course.data.dimensions = '3D'
+        course.data.splines.new('POLY').points.add(1)
+        course.data.splines[0].points[1].co = (8.0, 4.0, 2.0, 1.0)
+        bpy.context.scene.collection.objects.link(course)
 
     @staticmethod
     def place(obj):

@@ -25,8 +25,7 @@ def mark(system, owner, groups):
     digest = _digest(system, owner, groups)
     overridden = _overridden(owner, groups)
     for obj in {owner, *overridden}:
-        # A group: plain custom properties are compared with the library's whenever Blender looks for changes.
-        obj[_key(system)] = {"digest": digest}
+        obj[_key(system)] = digest
     for obj in overridden:
         _known[_key(system), obj.name] = digest
         override_drivers.align(obj)
@@ -46,7 +45,7 @@ def is_lost(system, owner):
     if not overridden:
         return False
     digest = _digest(system, owner, groups)
-    if any(_noted(obj, _key(system)) != digest for obj in overridden):
+    if any(obj.get(_key(system)) != digest for obj in overridden):
         return True
     _known.update({(_key(system), obj.name): digest for obj in overridden})
     return False
@@ -56,7 +55,7 @@ def has_new_marks():
     """Whether any mark is another than when it was last looked at: a library was reloaded, or there was an undo."""
     for (key, name), digest in _known.items():
         obj = bpy.data.objects.get((name, None))
-        if obj and _noted(obj, key) != digest:
+        if obj and obj.get(key) != digest:
             return True
     return False
 
@@ -88,11 +87,6 @@ def complete_references(*_):
 
 def _key(system):
     return f"motus_{system.name}_wired"
-
-
-def _noted(obj, key):
-    noted = obj.get(key)
-    return noted and noted.get("digest")
 
 
 def _overridden(owner, groups):

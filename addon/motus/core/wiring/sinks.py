@@ -41,16 +41,21 @@ def _bereft(system, obj, driven):
     """The same for sinks of an override that Blender has saved without their drivers."""
     for thing in (obj, *(obj.pose.bones if obj.pose else ())):
         for constraint in thing.constraints:
-            if limit_sink.is_named(system, constraint) and constraint.path_from_id() not in driven:
+            is_ours = limit_sink.is_named(system, constraint) or attribute_sink.needs_driver(system, constraint)
+            if is_ours and constraint.path_from_id() not in driven:
                 yield thing, constraint, obj, ""
 
 
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
+    driven = _driven_objects(system, owner)
     carriers = {carrier for _, carrier in outbox.carriers(system, owner)}
-    if owner.override_library:
-        carriers.add(owner)  # which may have lost its outbox
-    return [(thing, constraint) for obj in _driven_objects(system, owner)
+    # Overrides may have lost outbox and drivers, or been given sinks of their library again.
+    overridden = [obj for obj in driven if obj.override_library]
+    carriers.update(overridden)
+    for obj in overridden:
+        carriers.update(carrier for _, carrier in outbox.carriers(system, obj.override_library.reference))
+    return [(thing, constraint) for obj in driven
             for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
 
