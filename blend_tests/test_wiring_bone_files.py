@@ -144,6 +144,24 @@ class FileTest(BoneTestCase):
                         linked = override.override_library.reference
                         self.assertNotAlmostEqual(linked.motus.bend.entries[-1].weight, 0.3, places=3)
 
+    def test_overridden_and_wired_otherwise(self):
+        for build in LASTING_KINDS:
+            with self.subTest(build.__name__):
+                support.empty_scene()
+                build()
+                override = self.overridden(self.save(), by_hierarchy=False)
+                entries = override.motus.bend.entries
+                entries[0].stretch, entries[-1].stretch = 0.0, 0.5
+                changed, counts = rows(override.name), []
+                self.assert_bent_everywhere(override)
+                for _ in range(3):
+                    bpy.ops.wm.open_mainfile(filepath=self.save("override"))
+                    override = next(one for one in bpy.data.objects if one.type == 'ARMATURE' and one.override_library)
+                    self.assert_same(rows(override.name), changed)
+                    self.assert_bent_everywhere(override)
+                    counts.append([len(bone.constraints) for bone in override.pose.bones])
+                self.assertEqual(counts, counts[:1] * 3)
+
     def assert_bent_everywhere(self, rig):
         for frame in FRAMES:
             frame_set(frame)

@@ -159,6 +159,7 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
         try:
             targets.check_editable(rig)
             indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
+            targets.check_removable(rig, indices)
         except targets.Refused as refusal:
             return refused(self, refusal)
         names = [rig.motus.ik.entries[index].name for index in indices]
@@ -243,6 +244,10 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
         if index >= len(entry.extra_targets):
             self.report({'ERROR'}, tr("There is no such target"))
             return {'CANCELLED'}
+        try:
+            targets.check_target_removable(rig, entry, index)
+        except targets.Refused as refusal:
+            return refused(self, refusal)
         with setup.at_once(rig):
             entry.extra_targets.remove(index)
             entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))

@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core import libraries
 from ..core.translations import tr
 from . import chains, setup
 
@@ -67,6 +68,21 @@ def entry_for(rig, name):
     if index < 0:
         raise Refused(tr("{bone} of {object} has no inverse kinematics").format(bone=name, object=rig.name))
     return index
+
+
+def check_removable(rig, indices):
+    """Refuse to remove entries that an override has from its library."""
+    first = min(indices, default=None)
+    if first is not None and first < libraries.count_from_library(rig, "motus.ik.entries"):
+        raise Refused(tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
+            bone=rig.motus.ik.entries[first].name, object=rig.name))
+
+
+def check_target_removable(rig, entry, index):
+    """The same for a further target."""
+    if index < libraries.count_from_library(rig, f"{entry.path_from_id()}.extra_targets"):
+        raise Refused(tr("This target is from the library of {object} and cannot be removed here").format(
+            object=rig.name))
 
 
 def goal_for(context, object_name, bone_name, rig=None):

@@ -130,6 +130,7 @@ class MOTUS_OT_look_at_remove(bpy.types.Operator):
         try:
             targets.check_editable(rig)
             index = targets.entry_for(context, rig, self.bone)
+            targets.check_removable(rig, index)
         except targets.Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}

@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ..core import dependencies
+from ..core import dependencies, libraries
 from ..core.system import registered
 from ..core.translations import tr
 from . import anatomy
@@ -138,6 +138,13 @@ def check_finite(operator, names):
         value = getattr(operator, name)
         if isinstance(value, float) and not math.isfinite(value):
             raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
+
+
+def check_removable(rig, index):
+    """Refuse to remove a head that an override has from its library."""
+    if index < libraries.count_from_library(rig, "motus.look_at.entries"):
+        raise Refused(tr("{bone} of {object} is from its library and cannot be removed here: mute it").format(
+            bone=rig.motus.look_at.entries[index].name, object=rig.name))
 
 
 def check_editable(rig):

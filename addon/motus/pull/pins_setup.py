@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import wiring
+from ..core import libraries, wiring
 from ..core.lazy import numpy as np
 from ..core.translations import tr
 from . import mesh_arrays as arrays
@@ -68,6 +68,8 @@ def bind(obj, pin, vertex):
 def remove(obj, indices):
     """Remove pins; with the last one all that was added to the object for them."""
     settings = obj.motus.pull
+    if min(indices) < libraries.count_from_library(obj, "motus.pull.pins"):
+        raise Refused(tr("A pin of {object} is from its library and cannot be removed here: mute it").format(object=obj.name))
     left = [index for index in range(len(settings.pins)) if index not in indices]
     keys.reorder(obj, {old: new for new, old in enumerate(left)})
     for index in sorted(indices, reverse=True):

@@ -5,8 +5,8 @@ import bpy
 from .. import actions, copies
 from ..system import groups_of, of_owner, registered
 from . import (
-    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, proxy_sink, readers,
-    solver_driver)
+    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, override_drivers,
+    overrides, proxy_sink, readers, solver_driver)
 from .sinks import led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -27,6 +27,7 @@ def _attach(system, owner):
         _wire(system, owner, group, kind)
     readers.point(system, owner, followers)
     settings.wired = carriers.signature(system, owner, groups)
+    overrides.mark(system, owner, groups)
     if owner.type == 'ARMATURE':
         copies.prepare(owner)
     _tag(system, owner)
@@ -76,15 +77,18 @@ def detach(system, owner):
     readers.point(system, owner, followers)
     if system.moves_points:
         geometry_sink.remove(system, owner)
+    override_drivers.align(owner)
     refresh_others(system, owner)
 
 
 def _detach(system, owner):
     settings = of_owner(system, owner)
+    override_drivers.drop_stand_ins(owner)
     remove(sinks(system, owner))
     remove_orphans(system, owner)
     for other in led_by(system, owner):
         of_owner(system, other).leader = None
+        overrides.unmark(system, other)
     for _, hub in outbox.hubs(system, owner):
         if outbox.is_own_hub(hub, owner):
             bpy.data.meshes.remove(hub.data)
@@ -93,6 +97,7 @@ def _detach(system, owner):
     anchor.release(settings)
     drivers.remove_where(owner, lambda path: path.startswith(f'["{outbox.out_key(system)}'))
     outbox.remove(system, owner)
+    overrides.unmark(system, owner)
     order.release(settings)
     settings.is_active = False
     settings.wired = ""

@@ -53,13 +53,20 @@ def add(system, group, index, hub):
 
 def undriven_key(system, constraint):
     """Key of the system's group whose sink without a driver this is; None where it is none. Others have drivers."""
+    return outbox.key_on_hub(system, constraint.target.data) if _kind_of(constraint) in {STILL, RELATIVE} else None
+
+
+def needs_driver(system, constraint):
+    """Whether this is a sink of the system that has a driver, or should have."""
+    return _kind_of(constraint) == MOVES and outbox.key_on_hub(system, constraint.target.data) is not None
+
+
+def _kind_of(constraint):
+    """Of the member whose sink this is; None where it is none."""
     if constraint.type != 'GEOMETRY_ATTRIBUTE' or constraint.target is None or constraint.target.type != 'MESH':
         return None
-    mesh = constraint.target.data
-    kinds = mesh.get(STILL_KEY)
-    if kinds is None or constraint.sample_index >= len(kinds) or kinds[constraint.sample_index] == MOVES:
-        return None
-    return outbox.key_on_hub(system, mesh)
+    kinds = constraint.target.data.get(STILL_KEY)
+    return kinds[constraint.sample_index] if kinds is not None and constraint.sample_index < len(kinds) else None
 
 
 def write(mesh, members, locations, rotations, scales, weight):

@@ -105,6 +105,8 @@ def _is_sink(system, one):
 
 
 def _move_first(owner, found):
+    if len(owner.modifiers) == 1:
+        return  # in 3.4 the operator refuses overrides
     if capabilities.has_modifier_order():
         owner.modifiers.move(len(owner.modifiers) - 1, 0)
         return

@@ -2,6 +2,7 @@
 
 - Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
+- A file was loaded, or a library again, and Blender has not kept what was wired on an override (see overrides).
 - The bones of an armature were renamed, removed, or given other parents.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 
@@ -14,8 +15,9 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
+from .. import native
 from ..system import of_owner, registered
-from . import geometry_sink, outbox, proxy_sink
+from . import geometry_sink, outbox, overrides, proxy_sink
 
 log = logging.getLogger(__name__)
 
@@ -69,15 +71,23 @@ def has_strange_carriers(system, owner):
 def _heal(_scene=None, depsgraph=None):
     if bpy.app.is_job_running('RENDER'):
         return
+    _try(lambda: _heal_all(depsgraph))
+
+
+def _heal_all(depsgraph):
+    _heal_driven()
+    _heal_copies()
+    _heal_meshes()
+    if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
+        _heal_edited(depsgraph)
+
+
+def _try(heal):
     try:
-        _heal_driven()
-        _heal_copies()
-        _heal_meshes()
-        if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
-            _heal_edited(depsgraph)
+        heal()
     except Exception:
         # A handler that raises would say so after every change.
-        log.exception("Motus: something that was copied or edited could not be wired again")
+        log.exception("Motus: something that was copied, edited or loaded could not be wired again")
 
 
 def _heal_driven():
@@ -128,16 +138,30 @@ def _heal_copies():
     if count == _object_count[0]:
         return
     from . import attaching
-    owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
-    for owner in owners:
-        for system in registered.values():
-            place = system.name, owner.name
-            if not attaching.is_attached(system, owner) or place in _given_up or not has_strange_carriers(system, owner):
-                continue
-            attaching.refresh(system, owner)
-            if has_strange_carriers(system, owner):
-                _given_up.add(place)
+    for system, owner in _attached():
+        place = system.name, owner.name
+        if place in _given_up or not has_strange_carriers(system, owner):
+            continue
+        attaching.refresh(system, owner)
+        if has_strange_carriers(system, owner):
+            _given_up.add(place)
     _object_count[0] = len(bpy.data.objects)
+
+
+def _attached():
+    """(system, owner) of all that is wired in this file."""
+    owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
+    return [(system, owner) for owner in owners for system in registered.values() if of_owner(system, owner).is_active]
+
+
+def _heal_overrides():
+    from . import attaching
+    overrides.forget()
+    if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
+        return
+    for system, owner in _attached():
+        if overrides.is_lost(system, owner):
+            attaching.refresh(system, owner)
 
 
 def _heal_edited(depsgraph):
@@ -157,7 +181,22 @@ def _forget(*_):
     _watched.clear()
     _unsettled.clear()
     _given_up.clear()
+    overrides.forget()
     _object_count[0] = -1
+
+
+@persistent
+def _loaded(*_):
+    """Before the first evaluation."""
+    _forget()
+    _try(lambda: (overrides.complete_references(), _heal_overrides()))
+
+
+@persistent
+def _updated(*_):
+    # Not after every change of the frame: nothing that Blender keeps of an override goes then.
+    if not bpy.app.is_job_running('RENDER') and overrides.has_new_marks():
+        _try(_heal_overrides)
 
 
 _HANDLERS = (bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.frame_change_post)
@@ -167,12 +206,16 @@ def register():
     """Watch for what was noticed."""
     for handlers in _HANDLERS:
         handlers.append(_heal)
-    bpy.app.handlers.load_post.append(_forget)
+    bpy.app.handlers.depsgraph_update_post.append(_updated)
+    bpy.app.handlers.load_post.append(_loaded)
+    bpy.app.handlers.save_pre.append(overrides.complete_references)
 
 
 def unregister():
     """Stop watching."""
-    bpy.app.handlers.load_post.remove(_forget)
+    bpy.app.handlers.save_pre.remove(overrides.complete_references)
+    bpy.app.handlers.load_post.remove(_loaded)
+    bpy.app.handlers.depsgraph_update_post.remove(_updated)
     for handlers in _HANDLERS:
         handlers.remove(_heal)
     _forget()

@@ -12,6 +12,7 @@ from . import drivers, outbox
 
 AXES = "xyz"
 LIMITS = ("min_{}", "max_{}")
+_KINDS = {'LIMIT_LOCATION', 'LIMIT_ROTATION', 'LIMIT_SCALE', 'TRANSFORM'}
 
 
 def add(system, group, index, carrier, target=None, direct=None):
@@ -91,9 +92,18 @@ def _limit_scale(system, member):
 _LIMITS = {"location": _limit_location, "rotation": _limit_rotation, "scale": _limit_scale}
 
 
+def is_named(system, constraint):
+    """Whether a constraint is called and made like one of these."""
+    return constraint.type in _KINDS and any(constraint.name.startswith(_name(system, channel)) for channel in _LIMITS)
+
+
+def _name(system, channel):
+    return f"Motus {system.label} {channel.title()}"
+
+
 def _new(system, member, kind, channel):
     constraint = member.thing.constraints.new(kind)
-    constraint.name = f"Motus {system.label} {channel.title()}"
+    constraint.name = _name(system, channel)
     constraint.owner_space = member.space
     return constraint
 

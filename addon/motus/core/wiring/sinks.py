@@ -3,7 +3,7 @@
 import bpy
 
 from ..system import groups_of, of_owner
-from . import attribute_sink, drivers, outbox, proxy_sink
+from . import attribute_sink, drivers, limit_sink, outbox, proxy_sink
 
 _DRIVEN = (".influence", ".to_min_x_rot", ".to_min_x_scale")
 """A sink is known by the driver of one of these: the influence, or what a relative one has instead."""
@@ -33,12 +33,29 @@ def on_object(system, obj):
         if constraint:
             seen.add(path)
             yield _holder(obj, path), constraint, *read
+    if obj.override_library and not obj.library:
+        yield from _bereft(system, obj, {curve.data_path.rpartition(".")[0] for curve in animation.drivers} if animation else ())
+
+
+def _bereft(system, obj, driven):
+    """The same for sinks of an override that Blender has saved without their drivers."""
+    for thing in (obj, *(obj.pose.bones if obj.pose else ())):
+        for constraint in thing.constraints:
+            is_ours = limit_sink.is_named(system, constraint) or attribute_sink.needs_driver(system, constraint)
+            if is_ours and constraint.path_from_id() not in driven:
+                yield thing, constraint, obj, ""
 
 
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
+    driven = _driven_objects(system, owner)
     carriers = {carrier for _, carrier in outbox.carriers(system, owner)}
-    return [(thing, constraint) for obj in _driven_objects(system, owner)
+    # Overrides may have lost outbox and drivers, or been given sinks of their library again.
+    overridden = [obj for obj in driven if obj.override_library]
+    carriers.update(overridden)
+    for obj in overridden:
+        carriers.update(carrier for _, carrier in outbox.carriers(system, obj.override_library.reference))
+    return [(thing, constraint) for obj in driven
             for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
 

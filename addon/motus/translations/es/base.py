@@ -41,6 +41,12 @@ INTERFACE = {
         "A esta copia de Motus le falta el módulo nativo: quita el complemento e instálalo desde un zip publicado",
     "{object} is linked from another file: make a library override of it first":
         "{object} está vinculado desde otro archivo: crea antes una redefinición de biblioteca",
+    "{bone} of {object} is from its library and cannot be removed here: mute it":
+        "{bone} de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
+    "A pin of {object} is from its library and cannot be removed here: mute it":
+        "Un alfiler de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
+    "This target is from the library of {object} and cannot be removed here":
+        "Este objetivo viene de la biblioteca de {object} y no se puede quitar aquí",
 
     # Viewport
     "Overlay": "Superposición",
