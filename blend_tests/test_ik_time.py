@@ -60,6 +60,24 @@ class Time(IkTestCase):
             self.scene.frame_set(self.scene.frame_current + 1)
             self.assertSamePose(rig, found, 0.0)
 
+    def test_driven_object_with_chains_that_wait_for_each_other(self):
+        rig = self.arm()
+        leader = self.target((0.0, 0.0, 0.0), "Leader")
+        for frame, x in ((1, 0.0), (50, 1.0)):
+            leader.location.x = x
+            leader.keyframe_insert("location", frame=frame)
+        driver = rig.driver_add("location", 0).driver
+        variable = driver.variables.new()
+        variable.targets[0].id, variable.targets[0].data_path = leader, "location.x"
+        driver.expression = variable.name
+        self.target((0.4, 0.6, 1.4), "Above")
+        self.reach("Shoulder", target="Above", chain_length=1)
+        self.reach()
+        first = {frame: self.poses(rig, frame) for frame in FRAMES}
+        for frame in FRAMES:
+            self.assertTrue((self.poses(rig, frame) == first[frame]).all(), frame)
+        self.assertNear(self.tail(rig, frame=4), REACHABLE)
+
     def test_sub_frames(self):
         rig, target = self.animated()
         for frame in (17.25, 17.5, 17.75):

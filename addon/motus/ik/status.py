@@ -59,7 +59,7 @@ def _unwired(owner, entry):
         label, other = others[shared[0]]
         return tr("{bone} is driven by {system} of {other} already: shorten the chain").format(
             bone=shared[0], system=tr(label), other=other)
-    if ("ik", entry.name) in dependencies.levels(owner):
+    if dependencies.levels(owner).get(("ik", entry.name), 0) is None:
         return tr("The target moves with the chain itself: choose another one")
     return ""
 

@@ -1,5 +1,7 @@
 """Which datablock carries a group's solver and outbox, and the hubs among them."""
 
+import re
+
 import bpy
 
 from .. import capabilities
@@ -7,6 +9,8 @@ from ..system import groups_of, of_owner, registered
 from . import drivers, healing, outbox
 
 OWN, HUB, ATTRIBUTE, POINTS = "own", "hub", "attribute", "points"
+OURS = "motus_"
+_OF_OBJECT = re.compile(r'(?:\w+|\["(?:[^"\\]|\\.)*"\])(?:\[\d+\])?$')
 FEW = 24
 """Up to so many members a carrier of the owner's own is cheap enough; it goes along with copies, which a hub does not."""
 
@@ -32,7 +36,7 @@ def _want_hubs(system, owner, groups):
     make a loop where they read each other's bones.
     """
     systems = [one for one in registered.values() if one.groups is not None and not one.moves_points]
-    if any(healing.has_driven_settings(owner, of_owner(one, owner)) for one in systems):
+    if _drives_itself(owner) or any(healing.has_driven_settings(owner, of_owner(one, owner)) for one in systems):
         return True
     if not capabilities.has_geometry_attribute_constraint():
         return False
@@ -40,6 +44,17 @@ def _want_hubs(system, owner, groups):
     every = [*groups, *(group for one in attached for group in groups_of(one, owner))]
     # Of driven sinks a bone's own drivers cannot come first (see proxy_sink), of those that sample an attribute they can.
     return any(len(group.members) > FEW or drives_driven(owner, group) for group in every)
+
+
+def _drives_itself(owner):
+    """Whether somebody's driver sets a property of the object itself, such as its location.
+
+    Blender evaluates drivers of one struct one after the other, outboxes among them, in an order that needs not be theirs
+    (5.2: two outboxes and a driven location).
+    """
+    animation = owner.animation_data
+    return animation is not None and any(
+        _OF_OBJECT.match(curve.data_path) and not curve.data_path.startswith(f'["{OURS}') for curve in animation.drivers)
 
 
 def drives_driven(owner, group):
