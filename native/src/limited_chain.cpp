@@ -9,6 +9,7 @@
 
 #include "bend_plane.hpp"
 #include "limited_descent.hpp"
+#include "limited_lead.hpp"
 #include "swing_twist.hpp"
 #include "turns.hpp"
 
@@ -86,6 +87,9 @@ class Search {
         bound_ = std::max({0.0, std::min(distance, far) - 1.0, inner - distance});
         settings_.pole.reset();
         if (settings.pole) settings_.pole = (*settings.pole - chain.root) / reach.unit();
+        // No farther and no nearer than the bones' lengths let the tip come.
+        led_.target = std::clamp(glm::length(goal_.target), inner, 1.0) * unit_vector(goal_.target);
+        led_.tolerance = goal_.tolerance;
     }
 
     /// Leaves the best rotations in `rotations`. Returns the iterations used.
@@ -94,7 +98,10 @@ class Search {
     [[nodiscard]] bool is_at_rest() const { return is_best_at_rest_; }
 
   private:
+    void find_bend(std::span<const glm::dquat> rotations);
     void start_from(std::span<const glm::dquat> rotations);
+    void start_from_middle();
+    bool lead_from_pose();
     void start_from_unlimited(std::span<const glm::dquat> rotations);
     void start_from_spread(std::size_t start);
     void descend_to_goal();
@@ -104,6 +111,7 @@ class Search {
     LimitedPose pose_;
     ChainSettings settings_;
     Goal goal_;
+    LeadGoal led_;
     double bound_ = 0.0;  // no chain of these lengths comes nearer to the target
     Angles best_;
     double best_residual_ = std::numeric_limits<double>::infinity();
@@ -119,6 +127,41 @@ void Search::start_from(std::span<const glm::dquat> rotations) {
         const glm::dquat allowed = clamp_rotation(rotations[i], pose_.limits(i));
         pose_.set_bone(i, clamped(swing_twist_of(allowed), pose_.limits(i)));
     }
+}
+
+/// Where the given pose bends, and where the pole wants it.
+void Search::find_bend(std::span<const glm::dquat> rotations) {
+    glm::dvec3 tip(0.0);
+    glm::dquat frame = chain_.base;
+    for (std::size_t i = 0; i < pose_.count(); ++i) {
+        frame = frame * chain_.rest[i] * rotations[i];
+        tip += frame * pose_.offset(i);
+    }
+    const glm::dvec3 from = unit_vector(tip);
+    const glm::dvec3 to = unit_vector(goal_.target);
+    led_.normal = settings_.plane;
+    if (from == glm::dvec3(0.0) || to == glm::dvec3(0.0)) return;
+    led_.normal = glm::conjugate(smallest_turn(from, to, normal_across(from, glm::dvec3(0.0)))) * led_.normal;
+    if (!settings_.pole) return;
+    const glm::dvec3 side = *settings_.pole - glm::dot(*settings_.pole, to) * to;
+    constexpr double vanished = 1e-9;
+    if (glm::length(side) > vanished * glm::length(*settings_.pole)) led_.side = unit_vector(side);
+}
+
+void Search::start_from_middle() {
+    const SwingTwist root = pose_.angles()[0];
+    start_from_spread(0);
+    Angles angles;
+    std::copy_n(pose_.angles().begin(), pose_.count(), angles.begin());
+    angles[0] = root;
+    pose_.set(angles);
+}
+
+/// Whether it comes near enough for the descent to be a matter of a few digits.
+bool Search::lead_from_pose() {
+    iterations_ += lead(pose_, led_, settings_.max_iterations);
+    constexpr double near = 1e-3;
+    return length_of(pose_.tip() - goal_.target) <= bound_ + near || goal_.orientation;
 }
 
 /// The chain without limits solves it; each bone is then turned towards its next joint as far as it may.
@@ -193,6 +236,27 @@ bool Search::is_enough() const {
 }
 
 int Search::run(std::span<glm::dquat> rotations) {
+    find_bend(rotations);
+    Angles led[2];
+    bool is_left[2] = {};
+    start_from(rotations);
+    for (int way = 0; way < 2 && !is_enough(); ++way) {
+        if (way == 1) {
+            start_from(rotations);
+            start_from_middle();
+        }
+        is_left[way] = !lead_from_pose();
+        if (is_left[way]) {
+            std::copy_n(pose_.angles().begin(), pose_.count(), led[way].begin());
+        } else {
+            descend_to_goal();
+        }
+    }
+    for (int way = 0; way < 2 && !is_enough(); ++way) {
+        if (!is_left[way]) continue;
+        pose_.set(led[way]);
+        descend_to_goal();
+    }
     const std::size_t starts = std::clamp<std::size_t>(240 / pose_.count(), 4, 24);
     for (std::size_t start = 0; start < starts + 2 && !is_enough(); ++start) {
         if (start == 0 && !settings_.pole) {
