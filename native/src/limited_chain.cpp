@@ -10,6 +10,8 @@
 #include "bend_plane.hpp"
 #include "limited_descent.hpp"
 #include "limited_lead.hpp"
+#include "motus/two_bone.hpp"
+#include "smooth.hpp"
 #include "swing_twist.hpp"
 #include "turns.hpp"
 
@@ -100,8 +102,9 @@ class Search {
   private:
     void find_bend(std::span<const glm::dquat> rotations);
     void start_from(std::span<const glm::dquat> rotations);
-    void start_from_middle();
+    void bend_to_middle();
     bool lead_from_pose();
+    void run_leads(std::span<const glm::dquat> rotations);
     void start_from_unlimited(std::span<const glm::dquat> rotations);
     void start_from_spread(std::size_t start);
     void descend_to_goal();
@@ -143,12 +146,14 @@ void Search::find_bend(std::span<const glm::dquat> rotations) {
     if (from == glm::dvec3(0.0) || to == glm::dvec3(0.0)) return;
     led_.normal = glm::conjugate(smallest_turn(from, to, normal_across(from, glm::dvec3(0.0)))) * led_.normal;
     if (!settings_.pole) return;
-    const glm::dvec3 side = *settings_.pole - glm::dot(*settings_.pole, to) * to;
-    constexpr double vanished = 1e-9;
-    if (glm::length(side) > vanished * glm::length(*settings_.pole)) led_.side = unit_vector(side);
+    const glm::dvec3 pole = unit_vector(*settings_.pole);
+    const glm::dvec3 side = pole - glm::dot(pole, to) * to;
+    led_.certainty = smooth_step(glm::length(side) / pole_band);
+    if (led_.certainty > 0.0) led_.side = unit_vector(side);
 }
 
-void Search::start_from_middle() {
+/// The joints after the root.
+void Search::bend_to_middle() {
     const SwingTwist root = pose_.angles()[0];
     start_from_spread(0);
     Angles angles;
@@ -235,28 +240,31 @@ bool Search::is_enough() const {
     return (is_near && best_angle_ <= 1e-5) || same_ >= (is_near ? patience_on_target : patience_);
 }
 
-int Search::run(std::span<glm::dquat> rotations) {
-    find_bend(rotations);
-    Angles led[2];
-    bool is_left[2] = {};
-    start_from(rotations);
-    for (int way = 0; way < 2 && !is_enough(); ++way) {
-        if (way == 1) {
-            start_from(rotations);
-            start_from_middle();
-        }
-        is_left[way] = !lead_from_pose();
-        if (is_left[way]) {
-            std::copy_n(pose_.angles().begin(), pose_.count(), led[way].begin());
-        } else {
+/// Leads first from the given pose, where that does not get there from the middle of the limits: of a joint
+/// that its pose bends to the side that hardly lets it. Descends from where those ended only if both fail, as
+/// a descent may change sides.
+void Search::run_leads(std::span<const glm::dquat> rotations) {
+    Angles ends[2];
+    std::size_t left = 0;
+    for (const bool is_from_pose : {true, false}) {
+        if (is_enough()) return;
+        start_from(rotations);
+        if (!is_from_pose) bend_to_middle();
+        if (lead_from_pose()) {
             descend_to_goal();
+        } else {
+            std::copy_n(pose_.angles().begin(), pose_.count(), ends[left++].begin());
         }
     }
-    for (int way = 0; way < 2 && !is_enough(); ++way) {
-        if (!is_left[way]) continue;
-        pose_.set(led[way]);
+    for (std::size_t i = 0; i < left && !is_enough(); ++i) {
+        pose_.set(ends[i]);
         descend_to_goal();
     }
+}
+
+int Search::run(std::span<glm::dquat> rotations) {
+    find_bend(rotations);
+    run_leads(rotations);
     const std::size_t starts = std::clamp<std::size_t>(240 / pose_.count(), 4, 24);
     for (std::size_t start = 0; start < starts + 2 && !is_enough(); ++start) {
         if (start == 0 && !settings_.pole) {

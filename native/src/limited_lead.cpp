@@ -165,7 +165,8 @@ class Lead {
     /// By which the bend turns about the line to the target to come to the side wanted.
     [[nodiscard]] double angle_to_side(const glm::dvec3& normal) const {
         const glm::dvec3 side = glm::cross(normal, to_);
-        return std::atan2(glm::dot(glm::cross(side, *goal_.side), to_), glm::dot(side, *goal_.side));
+        const glm::dvec3 wanted = blended_normal(side, *goal_.side, to_, goal_.certainty);
+        return std::atan2(glm::dot(glm::cross(side, wanted), to_), glm::dot(side, wanted));
     }
 
     /// A straight pose does not know where to bend.

@@ -11,7 +11,8 @@ namespace motus {
 struct LeadGoal {
     glm::dvec3 target{0.0};
     glm::dvec3 normal{0.0};          ///< to bend in where the pose at the start is straight
-    std::optional<glm::dvec3> side;  ///< direction to bend towards, across the line from root to target
+    std::optional<glm::dvec3> side;  ///< direction to bend towards, across the line from root to target, unit
+    double certainty = 1.0;          ///< of the side, 0 to 1: how far the bend turns there
     double tolerance = 0.0;          ///< length
 };
 
