@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "bend_plane.hpp"
 #include "limited_step.hpp"
@@ -101,6 +102,24 @@ void turn_root(LimitedPose& pose, const glm::dquat& turn) {
     pose.set(turned);
 }
 
+/// Tells when steps do not pay any more: the target is out of the limits' reach.
+class Progress {
+  public:
+    [[nodiscard]] bool ends_at(double miss) {
+        constexpr double less = 0.98;
+        constexpr int patience = 5;
+        if (miss < less * best_) {
+            best_ = miss;
+            idle_ = 0;
+        }
+        return ++idle_ > patience;
+    }
+
+  private:
+    double best_ = std::numeric_limits<double>::infinity();
+    int idle_ = 0;
+};
+
 class Lead {
   public:
     Lead(LimitedPose& pose, const LeadGoal& goal, int max_steps)
@@ -179,18 +198,22 @@ class Lead {
     /// Bends the joints after the root until the tip is as far away as the target.
     void stretch(int most) {
         const double near = 1e-3 * goal_.tolerance;
+        Progress progress;
         for (int i = 0; i < most && left_ > 0; ++i, --left_) {
             const Line now = line_of(pose_);
             const double error = distance_ - now.length;
-            if (std::abs(error) <= near || !step_along(pose_, now.along, error)) return;
+            const double miss = std::abs(error);
+            if (miss <= near || progress.ends_at(miss) || !step_along(pose_, now.along, error)) return;
         }
     }
 
     void pull(const glm::dvec3& place, int most) {
         const double near = 1e-3 * goal_.tolerance;
+        Progress progress;
         for (int i = 0; i < most && left_ > 0; ++i, --left_) {
             const glm::dvec3 error = place - pose_.tip();
-            if (glm::dot(error, error) <= near * near || !step_towards(pose_, error)) return;
+            const double miss = glm::length(error);
+            if (miss <= near || progress.ends_at(miss) || !step_towards(pose_, error)) return;
         }
     }
 
