@@ -43,13 +43,14 @@ struct LimitedChain {
 /// the position allows. The pose is led there within its limits: bent until its tip is as far from the root
 /// as the target, then turned as a whole about the root, with a pole also about the line to the target; where
 /// the root's limits are in the way the other joints follow. What comes of it is continuous in target and
-/// pole, but for a target right behind the root or on it, and one where the limits end the way in which the
-/// pose bends. Other starts are tried only where that does not reach; of equal residuals the earlier start's
-/// is kept. settings.plane: normal that a straight pose bends in, turned with its line from root to tip to
-/// the target's. settings.max_iterations is for each start (thrice with an orientation); the report counts
-/// all. Reason: reached, limit (within reach of the bones' lengths, but not of the limits), iterations,
-/// too_far or too_near. Deterministic; never NaN; allocates nothing. Lengths and coordinates as for
-/// solve_chain. Sizes other than stated: std::invalid_argument.
+/// pole, but for a target right behind the root or on it, one where the limits end the way in which the pose
+/// bends, and one between two ways in which narrow limits make a chain give way. Other starts are tried only
+/// where that does not reach; of equal residuals the earlier start's is kept. settings.plane: normal that a
+/// straight pose bends in, turned with its line from root to tip to the target's. settings.max_iterations is
+/// for each start (thrice with an orientation); the report counts all. Reason: reached, limit (within reach
+/// of the bones' lengths, but not of the limits), iterations, too_far or too_near. Deterministic; never NaN;
+/// allocates nothing. Lengths and coordinates as for solve_chain. Sizes other than stated:
+/// std::invalid_argument.
 ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& target,
                                 const ChainSettings& settings, std::span<glm::dquat> rotations,
                                 const std::optional<glm::dquat>& orientation = std::nullopt);
