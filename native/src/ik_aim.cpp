@@ -69,6 +69,7 @@ IkAim::Line IkAim::line_to_target(const IkPose& pose, const AimGoal& goal, doubl
     const glm::dquat swing = smallest_turn(from.along, line.chord.along, from.normal);
     const glm::dvec3 carried = swing * from.normal;
     line.chord.normal = carried;
+    line.carried = carried;
     line.turn = swing;
     // One bone has no bend to turn.
     if (goal.count == 1 || (!goal.pole && goal.pole_angle == 0.0)) return line;

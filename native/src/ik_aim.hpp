@@ -63,6 +63,7 @@ class IkAim {
     /// The line from root to target and the plane to bend in, and the turn that takes the pose's there.
     struct Line {
         Chord chord;
+        glm::dvec3 carried{1.0, 0.0, 0.0};  ///< the pose's normal, turned with its line and no further
         glm::dquat turn{1.0, 0.0, 0.0, 0.0};
     };
     [[nodiscard]] static Line line_to_target(const IkPose& pose, const AimGoal& goal, double length);

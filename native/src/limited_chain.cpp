@@ -9,6 +9,9 @@
 
 #include "bend_plane.hpp"
 #include "limited_descent.hpp"
+#include "limited_lead.hpp"
+#include "motus/two_bone.hpp"
+#include "smooth.hpp"
 #include "swing_twist.hpp"
 #include "turns.hpp"
 
@@ -86,6 +89,9 @@ class Search {
         bound_ = std::max({0.0, std::min(distance, far) - 1.0, inner - distance});
         settings_.pole.reset();
         if (settings.pole) settings_.pole = (*settings.pole - chain.root) / reach.unit();
+        // No farther and no nearer than the bones' lengths let the tip come.
+        led_.target = std::clamp(glm::length(goal_.target), inner, 1.0) * unit_vector(goal_.target);
+        led_.tolerance = goal_.tolerance;
     }
 
     /// Leaves the best rotations in `rotations`. Returns the iterations used.
@@ -94,7 +100,11 @@ class Search {
     [[nodiscard]] bool is_at_rest() const { return is_best_at_rest_; }
 
   private:
+    void find_bend(std::span<const glm::dquat> rotations);
     void start_from(std::span<const glm::dquat> rotations);
+    void bend_to_middle();
+    bool lead_from_pose();
+    void run_leads(std::span<const glm::dquat> rotations);
     void start_from_unlimited(std::span<const glm::dquat> rotations);
     void start_from_spread(std::size_t start);
     void descend_to_goal();
@@ -104,6 +114,7 @@ class Search {
     LimitedPose pose_;
     ChainSettings settings_;
     Goal goal_;
+    LeadGoal led_;
     double bound_ = 0.0;  // no chain of these lengths comes nearer to the target
     Angles best_;
     double best_residual_ = std::numeric_limits<double>::infinity();
@@ -119,6 +130,43 @@ void Search::start_from(std::span<const glm::dquat> rotations) {
         const glm::dquat allowed = clamp_rotation(rotations[i], pose_.limits(i));
         pose_.set_bone(i, clamped(swing_twist_of(allowed), pose_.limits(i)));
     }
+}
+
+/// Where the given pose bends, and where the pole wants it.
+void Search::find_bend(std::span<const glm::dquat> rotations) {
+    glm::dvec3 tip(0.0);
+    glm::dquat frame = chain_.base;
+    for (std::size_t i = 0; i < pose_.count(); ++i) {
+        frame = frame * chain_.rest[i] * rotations[i];
+        tip += frame * pose_.offset(i);
+    }
+    const glm::dvec3 from = unit_vector(tip);
+    const glm::dvec3 to = unit_vector(goal_.target);
+    led_.normal = settings_.plane;
+    if (from == glm::dvec3(0.0) || to == glm::dvec3(0.0)) return;
+    led_.normal = glm::conjugate(smallest_turn(from, to, normal_across(from, glm::dvec3(0.0)))) * led_.normal;
+    if (!settings_.pole) return;
+    const glm::dvec3 pole = unit_vector(*settings_.pole);
+    const glm::dvec3 side = pole - glm::dot(pole, to) * to;
+    led_.certainty = smooth_step(glm::length(side) / pole_band);
+    if (led_.certainty > 0.0) led_.side = unit_vector(side);
+}
+
+/// The joints after the root.
+void Search::bend_to_middle() {
+    const SwingTwist root = pose_.angles()[0];
+    start_from_spread(0);
+    Angles angles;
+    std::copy_n(pose_.angles().begin(), pose_.count(), angles.begin());
+    angles[0] = root;
+    pose_.set(angles);
+}
+
+/// Whether it comes near enough for the descent to be a matter of a few digits.
+bool Search::lead_from_pose() {
+    iterations_ += lead(pose_, led_, settings_.max_iterations);
+    constexpr double near = 1e-3;
+    return length_of(pose_.tip() - goal_.target) <= bound_ + near || goal_.orientation;
 }
 
 /// The chain without limits solves it; each bone is then turned towards its next joint as far as it may.
@@ -192,7 +240,31 @@ bool Search::is_enough() const {
     return (is_near && best_angle_ <= 1e-5) || same_ >= (is_near ? patience_on_target : patience_);
 }
 
+/// Leads first from the given pose, where that does not get there from the middle of the limits: of a joint
+/// that its pose bends to the side that hardly lets it. Descends from where those ended only if both fail, as
+/// a descent may change sides.
+void Search::run_leads(std::span<const glm::dquat> rotations) {
+    Angles ends[2];
+    std::size_t left = 0;
+    for (const bool is_from_pose : {true, false}) {
+        if (is_enough()) return;
+        start_from(rotations);
+        if (!is_from_pose) bend_to_middle();
+        if (lead_from_pose()) {
+            descend_to_goal();
+        } else {
+            std::copy_n(pose_.angles().begin(), pose_.count(), ends[left++].begin());
+        }
+    }
+    for (std::size_t i = 0; i < left && !is_enough(); ++i) {
+        pose_.set(ends[i]);
+        descend_to_goal();
+    }
+}
+
 int Search::run(std::span<glm::dquat> rotations) {
+    find_bend(rotations);
+    run_leads(rotations);
     const std::size_t starts = std::clamp<std::size_t>(240 / pose_.count(), 4, 24);
     for (std::size_t start = 0; start < starts + 2 && !is_enough(); ++start) {
         if (start == 0 && !settings_.pole) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <numbers>
 
 namespace motus {
@@ -120,6 +121,20 @@ glm::dvec2 clamp_swing(const glm::dvec2& swing, const JointLimits& limits) {
     const glm::dvec2 axes = half_axes(swing, limits);
     const glm::dvec2 p = clamp_quadrant(glm::abs(swing), axes.x, axes.y);
     return {std::copysign(p.x, swing.x), std::copysign(p.y, swing.y)};
+}
+
+glm::dmat2 slope_of_clamp(const glm::dvec2& swing, const glm::dvec2& kept, const JointLimits& limits) {
+    if (swing == kept) return glm::dmat2(1.0);
+    const glm::dvec2 axes = half_axes(swing, limits);
+    const bool is_round =
+        has_ellipse(limits) && axes.x > 0.0 && axes.y > 0.0 && !std::isinf(axes.x) && !std::isinf(axes.y);
+    if (!is_round) return {swing.x == kept.x ? 1.0 : 0.0, 0.0, 0.0, swing.y == kept.y ? 1.0 : 0.0};
+    const glm::dvec2 normal = kept / (axes * axes);
+    const double steepness = glm::length(normal);
+    const glm::dvec2 tangent = glm::dvec2(-normal.y, normal.x) / steepness;
+    const double size = axes.x * axes.y * steepness;
+    const double curvature = 1.0 / (size * size * steepness);
+    return glm::outerProduct(tangent, tangent) / (1.0 + curvature * glm::distance(swing, kept));
 }
 
 double clamp_twist(double twist, const JointLimits& limits) {

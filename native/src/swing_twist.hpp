@@ -2,6 +2,7 @@
 #pragma once
 #include <array>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat2x2.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
@@ -21,6 +22,9 @@ struct SwingTwist {
 
 /// Nearest within the limits, in these coordinates: of the angles as they are, which may lie beyond pi.
 [[nodiscard]] glm::dvec2 clamp_swing(const glm::dvec2& swing, const JointLimits& limits);
+/// How `kept` = clamp_swing(swing) moves with the swing.
+[[nodiscard]] glm::dmat2 slope_of_clamp(const glm::dvec2& swing, const glm::dvec2& kept,
+                                        const JointLimits& limits);
 /// The turn that is the same as `twist` and within the limits, or the nearest that is.
 [[nodiscard]] double clamp_twist(double twist, const JointLimits& limits);
 

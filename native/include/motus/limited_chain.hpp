@@ -1,6 +1,7 @@
 // Chains whose joints have limits: rotations of the bones.
-// Damped least squares, then Newton's method with all second derivatives where a target is not reached, on
-// the joints that are free to move (Nocedal, Wright, "Numerical Optimization", 2006, 16.7 and 10.3).
+// Steps of least turn with the limits as bounds, each a small quadratic program. Where they do not get there,
+// damped least squares, then Newton's method with all second derivatives, on the joints that are free to move
+// (Nocedal, Wright, "Numerical Optimization", 2006, 16.7 and 10.3).
 #pragma once
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
@@ -39,12 +40,17 @@ struct LimitedChain {
 
 /// Turns the bones (rotations: in the animated pose, out the solution, all within their limits) so that the
 /// last joint comes to the target, and, where `orientation` is given, the last bone's frame to it as far as
-/// the position allows. Several starts, the first from the given pose, or with a pole from that pose brought
-/// to the target without limits; more only where the first does not reach. Of equal residuals the earlier
-/// start's is kept. settings.max_iterations is for each start (thrice with an orientation); the report counts
-/// all. Reason: reached, limit (within reach of the bones' lengths, but not of the limits), iterations,
-/// too_far or too_near. Deterministic; never NaN; allocates nothing. Lengths and coordinates as for
-/// solve_chain. Sizes other than stated: std::invalid_argument.
+/// the position allows. The pose is led there within its limits: bent until its tip is as far from the root
+/// as the target, then turned as a whole about the root, with a pole also about the line to the target; where
+/// the root's limits are in the way the other joints follow. What comes of it is continuous in target and
+/// pole, but for a target right behind the root or on it, one where the limits end the way in which the pose
+/// bends, and one between two ways in which narrow limits make a chain give way. Other starts are tried only
+/// where that does not reach; of equal residuals the earlier start's is kept. settings.plane: normal that a
+/// straight pose bends in, turned with its line from root to tip to the target's. settings.max_iterations is
+/// for each start (thrice with an orientation); the report counts all. Reason: reached, limit (within reach
+/// of the bones' lengths, but not of the limits), iterations, too_far or too_near. Deterministic; never NaN;
+/// allocates nothing. Lengths and coordinates as for solve_chain. Sizes other than stated:
+/// std::invalid_argument.
 ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& target,
                                 const ChainSettings& settings, std::span<glm::dquat> rotations,
                                 const std::optional<glm::dquat>& orientation = std::nullopt);
