@@ -1,6 +1,7 @@
 #include "motus/limited_chain.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
@@ -244,7 +245,7 @@ bool Search::is_enough() const {
 /// that its pose bends to the side that hardly lets it. Descends from where those ended only if both fail, as
 /// a descent may change sides.
 void Search::run_leads(std::span<const glm::dquat> rotations) {
-    Angles ends[2];
+    std::array<Angles, 2> ends;
     std::size_t left = 0;
     for (const bool is_from_pose : {true, false}) {
         if (is_enough()) return;

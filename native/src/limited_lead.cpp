@@ -238,7 +238,7 @@ class Lead {
     LimitedPose& pose_;
     const LeadGoal& goal_;
     Line from_;
-    glm::dvec3 to_;
+    glm::dvec3 to_{0.0};
     double distance_;
     int left_;
     double straight_ = 0.0;

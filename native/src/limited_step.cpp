@@ -123,8 +123,8 @@ class Step {
     std::size_t first_;
     double damping_;
     glm::dmat3 idle_{0.0};  // across the only way that counts
-    glm::dvec3 value_;
-    glm::dmat3 slope_;
+    glm::dvec3 value_{0.0};
+    glm::dmat3 slope_{1.0};
     PerBone<Lever> levers_;
     PerBone<SwingTwist> turned_;
 };
