@@ -204,11 +204,7 @@ class Triggered(SwitchTestCase):
 
     def test_another_systems_output(self):
         """How far the other arm is from its own target."""
-        other = self.arm(name="Other", joints=((0.0, 2.0, 1.0), (0.7, 2.15, 1.0), (1.3, 2.0, 1.0)))
-        self.target((0.6, 2.3, 1.4), "D")
-        bpy.ops.motus.ik_add(object="Other", bone="Bone 1", target="D")
-        self.switch("B", trigger_object="Other", trigger_system="ik", trigger_output="Bone 1.distance",
-                    trigger_start=0.9, trigger_end=1.1)
+        other = self.other_arm()
         self.assertLess(self.output(other, "Bone 1.distance", 2), 0.9)
         self.assertAt(A, 2)
         bpy.data.objects["D"].location = (1.2, 2.1, 1.0)
