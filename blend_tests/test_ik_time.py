@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+import support
 from ik_cases import ARM, REACHABLE, IkTestCase, add_bone, add_chain, tentacle, turn
 from mathutils import Vector
 
@@ -129,6 +130,44 @@ class Keyed(IkTestCase):
 
     def test_limits(self):
         self.assertKeyed("use_limits", False, True, place=(0.3, 0.2, 1.2), pole=False)
+
+    def test_chain_length(self):
+        """Bones that a shorter chain leaves out stay as they are animated; 0 takes all."""
+        for start, end in ((2, 4), (4, 2), (3, 0), (1, 3)):
+            self.setUp()
+            rig = self.arm(tentacle(5, 0.5))
+            turn(rig.pose.bones["Bone 1"], (1.0, 0.0, 0.0), 0.3)
+            self.target((0.7, 0.5, 1.3))
+            entry = self.reach("Bone 4")
+            wanted = {}
+            for frame, value in ((1, start), (11, end)):
+                entry.chain_length = value
+                wanted[frame] = self.poses(rig)
+            self.assertGreater(np.abs(wanted[1] - wanted[11]).max(), 0.01)
+            for frame, value in ((1, start), (11, end)):
+                entry.chain_length = value
+                self.assertTrue(entry.keyframe_insert("chain_length", frame=frame))
+            bpy.ops.motus.ik_refresh(object="Rig")
+            for frame in (11, 1, 11, 20, 0):
+                self.assertSamePose(rig, wanted[1 if frame < 11 else 11], 5e-6, frame)
+
+    def test_a_length_keyed_beyond_the_chain(self):
+        rig = self.arm(tentacle(5, 0.5))
+        self.target((0.7, 0.5, 1.3))
+        entry = self.reach("Bone 4")
+        for frame in (1, 11):
+            entry.keyframe_insert("chain_length", frame=frame)
+        self.evaluated(rig, 1)
+        curve, = support.addon("core.actions").fcurves(rig)
+        curve.keyframe_points[1].co.y = 4.0  # as in the graph editor, where nobody is told
+        problem = lambda: self.wiring.problem(self.system, rig, bpy.context.evaluated_depsgraph_get())  # noqa: E731
+        self.evaluated(rig, 11)
+        self.assertIn("press Refresh", problem().sentence)
+        self.evaluated(rig, 1)
+        self.assertIsNone(problem())
+        bpy.ops.motus.ik_refresh(object="Rig")
+        self.evaluated(rig, 11)
+        self.assertIsNone(problem())
 
     def test_weights(self):
         self.assertKeyed("position_weight", 1.0, 0.3)

@@ -25,7 +25,7 @@ constexpr double chain_bone_cost = 500.0;  // ns, rough
 
 constexpr std::array settings_columns{
     "position_weight", "rotation_weight", "softness",   "stretch",    "pole_angle", "bend",
-    "hinge_angle",     "tolerance",       "iterations", "use_limits", "is_on"};
+    "hinge_angle",     "tolerance",       "iterations", "use_limits", "is_on",      "left_out"};
 constexpr std::array report_columns{"residual", "angle", "reason", "iterations", "distance",
                                     "reach",    "tip_x", "tip_y",  "tip_z"};
 
@@ -245,7 +245,8 @@ settings: (c, len(SETTINGS)).  targets: (c, 16) world matrices, column by column
 limits: (chain bones, 6) rad, least x, y, z and greatest x, y, z of swing (x, z) and twist (y), or None.
 rotations, scales: (rows, 4) w, x, y, z and (rows, 3) to write into; C-contiguous, apart in memory.
 Settings: position_weight, rotation_weight, stretch 0 to 1; softness a fraction of the chain's length; pole_angle,
-hinge_angle rad; bend < 0 away from the pole; tolerance a fraction of the length; use_limits, is_on 0 or not.
+hinge_angle rad; bend < 0 away from the pole; tolerance a fraction of the length; use_limits, is_on 0 or not; left_out how many of
+the chain's first bones stay as they are animated.
 Returns (c, len(REPORT)): residual, distance, reach and tip in the world, of the solution whatever its position_weight;
 angle left between effector and target, rad; reason a code of Reason, or -1.
 Numbers that are not finite are allowed: such a chain's rows are neutral and its reason is -1. Wrong shapes and types

@@ -81,7 +81,7 @@ void match_rig_ik(const IkPlan& plan, const IkInput& input, std::span<glm::dmat4
     for (std::size_t index = 0; index < chains; ++index) {
         targets[index] = glm::dmat4(1.0);
         poles[index] = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
-        const IkPlan::Chain chain = plan.chain(index);
+        const IkPlan::Chain chain = plan.chain(index, input.settings[index].left_out);
         if (!world.is_valid || !are_finite(&input.settings[index].position_weight, setting_count)) continue;
         if (!pose.read(input, chain)) continue;
         const Match match = match_one(input, chain, pose, world, within_domains(input.settings[index]));

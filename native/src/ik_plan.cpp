@@ -109,12 +109,15 @@ void IkPlan::add_guards(const std::vector<IkGuard>& guards) {
     }
 }
 
-IkPlan::Chain IkPlan::chain(std::size_t index) const {
+IkPlan::Chain IkPlan::chain(std::size_t index, double left_out) const {
     const Entry& entry = entries_[index];
+    const std::span<const int> bones = chains_[index].bones;
     Chain chain;
-    chain.bones = chains_[index].bones;
-    chain.parent = parents_[static_cast<std::size_t>(chain.bones.front())];
-    chain.first_row = entry.first_row;
+    chain.parent = parents_[static_cast<std::size_t>(bones.front())];
+    if (left_out >= 1.0)
+        chain.left_out = static_cast<std::size_t>(std::min(left_out, static_cast<double>(bones.size() - 1)));
+    chain.bones = bones.subspan(chain.left_out);
+    chain.first_row = entry.first_row + chain.left_out;
     chain.has_free_effector = entry.has_free_effector;
     chain.is_effector_absolute = entry.is_effector_absolute;
     chain.effector = entry.effector;

@@ -33,7 +33,8 @@ IkPose::IkPose(std::size_t longest) : posed_(longest), joints_(longest + 1) {}
 
 bool IkPose::read(const IkInput& input, const IkPlan::Chain& chain) {
     const std::span<const AnimatedBone> rows = input.bones.rows();
-    bones_ = rows.subspan(chain.first_row, chain.bones.size());
+    first_ = 0;
+    bones_ = rows.subspan(chain.first_row - chain.left_out, chain.left_out + chain.bones.size());
     const auto is_finite = [](const AnimatedBone& bone) { return bone.is_finite; };
     if (!std::all_of(bones_.begin(), bones_.end(), is_finite)) return false;
     if (chain.has_free_effector && !rows[chain.effector.row].is_finite) return false;
@@ -47,36 +48,39 @@ bool IkPose::read(const IkInput& input, const IkPlan::Chain& chain) {
         joints_[0] = glm::dvec3(pose[3]) + parent_axes_ * bones_[0].head;
     }
     for (std::size_t i = 0; i < size(); ++i) put(i, bones_[i].rotation, 1.0);
+    first_ = chain.left_out;
+    bones_ = bones_.subspan(first_);
     return true;
 }
 
 void IkPose::enter(std::size_t i) {
-    posed_[i].space = linear_space(*bones_[i].offset, i > 0 ? posed_[i - 1].axes : parent_axes_);
+    const std::size_t place = first_ + i;
+    posed_[place].space = linear_space(*bones_[i].offset, place > 0 ? posed_[place - 1].axes : parent_axes_);
 }
 
 glm::dvec3 IkPose::reach_of(std::size_t i, double stretch) const {
     const AnimatedBone& bone = bones_[i];
-    glm::dvec3 reach = bone.scale * posed_[i].space.post_scale * bone.next;
+    glm::dvec3 reach = bone.scale * posed(i).space.post_scale * bone.next;
     reach.y *= stretch;
     return reach;
 }
 
 void IkPose::place(std::size_t i, const glm::dquat& rotation, double stretch) {
-    PosedBone& posed = posed_[i];
+    PosedBone& posed = posed_[first_ + i];
     posed.rotation = rotation;
     posed.stretch = stretch;
     glm::dvec3 scale = bones_[i].scale * posed.space.post_scale;
     scale.y *= stretch;
     posed.axes = scaled(posed.space.axes * glm::mat3_cast(rotation), scale);
-    joints_[i + 1] = joints_[i] + posed.axes * bones_[i].next;
+    joints_[first_ + i + 1] = joints_[first_ + i] + posed.axes * bones_[i].next;
 }
 
 glm::dquat IkPose::frame(std::size_t i) const {
-    return frame_in(posed_[i].space, posed_[i].rotation, bones_[i].scale);
+    return frame_in(posed(i).space, posed(i).rotation, bones_[i].scale);
 }
 
 glm::dquat IkPose::rotation_for(std::size_t i, const glm::dquat& frame) const {
-    return rotation_in(posed_[i].space, frame, bones_[i].scale);
+    return rotation_in(posed(i).space, frame, bones_[i].scale);
 }
 
 }  // namespace motus

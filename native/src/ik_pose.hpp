@@ -32,10 +32,12 @@ class IkPose {
 
     [[nodiscard]] std::size_t size() const noexcept { return bones_.size(); }
     [[nodiscard]] const AnimatedBone& bone(std::size_t i) const { return bones_[i]; }
-    [[nodiscard]] const PosedBone& posed(std::size_t i) const { return posed_[i]; }
-    [[nodiscard]] std::span<const glm::dvec3> joints() const { return {joints_.data(), size() + 1}; }
-    [[nodiscard]] const glm::dvec3& root() const { return joints_[0]; }
-    [[nodiscard]] const glm::dvec3& tip() const { return joints_[size()]; }
+    [[nodiscard]] const PosedBone& posed(std::size_t i) const { return posed_[first_ + i]; }
+    /// The same by the place in the chain with what is left out of it.
+    [[nodiscard]] const PosedBone& posed_of_all(std::size_t place) const { return posed_[place]; }
+    [[nodiscard]] std::span<const glm::dvec3> joints() const { return {&joints_[first_], size() + 1}; }
+    [[nodiscard]] const glm::dvec3& root() const { return joints_[first_]; }
+    [[nodiscard]] const glm::dvec3& tip() const { return joints_[first_ + size()]; }
 
     /// The joint after bone i seen from its root, in the bone's space before its own rotation; from the space
     /// that it stands in now.
@@ -57,6 +59,7 @@ class IkPose {
 
   private:
     glm::dmat3 parent_axes_{1.0};
+    std::size_t first_ = 0;  // of the bones in what follows; those before it are left out
     std::span<const AnimatedBone> bones_;
     std::vector<PosedBone> posed_;
     std::vector<glm::dvec3> joints_;

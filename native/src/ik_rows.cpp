@@ -54,6 +54,10 @@ double IkSolution::write(std::span<const AnimatedBone> rows, const IkPlan::Chain
                          const IkOutput& output) {
     const double weight = task.settings.position_weight;
     const std::size_t count = pose_.size();
+    for (std::size_t row = chain.first_row - chain.left_out; row < chain.first_row; ++row) {
+        output.rotations[row] = no_turn;
+        output.scales[row] = glm::dvec3(1.0);
+    }
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t row = chain.first_row + i;
         output.rotations[row] = share_of_turn(relative(pose_.bone(i).rotation, rotations_[i]), weight);
@@ -83,7 +87,7 @@ double IkSolution::write(std::span<const AnimatedBone> rows, const IkPlan::Chain
 void IkSolution::write_guards(std::span<const AnimatedBone> rows, const IkPlan::Chain& chain,
                               const IkOutput& output) const {
     for (const IkPlan::Hanging& guard : chain.guards) {
-        const PoseParts parts = pose_of(rows[guard.row], pose_.posed(guard.on));
+        const PoseParts parts = pose_of(rows[guard.row], pose_.posed_of_all(guard.on));
         output.rotations[guard.row] = parts.rotation;
         output.scales[guard.row] = parts.scale;
     }
@@ -93,7 +97,7 @@ double IkSolution::write_effector(std::span<const AnimatedBone> rows, const IkPl
                                   const IkTask& task, const IkOutput& output) const {
     const IkPlan::Hanging& effector = chain.effector;
     const AnimatedBone& bone = rows[effector.row];
-    const PosedBone& parent = pose_.posed(effector.on);
+    const PosedBone& parent = pose_.posed_of_all(effector.on);
     const double weight = task.settings.rotation_weight;
     glm::dquat frame = no_turn;
     if (chain.is_effector_absolute) {

@@ -52,7 +52,8 @@ void write_neutral(const IkPlan::Chain& chain, const IkOutput& output) {
         output.rotations[row] = no_turn;
         output.scales[row] = glm::dvec3(1.0);
     };
-    for (std::size_t i = 0; i < chain.bones.size(); ++i) clear(chain.first_row + i);
+    const std::size_t end = chain.first_row + chain.bones.size();
+    for (std::size_t row = chain.first_row - chain.left_out; row < end; ++row) clear(row);
     if (chain.has_free_effector) clear(chain.effector.row);
     for (const IkPlan::Hanging& guard : chain.guards) clear(guard.row);
 }
@@ -94,7 +95,7 @@ void report_solution(IkReport& report, const AimReport& aim, const IkPose& pose,
 
 void solve_one(const IkPlan& plan, const IkInput& input, std::size_t index, const RigWorld& world,
                IkSolution& solution, const IkOutput& output) {
-    const IkPlan::Chain chain = plan.chain(index);
+    const IkPlan::Chain chain = plan.chain(index, input.settings[index].left_out);
     IkReport& report = output.report[index];
     report = IkReport{};
     report.reason = not_finite;

@@ -160,6 +160,72 @@ TEST_CASE("degenerate chains stay finite", "[rig_ik]") {
     }
 }
 
+TEST_CASE("bones that are left out carry the chain as they are animated", "[rig_ik]") {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        for (const bool use_tail : {true, false}) {
+            Solve whole = sample(seed, 5, use_tail, 0.3);
+            const std::size_t left_out = 1 + seed % 4;
+            whole.settings[0].left_out = static_cast<double>(left_out);
+            whole.settings[0].rotation_weight = seed % 2 == 0 ? 1.0 : 0.0;
+            // The same as a chain of its own, whose parent stands where it is animated.
+            Solve part = whole;
+            part.settings[0].left_out = 0.0;
+            part.chains[0].bones.erase(part.chains[0].bones.begin(),
+                                       part.chains[0].bones.begin() + static_cast<std::ptrdiff_t>(left_out));
+            whole.run();
+            part.run();
+            INFO("seed " << seed << ", tail " << use_tail);
+            for (std::size_t row = 0; row < left_out; ++row) {
+                CHECK(whole.rotations[row] == no_turn);
+                CHECK(whole.scales[row] == glm::dvec3(1.0));
+            }
+            for (std::size_t row = 0; row < part.rows.size(); ++row) {
+                CHECK(whole.rows[left_out + row] == part.rows[row]);
+                CHECK(angle_between(whole.rotations[left_out + row], part.rotations[row]) < 1e-5);
+            }
+            CHECK(whole.report[0].residual == Approx(part.report[0].residual).margin(1e-6));
+            CHECK(whole.report[0].reach == Approx(part.report[0].reach).epsilon(1e-6));
+        }
+    }
+}
+
+TEST_CASE("one bone is left whatever is left out", "[rig_ik]") {
+    for (const double left_out : {4.0, 5.0, 1e300, -3.0, 0.9}) {
+        Solve solve = sample(3, 5, true, 0.5);
+        solve.settings[0].left_out = left_out;
+        solve.run();
+        Solve same = sample(3, 5, true, 0.5);
+        same.settings[0].left_out = left_out >= 1.0 ? 4.0 : 0.0;
+        same.run();
+        CHECK(solve.rotations == same.rotations);
+        CHECK(solve.miss(0) == Approx(solve.report[0].residual).margin(1e-9));
+    }
+    Solve solve = sample(3, 5, true, 0.5);
+    solve.settings[0].left_out = not_a_number;
+    solve.run();
+    CHECK(solve.report[0].reason == -1.0);
+}
+
+TEST_CASE("guards on bones that are left out stay where they are animated", "[rig_ik]") {
+    Solve solve = sample(8, 4, true, 2.0);
+    const std::vector<int> bones = solve.chains[0].bones;
+    const int low = solve.rig.add(bones[0], transform(glm::dvec3(0.1), no_turn), 0.3);
+    const int high = solve.rig.add(bones[2], transform(glm::dvec3(0.1), no_turn), 0.3);
+    solve.guards = {{low, 0}, {high, 0}};
+    solve.settings[0].stretch = 1.0;
+    solve.settings[0].left_out = 2.0;
+    solve.run();
+    const std::vector<glm::dmat4> poses = solve.chain_poses(0);
+    for (const auto& [guard, place] : {std::pair{low, 0}, std::pair{high, 2}}) {
+        const glm::dmat4 shown = hanging_pose(solve, guard, poses[static_cast<std::size_t>(place)]);
+        CHECK(is_finite(solve));
+        CHECK(solve.scales[solve.row_of(guard)].y == Approx(glm::length(glm::dvec3(shown[1]))));
+    }
+    const glm::dmat4 low_pose = hanging_pose(solve, low, poses[0]);
+    CHECK(difference(glm::dmat3(low_pose),
+                     glm::dmat3(matrix_at(solve.rig.poses, static_cast<std::size_t>(low)))) < 1e-5);
+}
+
 TEST_CASE("a plan says which of its bones make no chain", "[rig_ik]") {
     const std::vector<int> parents{-1, 0, 1, 1, 3};
     const auto refused = [&](std::vector<IkChain> chains, const std::vector<IkGuard>& guards,

@@ -1,5 +1,6 @@
 """Which bones an entry drives, by the rig as it is now."""
 
+import itertools
 from typing import NamedTuple
 
 import bpy
@@ -24,6 +25,25 @@ class Chain(NamedTuple):
 def find(rig, entry):
     """The chain of an entry; None where the rig has no such bones."""
     return of_bone(rig, entry.name, entry.chain_length, entry.use_tail)
+
+
+def find_longest(rig, entry):
+    """The same with all bones that the length's keys or driver may give it: what is wired."""
+    return of_bone(rig, entry.name, _longest(rig, entry), entry.use_tail)
+
+
+def _longest(rig, entry):
+    """The chain length to wire for; 0, all bones, where its animation cannot be looked through."""
+    paths = [prefix + "chain_length" for prefix in prefixes(rig, rig.motus.ik.entries.find(entry.name))]
+    animation, *strips = actions.players(rig) or (None,)
+    others = [animation.drivers if animation else (), *map(actions.curves_of, strips)]
+    if any(curve.data_path in paths for curve in itertools.chain.from_iterable(others)):
+        return 0
+    curve = next((curve for curve in actions.curves_of(animation) if curve.data_path in paths), None)
+    if curve is None:
+        return entry.chain_length
+    lengths = [round(point.co.y) for point in curve.keyframe_points]
+    return max(lengths) if lengths and min(lengths) > 0 and not curve.modifiers else 0
 
 
 def of_bone(rig, name, chain_length, use_tail):

@@ -72,7 +72,7 @@ class IkKeywords:
 
     chain_length: bpy.props.IntProperty(
         name="Chain Length", description="Bones in the chain, counted upwards; 0 takes all of them up to the root",
-        default=2, min=0, max=LONGEST_CHAIN, update=_rewire, options=set(), override=OVERRIDABLE)
+        default=2, min=0, max=LONGEST_CHAIN, update=_rewire, options=ANIMATED, override=OVERRIDABLE)
     use_tail: bpy.props.BoolProperty(
         name="Use Tail", description="The bone's tail goes to the target; off, its head does, and the chain ends with "
         "the bone above it", default=True, update=_rewire, options=set(), override=OVERRIDABLE)

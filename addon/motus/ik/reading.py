@@ -32,8 +32,8 @@ class Posed(NamedTuple):
 class Gathered(NamedTuple):
     """Arguments of IkPlan.solve and IkPlan.match, and what keeps an entry from them.
 
-    off: why an entry is switched off, NO_TARGET and the like, by row. is_stiff: whether one should stretch, but
-    was wired when it could not.
+    off: why an entry is switched off, NO_TARGET and the like, by row. is_stiff: whether one should stretch, or have more
+    bones, but was wired when it did not.
     """
 
     wired: Wired
@@ -157,21 +157,24 @@ def _read_settings(rig, wired, is_animated, copy):
 
 
 def _numbers(settings, places, wired, is_animated):
-    """(C, len(IkPlan.SETTINGS)) float64, and whether a chain should stretch that was wired when it could not."""
+    """(C, len(IkPlan.SETTINGS)) float64, and whether a chain should stretch, or be longer, than it was wired for."""
     numbers, columns = wired.settings.copy(), wired.columns
     # Without animation, what was wired without stretch has none.
     reads_stretch = wired.is_elastic or is_animated
     for name, dtype in ANIMATED.items():
         if name != "stretch" or reads_stretch:
             numbers[:, columns[name]] = _column(settings.entries, name, places, dtype=dtype)
+    lengths = _column(settings.entries, "chain_length", places, dtype="i4")
+    lengths = np.where(lengths > 0, np.minimum(lengths, wired.most), wired.most)
+    numbers[:, columns["left_out"]] = np.maximum(wired.counts - lengths, 0)
     if wired.poles.are_any:
         # foreach_get reads no enumerations of add-ons (3.4).
         bends = np.array([-1.0 if entry.bend == 'AWAY' else 1.0 for entry in settings.entries])
         numbers[:, columns["bend"]] = bends if places is None else bends[places]
-    is_stiff = False
+    is_stiff = bool((lengths > wired.counts).any())
     if reads_stretch:
         # The sinks of a chain that was wired without stretch cannot lengthen a bone.
-        is_stiff = np.count_nonzero(numbers[~wired.stretches, columns["stretch"]]) > 0
+        is_stiff = is_stiff or np.count_nonzero(numbers[~wired.stretches, columns["stretch"]]) > 0
         numbers[:, columns["stretch"]] *= wired.stretches
     influence = settings.influence
     if influence != 1.0:

@@ -7,7 +7,7 @@ from .groups import OUTPUTS
 
 SOME_ARE_OFF = Problem("Some chains have no target that they could reach for: the list says why", blocking=False)
 NOT_WIRED = Problem("The rig's bones have changed: press Refresh")
-STIFF = Problem("Stretch was keyed or driven after the chain was made: press Refresh", blocking=False)
+STIFF = Problem("Stretch or Length was keyed or driven after the chain was made: press Refresh", blocking=False)
 REASON = OUTPUTS.index("reason")
 PROBLEMS = (SOME_ARE_OFF, NOT_WIRED, STIFF)
 

@@ -26,6 +26,9 @@ class Wired:
         self.still = rigs.still(rig, tuple(rows))
         self.key = text  # nothing else makes the same
         self.names = [chain["name"] for chain in chains]
+        # Bones of each chain, and how many there are up to the root.
+        self.counts = np.array([len(chain) for chain in bones])
+        self.most = np.array([chain.get("all", len(chain["bones"])) for chain in chains])
         self.stretches = np.array([chain["stretches"] for chain in chains])
         self.is_elastic = bool(self.stretches.any())
         self.columns = {name: column for column, name in enumerate(native.module.IkPlan.SETTINGS)}

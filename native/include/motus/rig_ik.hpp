@@ -46,6 +46,7 @@ struct IkSettings {
     double iterations = 100.0;     ///< of solve_chain()
     double use_limits = 0.0;       ///< not 0: within the limits given
     double is_on = 1.0;            ///< 0: the chain stands in its FK pose
+    double left_out = 0.0;         ///< how many of the chain's first bones stay in their FK pose; one is left
 };
 
 /// What a chain came to; a row of numbers. Residual, reason, distance, reach and tip are those of the
@@ -82,19 +83,21 @@ class IkPlan {
     /// A bone that hangs on a chain, and where its result goes.
     struct Hanging {
         std::size_t bone = 0;
-        std::size_t on = 0;  ///< place in the chain of its parent
+        std::size_t on = 0;  ///< place of its parent in the chain, with what is left out of it
         std::size_t row = 0;
     };
     struct Chain {
         std::span<const int> bones;
-        int parent = -1;  ///< of the first bone, -1 for none
+        int parent = -1;           ///< of the first bone of all, -1 for none
+        std::size_t left_out = 0;  ///< bones before these that only carry the chain
         std::size_t first_row = 0;
         bool has_free_effector = false;  ///< no chain bone
         bool is_effector_absolute = false;
         Hanging effector;                 ///< read only where it is free
         std::span<const Hanging> guards;  ///< without the effector
     };
-    [[nodiscard]] Chain chain(std::size_t index) const;
+    /// left_out: as in IkSettings, whatever it is.
+    [[nodiscard]] Chain chain(std::size_t index, double left_out = 0.0) const;
 
   private:
     struct Entry {

@@ -147,7 +147,7 @@ class RigIkTest(unittest.TestCase):
             "bones": (self.arm.bones(other), ValueError),
             "poses": (columns(self.arm.poses)[:3], ValueError),
             "world": (np.eye(4), ValueError),
-            "settings": (np.zeros((2, 11)), ValueError),
+            "settings": (np.zeros((2, len(native.IkPlan.SETTINGS))), ValueError),
             "targets": ([[0.0] * 16], TypeError),
             "poles": (np.zeros(3), ValueError),
             "limits": (np.zeros((1, 6)), ValueError),

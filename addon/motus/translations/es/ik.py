@@ -96,8 +96,8 @@ INTERFACE = {
         "Algunas cadenas no tienen objetivo que alcanzar: la lista dice por qué",
     "Stretch": "Estiramiento",
     "Stretch is not 0": "El estiramiento no es 0",
-    "Stretch was keyed or driven after the chain was made: press Refresh":
-        "El estiramiento se animó o se controló después de crear la cadena: pulsa Actualizar",
+    "Stretch or Length was keyed or driven after the chain was made: press Refresh":
+        "El estiramiento o la longitud recibió claves o un controlador después de hacerse la cadena: pulsa Actualizar",
     "Take a further target off the chain": "Quitar a la cadena otro objetivo",
     "Target": "Objetivo",
     "Target Bone": "Hueso del objetivo",
