@@ -117,7 +117,8 @@ def _group(owner, key, entries_found, driven):
                 kept.append((chain.effector, index))
         guards += [(name, index) for name in found.guards]
         plan.append({
-            "name": entry.name, "bones": chain.bones, "all": len(chains.of_bone(owner, entry.name, 0, chain.use_tail).bones), "effector": chain.effector, "stretches": found.stretches,
+            "name": entry.name, "bones": chain.bones, "effector": chain.effector, "stretches": found.stretches,
+            "all": len(chains.of_bone(owner, entry.name, 0, chain.use_tail).bones),
             "target": _where(owner, entry.target), "target_bone": entry.target_bone,
             "pole": _where(owner, entry.pole), "pole_bone": entry.pole_bone, "extras": len(entry.extra_targets),
             "settings": {
