@@ -32,7 +32,7 @@ class Agenda {
   public:
     /// Shelves of about `width`, as many as it takes to `end` (both > 0; infinity and 0 are put up with).
     Agenda(float width, float end) {
-        constexpr float most = 8192.0f;
+        constexpr float most = 16384.0f;
         const float wanted = std::isfinite(end) ? std::max(width, end / most) : width;
         if (wanted > 0.0f && std::isfinite(1.0f / wanted)) shelves_a_length_ = 1.0f / wanted;
         const float shelves = std::min(end * shelves_a_length_ + 2.0f, most);

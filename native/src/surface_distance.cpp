@@ -32,7 +32,7 @@ class Search {
           metric_(metric),
           radius_(radius),
           places_(positions.size()),
-          agenda_(0.125f * mean_side(root), radius) {
+          agenda_(0.03125f * mean_side(root), radius) {
         SurfacePlace& start = places_[root];
         start.position = glm::vec3(0.0f);
         start.straight = start.distance = 0.0f;
