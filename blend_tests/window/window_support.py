@@ -1,6 +1,7 @@
 """What the tests in Blender's window share: the 3D viewport, simulated events, pictures from the X server."""
 
 import array
+from contextlib import contextmanager
 
 import bpy
 import support
@@ -75,6 +76,61 @@ def open_tab(category):
         press('LEFTMOUSE', sidebar.x + sidebar.width - 8, sidebar.y + sidebar.height - below_top)
         yield 0.2
     return drawn
+
+
+@contextmanager
+def drawn_settings(panels):
+    """Opens these panels, subclasses of a mixin that draws; gives {name of the panel: names of the properties drawn in it}.
+
+    UILayout.introspect() would tell too, but crashes Blender 5.2.
+    """
+    found = {}
+    kept = [(panel, panel.__dict__.get("draw"), panel.__dict__.get("bl_options")) for panel in panels]
+    for panel in panels:
+        bpy.utils.unregister_class(panel)
+        panel.bl_options = set()
+        panel.draw = _noting_draw(panel, found)
+        bpy.utils.register_class(panel)
+    try:
+        yield found
+    finally:
+        for panel, *own in kept:
+            bpy.utils.unregister_class(panel)
+            for name, value in zip(("draw", "bl_options"), own):
+                delattr(panel, name)
+                if value is not None:
+                    setattr(panel, name, value)
+            bpy.utils.register_class(panel)
+
+
+def _noting_draw(panel, found):
+    def draw(shown, context):
+        stand_in = panel.__bases__[0]()  # Blender's own panels have layouts that cannot be replaced
+        stand_in.layout = _NotingLayout(shown.layout, found.setdefault(panel.__name__, set()))
+        stand_in.draw(context)
+    return draw
+
+
+class _NotingLayout:
+    """A layout that draws, and notes the names of the properties."""
+
+    def __init__(self, layout, names):
+        self.__dict__.update(_layout=layout, _names=names)
+
+    def __setattr__(self, name, value):
+        setattr(self._layout, name, value)
+
+    def __getattr__(self, name):
+        found = getattr(self._layout, name)
+        return self._noting(name, found) if callable(found) else found
+
+    def _noting(self, name, function):
+        def call(*arguments, **keywords):
+            made = function(*arguments, **keywords)
+            if name in {"prop", "prop_search"}:
+                self._names.add(arguments[1])
+            return _NotingLayout(made, self._names) if isinstance(made, bpy.types.UILayout) else made
+        return call
 
 
 def picture(name):
