@@ -80,27 +80,30 @@ def open_tab(category):
 
 @contextmanager
 def drawn_settings(panels):
-    """Opens these panels, subclasses of a mixin that draws; gives {name of the panel: names of the properties drawn in it}.
+    """Opens these panels, each of a mixin that draws it; gives {name of the panel: names of the properties drawn in it}.
 
     UILayout.introspect() would tell too, but crashes Blender 5.2.
     """
-    found = {}
-    kept = [(panel, panel.__dict__.get("draw"), panel.__dict__.get("bl_options")) for panel in panels]
+    found, closed = {}, [panel for panel in panels if 'DEFAULT_CLOSED' in getattr(panel, "bl_options", ())]
+    kept = {panel: panel.__dict__.get("draw") for panel in panels}
     for panel in panels:
-        bpy.utils.unregister_class(panel)
-        panel.bl_options = set()
         panel.draw = _noting_draw(panel, found)
-        bpy.utils.register_class(panel)
+    _registered_anew(closed, lambda panel: setattr(panel, "bl_options", set()))
     try:
         yield found
     finally:
-        for panel, *own in kept:
-            bpy.utils.unregister_class(panel)
-            for name, value in zip(("draw", "bl_options"), own):
-                delattr(panel, name)
-                if value is not None:
-                    setattr(panel, name, value)
-            bpy.utils.register_class(panel)
+        for panel, draw in kept.items():
+            del panel.draw
+            if draw:
+                panel.draw = draw
+        _registered_anew(closed, lambda panel: delattr(panel, "bl_options"))
+
+
+def _registered_anew(panels, change):
+    for panel in panels:
+        bpy.utils.unregister_class(panel)
+        change(panel)
+        bpy.utils.register_class(panel)
 
 
 def _noting_draw(panel, found):
