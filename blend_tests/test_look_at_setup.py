@@ -6,7 +6,7 @@ import sys
 import bpy
 import rig_samples
 import support
-from look_at_cases import BODY, EYES, FAR, LookAtTestCase, build_rig
+from look_at_cases import BODY, EYES, FAR, LookAtTestCase, build_rig, direction
 from mathutils import Euler
 
 
@@ -124,6 +124,30 @@ class Rigify(LookAtTestCase):
     def setUpClass(cls):
         rig_samples.enable_rigify()
         cls.addClassCleanup(rig_samples.disable_rigify)
+
+    def test_heads_of_all_metarigs(self):
+        """Six of the eight have no bone that is called head."""
+        heads = {"basic_human": "spine.006", "human": "spine.006", "basic_quadruped": "spine.011", "bird": "head",
+                 "cat": "spine.006", "horse": "head", "shark": "spine.007", "wolf": "spine.011"}
+        self.assertEqual(set(heads), set(rig_samples.METARIGS))
+        for name, head in heads.items():
+            with self.subTest(name):
+                self.setUp()
+                rig = rig_samples.metarig(name)
+                self.target.location = rig.data.bones[head].head_local + 5.0 * direction(20.0, 5.0)
+                bpy.ops.motus.look_at_add(object=rig.name, target="Target")
+                entry, = rig.motus.look_at.entries
+                self.assertEqual(entry.name, head)
+                bpy.context.view_layer.update()
+                self.assertLess(self.off(head, rig=rig), 2e-3)
+
+    def test_two_necks_are_not_guessed(self):
+        rig = rig_samples.metarig("basic_human")
+        rig.pose.bones["upper_arm.L"].rigify_type = "spines.super_head"
+        self.assertRefused("Choose the bone of the head", bpy.ops.motus.look_at_add, object=rig.name)
+        rig.pose.bones["spine.004"].rigify_type = ""
+        bpy.ops.motus.look_at_add(object=rig.name, target="Target")
+        self.assertEqual(rig.motus.look_at.entries[0].name, "hand.L", "the end of the row of connected bones")
 
     def test_spine_of_the_human(self):
         rig = rig_samples.metarig("basic_human")
