@@ -145,9 +145,26 @@ class Rigify(LookAtTestCase):
         rig = rig_samples.metarig("basic_human")
         rig.pose.bones["upper_arm.L"].rigify_type = "spines.super_head"
         self.assertRefused("Choose the bone of the head", bpy.ops.motus.look_at_add, object=rig.name)
-        rig.pose.bones["spine.004"].rigify_type = ""
+
+    def test_a_neck_ends_where_it_forks(self):
+        rig = rig_samples.metarig("basic_human")
+        bpy.ops.object.mode_set(mode='EDIT')
+        rig.data.edit_bones["heel.02.L"].use_connect = True
+        bpy.ops.object.mode_set(mode='OBJECT')
+        rig.pose.bones["spine.004"].rigify_type, rig.pose.bones["thigh.L"].rigify_type = "", "spines.super_head"
         bpy.ops.motus.look_at_add(object=rig.name, target="Target")
-        self.assertEqual(rig.motus.look_at.entries[0].name, "hand.L", "the end of the row of connected bones")
+        self.assertEqual(rig.motus.look_at.entries[0].name, "foot.L")
+
+    def test_metarig_without_rigify(self):
+        """From Blender 5 on nobody else can read what Rigify noted."""
+        rig = rig_samples.metarig("wolf")
+        rig_samples.disable_rigify()
+        self.addCleanup(rig_samples.enable_rigify)
+        if bpy.app.version >= (5, 0, 0):
+            self.assertRefused("Choose the bone of the head", bpy.ops.motus.look_at_add, object=rig.name)
+            return
+        bpy.ops.motus.look_at_add(object=rig.name, target="Target")
+        self.assertEqual(rig.motus.look_at.entries[0].name, "spine.011")
 
     def test_spine_of_the_human(self):
         rig = rig_samples.metarig("basic_human")
