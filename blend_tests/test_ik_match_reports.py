@@ -13,7 +13,7 @@ MATCHED = re.compile(r"(Info|Warning): Matched (\d+) frames of 1 chains: largest
 
 
 class Scenes(MatchTestCase):
-    """Arms that stay straight while they turn about the world's Z, by 60 degrees at the last of five frames."""
+    """Arms in five frames; straight ones turn about the world's Z meanwhile, by 60 degrees."""
 
     def setUp(self):
         super().setUp()
@@ -45,6 +45,7 @@ class Scenes(MatchTestCase):
         return rig
 
     def controls_matched(self):
+        """An arm that bends: a straight one's elbow goes by the square root of what single precision loses."""
         self.animated_arm(frames=(1, 5))
         self.reach()
         self.match()
