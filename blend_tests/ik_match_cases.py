@@ -29,8 +29,8 @@ class MatchTestCase(IkTestCase):
                     bone.rotation_mode, "rotation_euler"), frame=frame)
         return rig
 
-    def animated_arm(self, **options):
-        return self.animate(self.arm(**options))
+    def animated_arm(self, frames=(1, 12, 30), **options):
+        return self.animate(self.arm(**options), frames=frames)
 
     def recorded(self, rig, frames=range(1, 31)):
         return {frame: self.poses(rig, frame) for frame in frames}

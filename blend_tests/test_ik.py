@@ -172,6 +172,42 @@ class Reach(IkTestCase):
         self.assertLess(self.local(rig, "Bone 1").angle, 1e-3)
 
 
+    def test_limits_of_the_bone_after_the_chain(self):
+        """With Use Tail off they are not kept, and the panel says so where that matters."""
+        ignored = "Hand has joint limits of its own: they count only with Use Tail"
+        rig = self.arm()
+        hand = rig.pose.bones["Hand"]
+        for letter in "xyz":
+            setattr(hand, f"use_ik_limit_{letter}", True)
+            setattr(hand, f"ik_min_{letter}", -0.1)
+            setattr(hand, f"ik_max_{letter}", 0.1)
+        self.target().rotation_euler = (0.5, 0.3, 1.2)
+        entry = self.reach("Hand", use_tail=False, use_limits=True, rotation_weight=1.0, keep_rotation=False)
+        self.assertGreater(self.local(rig, "Hand").angle, 1.0)
+        self.assertEqual(self.sentence(rig, "Hand"), ignored)
+        for name, value in (("rotation_weight", 0.0), ("use_limits", False)):
+            kept = getattr(entry, name)
+            setattr(entry, name, value)
+            self.assertEqual(self.sentence(rig, "Hand"), "", name)
+            setattr(entry, name, kept)
+        entry.target.location.x = 5.0
+        self.assertIn("too far away", self.sentence(rig, "Hand"), "what is worse comes first")
+        entry.position_weight = 0.0
+        self.assertGreater(self.local(rig, "Hand").angle, 1.0, "the hand turns where it is animated too")
+        self.assertEqual(self.sentence(rig, "Hand"), ignored)
+        entry.position_weight, entry.target.location.x = 1.0, 0.6
+        for letter in "xyz":
+            setattr(hand, f"use_ik_limit_{letter}", False)
+        self.assertEqual(self.sentence(rig, "Hand"), "")
+        hand.lock_ik_y = True
+        self.assertEqual(self.sentence(rig, "Hand"), ignored)
+        entry.use_tail, entry.chain_length = True, 3
+        self.assertEqual(self.sentence(rig, "Hand"), "")
+        hand.lock_ik_x = hand.lock_ik_z = True
+        rig.update_tag()
+        self.assertLess(self.local(rig, "Hand").angle, 1e-3)
+
+
 class Bend(IkTestCase):
     def elbow_side(self, rig):
         """Direction from the line between root and tip to the elbow."""

@@ -6,7 +6,7 @@ import sys
 import bpy
 import rig_samples
 import support
-from look_at_cases import BODY, EYES, FAR, LookAtTestCase, build_rig
+from look_at_cases import BODY, EYES, FAR, LookAtTestCase, build_rig, direction
 from mathutils import Euler
 
 
@@ -124,6 +124,47 @@ class Rigify(LookAtTestCase):
     def setUpClass(cls):
         rig_samples.enable_rigify()
         cls.addClassCleanup(rig_samples.disable_rigify)
+
+    def test_heads_of_all_metarigs(self):
+        """Six of the eight have no bone that is called head."""
+        heads = {"basic_human": "spine.006", "human": "spine.006", "basic_quadruped": "spine.011", "bird": "head",
+                 "cat": "spine.006", "horse": "head", "shark": "spine.007", "wolf": "spine.011"}
+        self.assertEqual(set(heads), set(rig_samples.METARIGS))
+        for name, head in heads.items():
+            with self.subTest(name):
+                self.setUp()
+                rig = rig_samples.metarig(name)
+                self.target.location = rig.data.bones[head].head_local + 5.0 * direction(20.0, 5.0)
+                bpy.ops.motus.look_at_add(object=rig.name, target="Target")
+                entry, = rig.motus.look_at.entries
+                self.assertEqual(entry.name, head)
+                bpy.context.view_layer.update()
+                self.assertLess(self.off(head, rig=rig), 2e-3)
+
+    def test_two_necks_are_not_guessed(self):
+        rig = rig_samples.metarig("basic_human")
+        rig.pose.bones["upper_arm.L"].rigify_type = "spines.super_head"
+        self.assertRefused("Choose the bone of the head", bpy.ops.motus.look_at_add, object=rig.name)
+
+    def test_a_neck_ends_where_it_forks(self):
+        rig = rig_samples.metarig("basic_human")
+        bpy.ops.object.mode_set(mode='EDIT')
+        rig.data.edit_bones["heel.02.L"].use_connect = True
+        bpy.ops.object.mode_set(mode='OBJECT')
+        rig.pose.bones["spine.004"].rigify_type, rig.pose.bones["thigh.L"].rigify_type = "", "spines.super_head"
+        bpy.ops.motus.look_at_add(object=rig.name, target="Target")
+        self.assertEqual(rig.motus.look_at.entries[0].name, "foot.L")
+
+    def test_metarig_without_rigify(self):
+        """From Blender 5 on nobody else can read what Rigify noted."""
+        rig = rig_samples.metarig("wolf")
+        rig_samples.disable_rigify()
+        self.addCleanup(rig_samples.enable_rigify)
+        if bpy.app.version >= (5, 0, 0):
+            self.assertRefused("Choose the bone of the head", bpy.ops.motus.look_at_add, object=rig.name)
+            return
+        bpy.ops.motus.look_at_add(object=rig.name, target="Target")
+        self.assertEqual(rig.motus.look_at.entries[0].name, "spine.011")
 
     def test_spine_of_the_human(self):
         rig = rig_samples.metarig("basic_human")

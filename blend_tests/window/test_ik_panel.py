@@ -1,10 +1,21 @@
 """Inverse kinematics as an artist sees it: the sidebar, the bone's constraint tab, and the overlay."""
 
 import bpy
+import support
 import window_support
 from mathutils import Vector
 
 JOINTS = ((0.0, 0.0, 0.0), (0.0, -0.3, 1.5), (0.0, 0.0, 3.0))
+SETTINGS = {
+    "": {"name", "chain_length", "use_tail", "influence"},
+    "_target": {"target", "rotation_offset"},
+    "_weights": {"position_weight", "rotation_weight"},
+    "_pole": {"pole", "bend", "pole_angle", "hinge_angle"},
+    "_reach": {"softness", "stretch"},
+    "_limits": {"lock_ik_x", "use_ik_limit_x", "ik_min_x", "ik_max_x"},
+    "_precision": {"tolerance", "iterations"},
+}
+"""What each part of the panel has to show."""
 
 
 def build():
@@ -89,16 +100,23 @@ def test_bone_constraint_properties():
     rig = build()
     choose(rig, 'POSE')
     rig.motus.ik.entries["shin.L"].use_limits = True
+    rig.pose.bones["shin.L"].use_ik_limit_x = True
+    panels = [panel for panel in support.addon("ik.panel").classes
+              if panel.__name__.startswith("MOTUS_PT_ik_constraint")]
     properties = window_support.area('PROPERTIES')
     # A tall editor, so that the whole panel is in the picture.
     window_support.area('VIEW_3D').type = 'PROPERTIES'
     yield 0.5
-    for area in window_support.window().screen.areas:
-        if area.type == 'PROPERTIES':
-            area.spaces.active.context = 'BONE_CONSTRAINT'
-    yield 0.8
-    yield from window_support.picture("ik_bone_constraints")
+    with window_support.drawn_settings(panels) as drawn:
+        for area in window_support.window().screen.areas:
+            if area.type == 'PROPERTIES':
+                area.spaces.active.context = 'BONE_CONSTRAINT'
+        yield 0.8
+        yield from window_support.picture("ik_bone_constraints")
     assert properties.spaces.active.context == 'BONE_CONSTRAINT'
+    for part, names in SETTINGS.items():
+        missing = names - drawn.get(f"MOTUS_PT_ik_constraint{part}", set())
+        assert not missing, (part, missing, drawn)
     for area in window_support.window().screen.areas:
         if area.type == 'PROPERTIES' and area != properties:
             area.type = 'VIEW_3D'

@@ -1,6 +1,7 @@
 """What the tests in Blender's window share: the 3D viewport, simulated events, pictures from the X server."""
 
 import array
+from contextlib import contextmanager
 
 import bpy
 import support
@@ -75,6 +76,64 @@ def open_tab(category):
         press('LEFTMOUSE', sidebar.x + sidebar.width - 8, sidebar.y + sidebar.height - below_top)
         yield 0.2
     return drawn
+
+
+@contextmanager
+def drawn_settings(panels):
+    """Opens these panels, each of a mixin that draws it; gives {name of the panel: names of the properties drawn in it}.
+
+    UILayout.introspect() would tell too, but crashes Blender 5.2.
+    """
+    found, closed = {}, [panel for panel in panels if 'DEFAULT_CLOSED' in getattr(panel, "bl_options", ())]
+    kept = {panel: panel.__dict__.get("draw") for panel in panels}
+    for panel in panels:
+        panel.draw = _noting_draw(panel, found)
+    _registered_anew(closed, lambda panel: setattr(panel, "bl_options", set()))
+    try:
+        yield found
+    finally:
+        for panel, draw in kept.items():
+            del panel.draw
+            if draw:
+                panel.draw = draw
+        _registered_anew(closed, lambda panel: delattr(panel, "bl_options"))
+
+
+def _registered_anew(panels, change):
+    for panel in panels:
+        bpy.utils.unregister_class(panel)
+        change(panel)
+        bpy.utils.register_class(panel)
+
+
+def _noting_draw(panel, found):
+    def draw(shown, context):
+        stand_in = panel.__bases__[0]()  # Blender's own panels have layouts that cannot be replaced
+        stand_in.layout = _NotingLayout(shown.layout, found.setdefault(panel.__name__, set()))
+        stand_in.draw(context)
+    return draw
+
+
+class _NotingLayout:
+    """A layout that draws, and notes the names of the properties."""
+
+    def __init__(self, layout, names):
+        self.__dict__.update(_layout=layout, _names=names)
+
+    def __setattr__(self, name, value):
+        setattr(self._layout, name, value)
+
+    def __getattr__(self, name):
+        found = getattr(self._layout, name)
+        return self._noting(name, found) if callable(found) else found
+
+    def _noting(self, name, function):
+        def call(*arguments, **keywords):
+            made = function(*arguments, **keywords)
+            if name in {"prop", "prop_search"}:
+                self._names.add(arguments[1])
+            return _NotingLayout(made, self._names) if isinstance(made, bpy.types.UILayout) else made
+        return call
 
 
 def picture(name):

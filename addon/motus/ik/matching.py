@@ -25,9 +25,14 @@ class _Match(OverFrames):
         error = self._outcome["error"]
         millimetres = 1000.0 * error.length * context.scene.unit_settings.scale_length
         sentence = tr("Matched {frames} frames of {chains} chains: largest error {length} mm, {angle} degrees").format(
-            frames=self.total // 2, chains=self._outcome["chains"], length=f"{millimetres:.3g}",
-            angle=f"{math.degrees(error.angle):.3g}")
+            frames=self.total // 2, chains=self._outcome["chains"], length=_number(millimetres),
+            angle=_number(math.degrees(error.angle)))
         self.report({'INFO'} if error.share <= GOOD else {'WARNING'}, sentence)
+
+
+def _number(value):
+    """To a thousandth, without an exponent."""
+    return f"{round(value, 3):.12g}"
 
 
 class MOTUS_OT_ik_match_fk(_Match, bpy.types.Operator):

@@ -39,14 +39,16 @@ def report(owner, name, depsgraph):
 
 
 def sentence(context, owner, entry):
-    """(icon, sentence in the user's language) of why an entry does not reach; the sentence is "" where all is well."""
+    """(icon, sentence in the user's language) of why an entry does not reach, or of limits that it does not keep; the
+    sentence is "" where all is well."""
     found = report(owner, entry.name, context.view_layer.depsgraph)
     if found is None:
         return 'ERROR', _unwired(owner, entry)
     if found.reason in reading.UNWANTED:
         return 'ERROR', _unwanted(entry, found.reason)
     is_animated = entry.position_weight * owner.motus.ik.influence == 0.0
-    return 'INFO', "" if is_animated else _unreached(context, entry, found)
+    unreached = "" if is_animated else _unreached(context, entry, found)
+    return 'INFO', unreached or _unlimited(owner, entry)
 
 
 def _unwired(owner, entry):
@@ -89,6 +91,18 @@ def _unreached(context, entry, found):
     if found.reason == int(reasons.ITERATIONS):
         return tr("The iterations were used up: {length} are left").format(length=length(context, found.residual))
     return ""
+
+
+def _unlimited(owner, entry):
+    """Of a bone after the chain: it takes the target's orientation as it is."""
+    turns = entry.rotation_weight * owner.motus.ik.influence > 0.0
+    if entry.use_limits and turns and not entry.use_tail and _has_limits(owner.pose.bones[entry.name]):
+        return tr("{bone} has joint limits of its own: they count only with Use Tail").format(bone=entry.name)
+    return ""
+
+
+def _has_limits(bone):
+    return any(getattr(bone, f"{kind}_{letter}") for kind in ("lock_ik", "use_ik_limit") for letter in "xyz")
 
 
 def fault(found, entry):

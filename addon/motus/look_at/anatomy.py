@@ -12,6 +12,7 @@ LEG_REACH = 0.25  # of a bone's height above the lowest one: limbs that hang low
 EYE_CONE = 0.5  # cosine: an eye bone that points within 60 degrees of the front is the eye's own axis
 
 HEADS = {"head"}
+RIGIFY_NECK = "spines.super_head"
 EYES = {"eye", "eyes", "eyeball"}
 NOT_EYES = {"lid", "lids", "lash", "lashes", "brow", "brows", "socket", "corner", "bag", "target", "aim", "mch", "org"}
 SIGNS = {"POS": 1.0, "NEG": -1.0}
@@ -23,11 +24,31 @@ def words(name):
 
 
 def head_of(rig):
-    """Name of the one bone that is called head; "" where there is none, or more than one."""
+    """Name of the one bone that is called head, or that Rigify takes for it; "" where there is none, or more than one."""
     found = [bone.name for bone in rig.data.bones if words(bone.name) & HEADS]
     plain = [name for name in found if name.lower() == "head"]
-    best = plain or found
+    best = plain or found or _rigify_heads(rig)
     return best[0] if len(best) == 1 else ""
+
+
+def _rigify_heads(rig):
+    """A metarig's bones are numbered, such as spine.006; where the neck begins it says so, and the head is its end."""
+    necks = [bone for bone in rig.pose.bones if _rigify_type(bone) == RIGIFY_NECK]
+    return [_end_of_row(bone.bone).name for bone in necks]
+
+
+def _rigify_type(bone):
+    # A property of the bone while Rigify is on; without it Blender 3 and 4 still have it among the custom ones.
+    return getattr(bone, "rigify_type", "") or bone.get("rigify_type", "")
+
+
+def _end_of_row(bone):
+    """The last bone of those that are connected one by one, as Rigify itself follows them."""
+    connected = [bone]
+    while len(connected) == 1:
+        bone = connected[0]
+        connected = [child for child in bone.children if child.use_connect]
+    return bone
 
 
 def below(rig, head, count):

@@ -135,6 +135,8 @@ INTERFACE = {
         "Volver a conectar el esqueleto tras cambiar sus huesos o lo que mueve los objetivos",
     "{bone} has a constraint of its own that overrides its rotation: {constraint}":
         "{bone} tiene una restricción propia que impone su rotación: {constraint}",
+    "{bone} has joint limits of its own: they count only with Use Tail":
+        "{bone} tiene límites de articulación propios: solo cuentan con Usar cola",
     "{bone} has no parent whose tail could reach: switch Use Tail on":
         "{bone} no tiene un padre cuya cola pueda alcanzar: activa Usar cola",
     "{bone} has no target: choose one": "{bone} no tiene objetivo: elige uno",
