@@ -27,11 +27,19 @@ def registered_classes():
             if cls.__module__.startswith(f"{package()}.") and getattr(cls, "is_registered", False)]
 
 
+def own_sense():
+    return support.addon("core.translations").OWN_SENSE
+
+
+def _context(cls):
+    return next((vars(base)["bl_translation_context"] for base in cls.__mro__ if "bl_translation_context" in vars(base)), "*")
+
+
 def class_texts(cls):
     """(context, text) of a class and its properties."""
     is_operator = issubclass(cls, bpy.types.Operator)
     if not issubclass(cls, bpy.types.PropertyGroup):
-        yield ("Operator" if is_operator else "*"), getattr(cls, "bl_label", "")
+        yield ("Operator" if is_operator else _context(cls)), getattr(cls, "bl_label", "")
         yield "*", getattr(cls, "bl_description", "") or ""
     rna = getattr(bpy.ops.motus, cls.bl_idname.partition(".")[2]).get_rna_type() if is_operator else cls.bl_rna
     for one in rna.properties:
@@ -57,7 +65,8 @@ def source_texts(source):
             yield from _constants("*", node.args[:2] if name == "Status" else node.args[:1])
         if not untranslated:
             values = [word.value for word in node.keywords if word.arg in IDENTIFIERS]
-            yield from _constants("Operator" if name == "operator" else "*", values)
+            is_own = any(word.arg == "text_ctxt" for word in node.keywords)
+            yield from _constants(own_sense() if is_own else "Operator" if name == "operator" else "*", values)
 
 
 def _constants(context, nodes):
@@ -120,6 +129,8 @@ class SpanishTest(unittest.TestCase):
         view.use_translate_interface = view.use_translate_tooltips = True
         translate = bpy.app.translations.pgettext
         self.assertEqual(translate("Unbake", "Operator"), self.contexts["Operator"]["Unbake"])
+        for english, spanish in self.contexts[own_sense()].items():
+            self.assertEqual(translate(english, own_sense()), spanish)
         sentence = "{object} is not baked"
         self.assertEqual(support.addon("core.translations").tr(sentence), self.contexts["*"][sentence])
         view.language = "en_US"

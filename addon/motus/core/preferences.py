@@ -13,7 +13,7 @@ class MOTUS_PG_scene(bpy.types.PropertyGroup):
     show_tangents: bpy.props.BoolProperty(
         name="Tangents", description="Draw the tangent at equal distances", default=False, options=set())
     show_frames: bpy.props.BoolProperty(
-        name="Frames", description="Draw the orientation at equal distances", default=True, options=set())
+        name="Path Frames", description="Draw the orientation at equal distances", default=True, options=set())
     show_speed: bpy.props.BoolProperty(
         name="Speed", description="Colour the curve by the follower's speed", default=True, options=set())
     show_reach: bpy.props.BoolProperty(

@@ -5,6 +5,8 @@ import importlib
 import bpy
 
 LANGUAGES = ("es",)
+OWN_SENSE = "Motus"
+"""Context of words that Blender has too, in another sense: without it they come out in Blender's translation."""
 
 
 def register():

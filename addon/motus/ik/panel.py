@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import native, ui
+from ..core.translations import OWN_SENSE
 from . import limits_panel, status
 from .presets import MOTUS_PT_ik_presets
 from .setup import system
@@ -88,7 +89,7 @@ def draw_target(layout, context):
     """What the chain goes to, and what else it can go to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
-    split(layout).prop(entry, "rotation_offset")
+    split(layout).prop(entry, "rotation_offset", text="Offset", text_ctxt=OWN_SENSE)
     layout.use_property_split = False
     layout.label(text="Further Targets")
     row = layout.row()

@@ -37,5 +37,5 @@ class FitKeywords:
             ('CATMULL_ROM', "Catmull-Rom", "Smooth, through the points"),
             ('BSPLINE', "B-Spline", "Smoothest; near the points, not through them")))
     use_parent: bpy.props.BoolProperty(
-        name="Parent", default=True,
+        name="Parent to Object", default=True,
         description="Where the lattice deforms one object only, let it move along as the object's child")

@@ -6,7 +6,7 @@ import bpy
 
 from ..core import native, ui, wiring
 from ..core.system import registered
-from ..core.translations import tr
+from ..core.translations import OWN_SENSE, tr
 from . import reasons
 from .groups import OUTPUTS, shared_bone
 from .setup import system
@@ -165,6 +165,7 @@ class MOTUS_UL_look_at_entries(bpy.types.UIList):
 
 class _Main:
     bl_label = "Look At"
+    bl_translation_context = OWN_SENSE
 
     @classmethod
     def poll(cls, context):

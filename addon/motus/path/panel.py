@@ -4,6 +4,7 @@ import bpy
 
 from ..core import native, ui, wiring
 from ..core.system import Problem
+from ..core.translations import OWN_SENSE
 from . import members
 from .presets import MOTUS_PT_path_presets
 from .properties import DEFAULT_GAP
@@ -117,7 +118,7 @@ def draw_timing(layout, context):
         column.prop(settings, "distance_factor", slider=True)
     else:
         _draw_pins(layout, settings)
-    _split(layout).prop(settings, "offset")
+    _split(layout).prop(settings, "offset", text="Offset", text_ctxt=OWN_SENSE)
 
 
 def _draw_pins(layout, settings):

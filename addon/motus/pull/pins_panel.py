@@ -4,6 +4,7 @@ import bpy
 
 from ..core import native, ui, wiring
 from ..core.system import Problem
+from ..core.translations import OWN_SENSE
 from . import pins_solve as solve
 from .pins_setup import system
 
@@ -83,7 +84,7 @@ def draw_pin(layout, context):
     if pin.falloff == 'CLASSIC':
         column.prop(pin, "scale_factor")
     column.prop(pin, "distance")
-    column.prop(pin, "displacement", text="Offset")  # its name is longer than the space for labels
+    column.prop(pin, "displacement", text="Offset", text_ctxt=OWN_SENSE)  # its name is longer than the space for labels
     column.row(heading="Mirror").prop(pin, "mirror", expand=True)
     column.prop_search(pin, "vertex_group", obj, "vertex_groups")
     for name in ("minimum", "maximum"):

@@ -9,8 +9,8 @@ LARGEST = 1e18
 """Its square is just within single precision."""
 
 UNITS = (
-    ('WORLD', "World", "Lengths and directions are those of the world, whatever the object's scale"),
-    ('LOCAL', "Local", "Lengths and directions are those of the object"),
+    ('WORLD', "World Space", "Lengths and directions are those of the world, whatever the object's scale"),
+    ('LOCAL', "Local Space", "Lengths and directions are those of the object"),
 )
 FALLOFFS = (
     ('SMOOTH', "Smooth", "Rounded at the root and at the rim"),

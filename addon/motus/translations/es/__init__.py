@@ -1,10 +1,12 @@
 """Spanish, a file for each part of the add-on."""
 
+from ...core.translations import OWN_SENSE
 from . import base, ik, lattice, look_at, pins, pull, wiring
 
 _PARTS = (base, wiring, ik, look_at, pull, pins, lattice)
 
 CONTEXTS = {
     "*": {text: translated for part in _PARTS for text, translated in part.INTERFACE.items()},
+    OWN_SENSE: base.OWN_SENSE,
     "Operator": {text: translated for part in _PARTS for text, translated in part.OPERATORS.items()},
 }

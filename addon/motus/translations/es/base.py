@@ -58,7 +58,9 @@ INTERFACE = {
     "Draw the control polygon": "Dibujar el polígono de control",
     "Tangents": "Tangentes",
     "Draw the tangent at equal distances": "Dibujar la tangente a distancias iguales",
-    "Frames": "Orientaciones",
+    "Frames": "Fotogramas",
+    "Path Frames": "Orientaciones",
+    "Offset": "Desplazamiento",
     "Draw the orientation at equal distances": "Dibujar la orientación a distancias iguales",
     "Speed": "Velocidad",
     "Colour the curve by the follower's speed": "Colorear la curva según la velocidad de quien la sigue",
@@ -128,7 +130,7 @@ INTERFACE = {
     "Time for the whole path": "Tiempo para la trayectoria entera",
     "Distance per second; negative goes backwards": "Distancia por segundo; negativa va hacia atrás",
     "Metres per second, which may be keyed": "Metros por segundo, que admiten fotogramas clave",
-    "Pins": "Citas",
+    "Pins": "Anclas",
     "Be at given places at given frames": "Estar en lugares dados en fotogramas dados",
     "Manual": "Manual",
     "The distance is keyed or driven as a fraction of the path":
@@ -138,7 +140,6 @@ INTERFACE = {
     "Fraction of the path's length at which the object is":
         "Fracción de la longitud de la trayectoria en la que está el objeto",
     "Frame at which the motion starts": "Fotograma en el que empieza el movimiento",
-    "Offset": "Desfase",
     "Distance ahead along the path": "Distancia de adelanto a lo largo de la trayectoria",
     "Ease In": "Entrada suave",
     "Fraction of the time that is used to gain speed": "Fracción del tiempo que se emplea en ganar velocidad",
@@ -200,24 +201,24 @@ INTERFACE = {
         "El ritmo sigue la magnitud de la segunda derivada de la curva respecto a su parámetro",
 
     # Follow Path: pins and trains
-    "Pins By": "Citas por",
-    "What the pins give": "Qué indican las citas",
+    "Pins By": "Anclas por",
+    "What the pins give": "Qué indican las anclas",
     "Distance": "Distancia",
     "Distance from the start of the path": "Distancia desde el inicio de la trayectoria",
-    "Pins give a distance from the start of the path": "Las citas indican una distancia desde el inicio de la trayectoria",
-    "Pins give a fraction of the path's length": "Las citas indican una fracción de la longitud de la trayectoria",
+    "Pins give a distance from the start of the path": "Las anclas indican una distancia desde el inicio de la trayectoria",
+    "Pins give a fraction of the path's length": "Las anclas indican una fracción de la longitud de la trayectoria",
     "Frame": "Fotograma",
     "When to be there": "Cuándo estar allí",
-    "Active Pin": "Cita activa",
-    "Add a pin: a frame and the place to be at": "Añadir una cita: un fotograma y el lugar donde estar",
+    "Active Pin": "Ancla activa",
+    "Add a pin: a frame and the place to be at": "Añadir un ancla: un fotograma y el lugar donde estar",
     "Be at a place of the path at a frame; without one, here and now":
         "Estar en un lugar de la trayectoria en un fotograma; sin indicarlos, aquí y ahora",
-    "Remove a pin of the path": "Quitar una cita de la trayectoria",
-    "Which pin; -1 is the active one": "Qué cita; -1 es la activa",
-    "There is no such pin": "No existe esa cita",
+    "Remove a pin of the path": "Quitar un ancla de la trayectoria",
+    "Which pin; -1 is the active one": "Qué ancla; -1 es la activa",
+    "There is no such pin": "No existe esa ancla",
     "Two pins are on the same frame: the later one in the list counts":
-        "Hay dos citas en el mismo fotograma: cuenta la que está más abajo en la lista",
-    "Replaced the pin at frame {frame}": "Sustituida la cita del fotograma {frame}",
+        "Hay dos anclas en el mismo fotograma: cuenta la que está más abajo en la lista",
+    "Replaced the pin at frame {frame}": "Se ha sustituido el ancla del fotograma {frame}",
     "Train": "Tren",
     "Wagon": "Vagón",
     "Wagons": "Vagones",
@@ -332,9 +333,14 @@ INTERFACE = {
         "Un avión en un recorrido curvo sobre un lago, con una cámara que lo persigue",
 }
 
+OWN_SENSE = {
+    "Look At": "Mirar a",
+    "Offset": "Desfase",
+}
+
 OPERATORS = {
     "Add Follow Path Preset": "Añadir preajuste de seguir trayectoria",
-    "Add Pin": "Añadir cita",
+    "Add Pin": "Añadir ancla",
     "Add Wagons": "Añadir vagones",
     "Add to the Train": "Añadir al tren",
     "Bake": "Capturar",
@@ -348,7 +354,7 @@ OPERATORS = {
     "Refresh": "Actualizar",
     "Remove": "Quitar",
     "Remove Follow Path": "Quitar seguir trayectoria",
-    "Remove Pin": "Quitar cita",
+    "Remove Pin": "Quitar ancla",
     "Remove Wagon": "Quitar vagón",
     "Select Leader": "Seleccionar guía",
     "Take Out": "Sacar",

@@ -1,6 +1,7 @@
 """Spanish: lattices."""
 
 INTERFACE = {
+    "Parent to Object": "Emparentar al objeto",
     "Along the axes of the active object": "Según los ejes del objeto activo",
     "Along the axes of the world": "Según los ejes del mundo",
     "Apply": "Aplicar",
@@ -46,7 +47,6 @@ INTERFACE = {
     "Nothing here has a lattice that Motus has fitted": "Nada aquí tiene una jaula que Motus haya ajustado",
     "Other modifiers give {object} another number of vertices when {modifier} deforms it: switch them off first":
         "Otros modificadores dan a {object} otro número de vértices cuando {modifier} lo deforma: desactívalos antes",
-    "Parent": "Emparentar",
     "Place in the world whose nearest vertex is pulled, where no vertex is named":
         "Lugar del mundo de cuyo vértice más cercano se tira, si no se nombra un vértice",
     "Points of the lattice along its three axes": "Puntos de la jaula en sus tres ejes",

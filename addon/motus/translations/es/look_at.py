@@ -1,7 +1,6 @@
 """Spanish: look at."""
 
 INTERFACE = {
-    "Look At": "Mirar a",
     "Automatic": "Automático",
     "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone":
         "Hacia donde mira el personaje en reposo: -Y del rig; un ojo que apunta hacia allí mira a lo largo de su hueso",

@@ -32,6 +32,11 @@ INTERFACE = {
     "Each pull builds on the last; otherwise each starts from the original shape":
         "Cada tirón parte del anterior; si no, cada uno parte de la forma original",
     "Edges": "Aristas",
+    "Local": "Local",
+    "Local Space": "Local",
+    "Unit": "Unidades",
+    "World": "Mundo",
+    "World Space": "Global",
     "Falloff": "Decaimiento",
     "First": "Primero",
     "Forces at equal steps from the radius to the root": "Fuerzas a pasos iguales desde el radio hasta la raíz",
@@ -69,7 +74,6 @@ INTERFACE = {
     "Lengths and directions are those of the object": "Las longitudes y direcciones son las del objeto",
     "Lengths and directions are those of the world, whatever the object's scale":
         "Las longitudes y direcciones son las del mundo, sea cual sea la escala del objeto",
-    "Local": "Local",
     "Lowest height of what moves": "Altura mínima de lo que se mueve",
     "Matrix, row by row, that takes the object's vectors to those that are measured":
         "Matriz, fila por fila, que lleva los vectores del objeto a los que se miden",
@@ -131,7 +135,6 @@ INTERFACE = {
         "No hay una vista hacia la que tirar: elige otra dirección",
     "Towards the viewer": "Hacia quien mira",
     "UV Map": "Mapa UV",
-    "Unit": "Unidad",
     "Use Maximum": "Usar máximo",
     "Use Minimum": "Usar mínimo",
     "Vertex": "Vértice",
@@ -151,7 +154,6 @@ INTERFACE = {
     "Which way it pulls": "Hacia dónde tira",
     "Whose lengths and directions count": "De quién cuentan las longitudes y direcciones",
     "Width": "Ancho",
-    "World": "Mundo",
     "{object} has a Multiresolution modifier: apply it or remove it first":
         "{object} tiene un modificador Multirresolución: aplícalo o quítalo antes",
     "{object} has no vertex group {group}": "{object} no tiene el grupo de vértices {group}",
