@@ -20,7 +20,11 @@ NONE_MOVED = ()
 
 
 class Hit(NamedTuple):
-    """What a ray meets, in the world; vertex: the root, the corner of the triangle that is nearest."""
+    """What a ray meets, in the world; vertex: the root.
+
+    That is the vertex nearest to the point, of those that are not hidden, on the surface that was hit as far as it is seen from
+    there: it may belong to another triangle, where they are thin, but not to the far side of a wall.
+    """
 
     point: Any
     normal: Any
@@ -78,16 +82,14 @@ class Session:
 
     def pick(self, origin, direction):
         """What a world ray meets first: a Hit, or None."""
-        found = self._surface.ray(
-            self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self._start,
+        found = self._surface.pick(
+            self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self.metric, self._start,
             self.current if self.brush.accumulate and not self._is_fresh else None)
         if found is None:
             return None
-        triangle, point, corners, places = found
-        away = (places - point) @ self.metric.T
-        vertex = int(corners[np.einsum("ij,ij->i", away, away).argmin()])
-        normal = self.space.normal_to_world(np.cross(places[1] - places[0], places[2] - places[0]))
-        return Hit(Vector(self.space.point_to_world(point)), Vector(normal), triangle, vertex)
+        triangle, point, normal, vertex = found
+        return Hit(
+            Vector(self.space.point_to_world(point)), Vector(self.space.normal_to_world(normal)), triangle, vertex)
 
     def nearest(self, location):
         """(index, distance) of the visible vertex nearest to a place of the world; the distance in the brush's unit."""
