@@ -190,8 +190,8 @@ where the slack is small beside the mesh.)")
 What a ray meets first, and the vertex that is meant by it: (triangle, point (3,), vertex), or None.
 
 The vertex is the one nearest to the point, by |metric (p - point)|, on the surface that was hit: of its triangle, and of
-those that hang together with it by edges, as far as they are seen from the same side, 256 of them at most. So it may belong to
-another triangle, where they are thin, but never to the far side of a wall or to another sheet.
+those that hang together with it by edges, as far as they are seen from the same side, 256 of them at most. So it may belong
+to another triangle, where they are thin, but never to the far side of a wall or to another sheet.
 metric: as in within().  hidden: (v,) bool; those are left out, unless all around are: then it is the triangle's nearest
 corner.  positions, slack: as in ray().)")
         .def("nearest", &nearest, "point"_a, R"(

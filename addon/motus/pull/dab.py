@@ -1,5 +1,6 @@
 """A session of pulls on one mesh: used by the operator, from scripts or by the mouse."""
 
+import dataclasses
 import math
 from typing import Any, NamedTuple
 
@@ -22,8 +23,8 @@ NONE_MOVED = ()
 class Hit(NamedTuple):
     """What a ray meets, in the world; vertex: the root.
 
-    That is the vertex nearest to the point, of those that are not hidden, on the surface that was hit as far as it is seen from
-    there: it may belong to another triangle, where they are thin, but not to the far side of a wall.
+    That is the vertex nearest to the point, of those that are not hidden, on the surface that was hit as far as it is seen
+    from there: it may belong to another triangle, where they are thin, but not to the far side of a wall.
     """
 
     point: Any
@@ -235,6 +236,15 @@ class Session:
         roots = [dab.vertex for dab in self.dabs]  # which moves most
         return not _same(self._original[roots], self.current[roots]) or not _same(self._original, self.current)
 
+    @property
+    def is_cancelled(self):
+        """Whether the last pull moved nothing only because its mirror images cancel each other out."""
+        last = self.last
+        if last is None or not last.brush.mirror:
+            return False
+        alone = dataclasses.replace(last.brush, mirror=frozenset())
+        return self._would_move(last.dab, alone) and not self._would_move(last.dab, last.brush)
+
     def shapes_of_last(self):
         """The shapes (n, 3) before the last pull and after it; the session leaves them as they are."""
         last = self.last
@@ -251,6 +261,11 @@ class Session:
     def last(self):
         """The last pull, a Pulled value; None after smoothing and where there is none."""
         return self._history.last
+
+    def _would_move(self, dab, brush):
+        shape = self._original.copy()
+        self._puller.pull(shape, dab.vertex, dab.displacement, brush, dab.radius, self._original)
+        return not _same(shape, self._original)
 
     def _pull_on(self, dab, write):
         before, place, room = self.current, tuple(self.current[dab.vertex].tolist()), None

@@ -43,7 +43,8 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         if not session.finish() and has_acted:
-            self.report({'ERROR'}, tr("Nothing moved: what is in reach is hidden, masked or held by a limit"))
+            self.report({'ERROR'}, modal.why_cancelled(session) or tr(
+                "Nothing moved: what is in reach is hidden, masked or held by a limit"))
             return {'CANCELLED'}
         self.remember(context, session, with_dabs=False)
         if session.mesh.is_muted():

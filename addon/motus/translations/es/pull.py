@@ -86,6 +86,10 @@ INTERFACE = {
     "Nothing is moved below a height": "Nada se mueve por debajo de una altura",
     "Nothing moved: what is in reach is hidden, masked or held by a limit":
         "Nada se movió: lo que está al alcance está oculto, enmascarado o retenido por un límite",
+    "Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
+    "direction or switch the mirror off":
+        "Nada se movió: en el plano de simetría este tirón y su imagen simétrica se anulan entre sí. Elige otra dirección "
+        "o desactiva la simetría",
     "Number of vertices along X": "Número de vértices en X",
     "Number of vertices along Y": "Número de vértices en Y",
     "Out of the surface at the root": "Hacia fuera de la superficie en la raíz",
