@@ -35,8 +35,9 @@ INTERFACE = {
     "Falloff": "Decaimiento",
     "First": "Primero",
     "Forces at equal steps from the radius to the root": "Fuerzas a pasos iguales desde el radio hasta la raíz",
-    "Forces of the falloff Curve at equal steps from the radius to the root":
-        "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz",
+    "Forces of the falloff Curve at equal steps from the radius to the root; without it, those of the scene's own curve":
+        "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz; sin ella, las de la curva propia de la "
+        "escena",
     "Gaussian": "Gaussiano",
     "Go to Object, Edit or Sculpt Mode first": "Pasa antes al modo Objeto, Edición o Esculpido",
     "Height": "Alto",
