@@ -268,36 +268,45 @@ class Session:
         return not _same(shape, self._original)
 
     def _pull_on(self, dab, write):
-        before, place, room = self.current, tuple(self.current[dab.vertex].tolist()), None
-        numbers = dab.vertex, dab.displacement, self.brush, dab.radius, self._start
-        if self._puller.may_sweep(self.brush, dab.radius, self._start):
-            after, room = self._spare(), self._room(write)
-            if room is not None and not self._unwritten:
-                # It holds the shape already, and has just been through the processor.
-                moved = self._puller.sweep(room, *numbers, room, after)
-            else:
-                moved = self._puller.sweep(before, *numbers, after, room)
-            self.current = after
-            before = before if moved is None else before[moved]
-        else:
-            moved, before = self._puller.pull(self._writable(), *numbers)
+        place = tuple(self.current[dab.vertex].tolist())
+        moved, before, room = self._pull(dab, self.current, self._start, write)
         self._history.add(dab, self.brush, place, moved, before)
         self._changed([moved], write, room, self.brush.largest_force * np.linalg.norm(dab.displacement))
 
     def _pull_afresh(self, dab, write):
         place = tuple(self._base[dab.vertex].tolist())
-        numbers, room = (dab.vertex, dab.displacement, self.brush, dab.radius), None
-        if self._puller.may_sweep(self.brush, dab.radius, self._base):
-            room = self._room(write)
-            if self._is_kept(self.current):
-                self.current = self._spare()
-            moved = self._puller.sweep(self._base, *numbers, self._base, self.current, room)
-        else:
-            moved = self._puller.pull_from(self._base, self._writable(), self._last_moved, *numbers)
-        self._history.add(dab, self.brush, place, None, self._base)
+        moved, before, room = self._pull(dab, self._base, self._base, write)
+        self._history.add(dab, self.brush, place, None, before)
         # What the dab before has moved is back in its place, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
         self._changed(changed, write, room)
+
+    def _pull(self, dab, source, start, write):
+        """Let what is current be what a dab makes of the source, by one pass over all vertices or by the tree, whichever
+        takes less time.
+
+        Returns (what has moved, or None for all, where it was, the mesh's memory where that is filled too); where nothing
+        accumulates, not where it was, but the source.
+        """
+        numbers, is_on_top = (dab.vertex, dab.displacement, self.brush, dab.radius), self.brush.accumulate
+        if self._puller.may_sweep(self.brush, dab.radius, start):
+            room = self._room(write)
+            moved = self._sweep(source, numbers, start, room)
+            return moved, source[moved] if is_on_top and moved is not None else source, room
+        if is_on_top:
+            return *self._puller.pull(self._writable(), *numbers, start), None
+        return self._puller.pull_from(source, self._writable(), self._last_moved, *numbers), source, None
+
+    def _sweep(self, source, numbers, start, room):
+        is_on_top = self.brush.accumulate
+        after = self._spare() if is_on_top or self._is_kept(self.current) else self.current
+        if is_on_top and room is not None and not self._unwritten:
+            # It holds the shape already, and has just been through the processor.
+            moved = self._puller.sweep(room, *numbers, start, room, after)
+        else:
+            moved = self._puller.sweep(source, *numbers, start, after, room)
+        self.current = after
+        return moved
 
     def _smooth(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
