@@ -107,6 +107,45 @@ class RemoveTest(cases.PinsTestCase):
         values = [key.value for key in grid.data.shape_keys.key_blocks[1:]]
         self.assertEqual(sorted(round(value, 5) for value in values), [1.0, 3.0])
 
+    def test_drivers_that_read_a_pin_go_along(self):
+        """Of other datablocks, of node trees and of the object itself; who reads a pin that is removed reads no other."""
+        grid = cases.new_grid()
+        for strength in (0.1, 0.2, 0.3):
+            add(grid, centre(grid), strength=strength)
+        other, material = bpy.data.objects.new("Other", None), bpy.data.materials.new("Paint")
+        bpy.context.scene.collection.objects.link(other)
+        material.use_nodes = True
+        key = bpy.data.objects.new("Keyed", grid.data.copy()).shape_key_add(name="Basis").id_data
+        holders = ((other, "location", 0), (grid, "rotation_euler", 1), (material.node_tree, "nodes[0].location", 0),
+                   (key, "eval_time", -1), (other, "location", 2))
+        targets = [self.reading(grid, number, *holder) for number, holder in zip((0, 1, 2, 0, 1), holders)]
+        paths = lambda: [target.data_path for target in targets]  # noqa: E731
+        wanted = lambda *numbers: [f"motus.pull.pins[{number}].strength" for number in numbers]  # noqa: E731
+        self.assertEqual(paths(), wanted(0, 1, 2, 0, 1))
+        motus.pin_move(index=0, place=2)
+        self.assertEqual(paths(), wanted(2, 0, 1, 2, 0))
+        frame_set(2)
+        self.assertAlmostEqual(other.location.x, 0.1)
+        self.assertAlmostEqual(other.location.z, 0.2)
+        motus.pin_remove(index=0)
+        gone, = {paths()[1], paths()[4]}
+        self.assertEqual([paths()[index] for index in (0, 2, 3)], wanted(1, 0, 1))
+        with self.assertRaises((ValueError, KeyError)):
+            grid.path_resolve(gone)
+        frame_set(3)
+        self.assertAlmostEqual(other.location.x, 0.1)
+        motus.pin_remove(all=True)
+        self.assertEqual(set(paths()), {gone})
+
+    def reading(self, obj, number, holder, path, index):
+        """The target of a new driver that reads the strength of a pin."""
+        curve = holder.driver_add(path, index)
+        curve.driver.type = 'SUM'
+        variable = curve.driver.variables.new()
+        variable.targets[0].id = obj
+        variable.targets[0].data_path = f"motus.pull.pins[{number}].strength"
+        return variable.targets[0]
+
     def test_each_is_one_undo_step(self):
         grid = cases.new_grid()
         bpy.ops.ed.undo_push(message="start")

@@ -55,6 +55,27 @@ class Falloffs(PullTestCase):
             obj, vertex=self.middle(obj), radius=0.8, strength=1.0, falloff='CURVE', curve=tuple(samples))
         self.assertNear(moved[:, 2], np.where(t > 0.0, np.interp(t, np.linspace(0.0, 1.0, 32), samples), 0.0))
 
+    def test_without_a_curve_it_is_that_of_the_scene(self):
+        """Whatever falloff the scene's brush has now; smooth, as a new curve is, where there is none. For pins too."""
+        def moved(kind):
+            obj = self.plane()
+            if kind == 'PULL':
+                return self.moved_by(obj, vertex=220, radius=0.8, displacement=(0.0, 0.0, 1.0), falloff='CURVE')[:, 2]
+            bpy.ops.motus.pin_add(vertex=220, radius=0.8, displacement=(0.0, 0.0, 1.0), falloff='CURVE')
+            return self.seen(obj)[:, 2]
+
+        t = np.clip(1.0 - np.linalg.norm(self.places(self.plane()), axis=1) / 0.8, 0.0, 1.0)
+        for kind in ('PULL', 'PIN'):
+            self.assertNear(moved(kind), 3 * t**2 - 2 * t**3, 2e-3)
+        self.brush.falloff = 'CURVE'
+        curve = self.brush.curve_nodes.nodes[0].mapping
+        for point in curve.curves[0].points:
+            point.location = point.location[0], 1.0 - point.location[0]
+        curve.update()
+        self.brush.falloff = 'LINEAR'
+        for kind in ('PULL', 'PIN'):
+            self.assertNear(moved(kind), np.where(t > 0.0, 1.0 - t, 0.0), 1e-3)
+
     def test_defaults_are_those_of_the_scene(self):
         self.brush.falloff, self.brush.radius, self.brush.strength = 'LINEAR', 0.4, 0.3
         obj = self.plane()

@@ -51,6 +51,20 @@ class Refusals(PullTestCase):
         obj.vertex_groups.new(name="Empty")
         self.assertRefused("Nothing moved", vertex=220, vertex_group="Empty")
 
+    def test_mirror_images_that_cancel_each_other_out(self):
+        """At a root on the mirror plane, or one whose mirror image along the surface is itself; nowhere else."""
+        obj = self.plane()
+        pushed = {"vertex": 220, "displacement": (0.3, 0.0, 0.0), "radius": 0.5}
+        for distance in ('STRAIGHT', 'SURFACE', 'EDGES'):
+            for accumulate in (True, False):
+                self.assertRefused("mirror image cancel", **pushed, mirror={'X', 'Y'}, distance=distance, accumulate=accumulate)
+        obj.data.vertices[220].co.x = 0.01
+        self.assertRefused("mirror image cancel", **pushed, mirror={'X'}, distance='EDGES')
+        self.pull(**pushed, mirror={'Y'})
+        self.pull(**{**pushed, "displacement": (0.3, 0.0, 0.1)}, mirror={'X'})
+        obj.vertex_groups.new(name="Empty")
+        self.assertRefused("hidden, masked or held", **pushed, mirror={'X'}, vertex_group="Empty")
+
     def test_a_strength_of_zero_is_no_error(self):
         self.plane()
         self.pull(vertex=220, strength=0.0)

@@ -67,6 +67,23 @@ def test_sculpt_mode():
     yield from strokes_in('SCULPT')
 
 
+def test_mirror_images_that_cancel_each_other_out_are_told():
+    pull.build()
+    brush().mirror, brush().direction = {'X'}, 'X'
+    pull.take_tool()
+    yield from hover()
+    flat = pull.places()
+    modal, told = support.addon("pull.modal"), []
+    why, modal.why_cancelled = modal.why_cancelled, lambda session: told.append(why(session)) or told[-1]
+    try:
+        yield from pull.drag('LEFTMOUSE', window_support.centre(), window_support.centre(), steps=1)
+    finally:
+        modal.why_cancelled = why
+    assert np.array_equal(pull.places(), flat)
+    assert len(told) == 1 and "mirror image cancel" in told[0], told
+    brush().mirror, brush().direction = set(), 'NORMAL'
+
+
 def test_escape_in_a_stroke():
     pull.build()
     pull.take_tool()

@@ -230,6 +230,17 @@ void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& pl
             return plain.hit({-3.0f, p.y, 0.04f}, {1.0f, 0.02f, 1e-9f});
         }));
 
+    const auto pick_vertex = [&](const glm::vec3& p) {
+        const auto hit = picker.ray(p + 3.0f * away, -away);
+        return hit ? picker.nearest_seen(*hit, -away) : 0u;
+    };
+    row("pick with the nearest vertex seen", each(places, pick_vertex));
+    const auto pick_stale = [&](const glm::vec3& p) {
+        const auto hit = picker.ray(p + 3.0f * away, -away, mesh.positions, 0.001f);
+        return hit ? picker.nearest_seen(*hit, -away, mesh.positions, 0.001f) : 0u;
+    };
+    row("the same, the tree wrong by 0.1 % of the side", each(places, pick_stale));
+
     const auto nearest_plainly = [&](const glm::vec3& p) {
         std::size_t best = 0;
         for (std::size_t i = 1; i < mesh.positions.size(); ++i) {

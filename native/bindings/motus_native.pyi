@@ -441,6 +441,16 @@ class Picker:
         positions: ArrayLike | None = None,  # (v, 3), another shape of the mesh
         slack: float | None = None,  # how far it is, at most, from that of the last refit
     ) -> tuple[int, _Array, float] | None: ...
+    # (triangle, point (3,), vertex) of the first hit: the vertex nearest to it on the surface that is seen.
+    def pick(
+        self,
+        origin: ArrayLike,
+        direction: ArrayLike,
+        metric: ArrayLike | None = None,  # (3, 3)
+        hidden: ArrayLike | None = None,  # (v,) bool: never found where others are
+        positions: ArrayLike | None = None,  # as in ray()
+        slack: float | None = None,
+    ) -> tuple[int, _Array, int] | None: ...
     def nearest(self, point: ArrayLike) -> int | None: ...  # index of a vertex
     def within(self, point: ArrayLike, radius: float, metric: ArrayLike | None = None) -> _Indices: ...  # ascending
     # (indices, distances) of the vertices within the radius.

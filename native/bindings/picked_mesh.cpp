@@ -113,6 +113,17 @@ std::optional<Hit> PickedMesh::ray(const glm::dvec3& origin, const glm::dvec3& d
     return tree_.ray(origin, direction, positions, slack);
 }
 
+std::optional<Pick> PickedMesh::pick(const glm::dvec3& origin, const glm::dvec3& direction,
+                                     std::span<const std::uint8_t> hidden, const glm::mat3& metric,
+                                     std::span<const glm::vec3> positions, std::optional<float> slack) const {
+    const std::shared_lock lock(mutex_);
+    const std::optional<Hit> hit =
+        slack ? tree_.ray(origin, direction, positions, *slack) : tree_.ray(origin, direction);
+    if (!hit) return {};
+    return Pick{*hit, slack ? tree_.nearest_seen(*hit, direction, positions, *slack, hidden, metric)
+                            : tree_.nearest_seen(*hit, direction, hidden, metric)};
+}
+
 std::optional<std::uint32_t> PickedMesh::nearest(const glm::vec3& point) const {
     const std::shared_lock lock(mutex_);
     return tree_.nearest(point);

@@ -77,6 +77,35 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     return py::make_tuple(hit->triangle, to_array(hit->point), hit->distance);
 }
 
+/// bool (v,), or None. The array that the span points into has to stay.
+[[nodiscard]] std::span<const std::uint8_t> hidden_argument(const py::object& object, std::size_t count) {
+    if (object.is_none()) return {};
+    using BoolArray = py::array_t<bool, py::array::c_style>;
+    if (!py::isinstance<BoolArray>(object)) type_error("hidden", "must be an array of booleans without gaps");
+    const auto array = py::reinterpret_borrow<BoolArray>(object);
+    if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != count)
+        value_error("hidden", "must have the shape (" + std::to_string(count) + ",), not " + shape_of(array));
+    return {reinterpret_cast<const std::uint8_t*>(array.data()), count};
+}
+
+[[nodiscard]] py::object pick(const PickedMesh& mesh, const py::object& origin, const py::object& direction,
+                              const py::object& metric, const py::object& hidden, const py::object& positions,
+                              const py::object& slack) {
+    const glm::dvec3 from = vector(origin, "origin"), along = vector(direction, "direction");
+    const glm::mat3 measure = metric_argument(metric, "metric");
+    const std::span<const std::uint8_t> flags = hidden_argument(hidden, mesh.vertex_count());
+    std::optional<Pick> found;
+    if (positions.is_none()) {
+        if (!slack.is_none()) value_error("slack", "must be given with positions only");
+        found = mesh.pick(from, along, flags, measure, {}, {});
+    } else {
+        const Positions points(positions, "positions");
+        found = mesh.pick(from, along, flags, measure, points.values(), float_number(slack, "slack"));
+    }
+    if (!found) return py::none();
+    return py::make_tuple(found->hit.triangle, to_array(found->hit.point), found->vertex);
+}
+
 [[nodiscard]] py::object nearest(const PickedMesh& mesh, const py::object& point) {
     const std::optional<std::uint32_t> vertex = mesh.nearest(float_vector(point, "point"));
     return vertex ? py::object(py::int_(*vertex)) : py::object(py::none());
@@ -156,6 +185,15 @@ have any length but 0, of which nothing comes.
 positions: (v, 3) float32, another shape of the mesh, which is met instead. slack, with it: no vertex lies further from where
 it was at the last refit; triangles with one that does may be missed. For a few rays that takes far less time than a refit,
 where the slack is small beside the mesh.)")
+        .def("pick", &pick, "origin"_a, "direction"_a, "metric"_a = py::none(), "hidden"_a = py::none(),
+             "positions"_a = py::none(), "slack"_a = py::none(), R"(
+What a ray meets first, and the vertex that is meant by it: (triangle, point (3,), vertex), or None.
+
+The vertex is the one nearest to the point, by |metric (p - point)|, on the surface that was hit: of its triangle, and of
+those that hang together with it by edges, as far as they are seen from the same side, 256 of them at most. So it may belong
+to another triangle, where they are thin, but never to the far side of a wall or to another sheet.
+metric: as in within().  hidden: (v,) bool; those are left out, unless all around are: then it is the triangle's nearest
+corner.  positions, slack: as in ray().)")
         .def("nearest", &nearest, "point"_a, R"(
 Index of the vertex nearest to the point (3,), the lowest where several are; None where there is no vertex.)")
         .def("within", &within, "point"_a, "radius"_a, "metric"_a = py::none(), R"(

@@ -19,6 +19,12 @@
 
 namespace motus::bindings {
 
+/// What a ray meets, and the vertex that is meant by it.
+struct Pick {
+    Hit hit;
+    std::uint32_t vertex = 0;
+};
+
 enum class Distance { straight, surface, edges };
 
 [[nodiscard]] Distance distance_argument(py::handle object);
@@ -48,6 +54,11 @@ class PickedMesh {
     [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction) const;
     [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                          std::span<const glm::vec3> positions, float slack) const;
+    /// The hit and its nearest vertex that is seen; of another shape where there is a slack.
+    [[nodiscard]] std::optional<Pick> pick(const glm::dvec3& origin, const glm::dvec3& direction,
+                                           std::span<const std::uint8_t> hidden, const glm::mat3& metric,
+                                           std::span<const glm::vec3> positions,
+                                           std::optional<float> slack) const;
     [[nodiscard]] std::optional<std::uint32_t> nearest(const glm::vec3& point) const;
     [[nodiscard]] std::vector<std::uint32_t> within(const glm::vec3& point, float radius,
                                                     const glm::mat3& metric) const;

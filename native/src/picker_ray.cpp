@@ -144,8 +144,10 @@ class Search {
             const std::uint32_t name = tree_.names[slot];
             if (distance < best_.distance ||
                 (distance == best_.distance && distance < infinity && name < best_.triangle))
-                best_ = {name, weights.x * triangle[0] + weights.y * triangle[1] + weights.z * triangle[2],
-                         distance};
+                best_ = {name,
+                         weights.x * triangle[0] + weights.y * triangle[1] + weights.z * triangle[2],
+                         distance,
+                         {tree_.order[a], tree_.order[b], tree_.order[c]}};
         }
     }
 
@@ -154,7 +156,7 @@ class Search {
     const Ray& ray_;
     const Slabs& slabs_;
     double rounding_;
-    Hit best_{0, {}, infinity};
+    Hit best_{0, {}, infinity, {}};
 };
 
 /// The boxes of the tree may be wrong by `slack`.

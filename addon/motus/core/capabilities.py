@@ -46,6 +46,14 @@ def point_shader():
     return "UNIFORM_COLOR" if bpy.app.version >= (4, 0, 0) else "3D_UNIFORM_COLOR"
 
 
+def has_textures_in_display_colors():
+    """Textures are drawn with the colours that they have (5.0); before they are taken for linear ones."""
+    import inspect
+
+    from gpu_extras.presets import draw_texture_2d
+    return "is_scene_linear_with_rec709_srgb_target" in inspect.signature(draw_texture_2d).parameters
+
+
 def has_tree_interface():
     """Sockets of a node group belong to its interface (4.0), not to two lists."""
     return "interface" in bpy.types.NodeTree.bl_rna.properties

@@ -1,5 +1,6 @@
 """A session of pulls on one mesh: used by the operator, from scripts or by the mouse."""
 
+import dataclasses
 import math
 from typing import Any, NamedTuple
 
@@ -20,7 +21,11 @@ NONE_MOVED = ()
 
 
 class Hit(NamedTuple):
-    """What a ray meets, in the world; vertex: the root, the corner of the triangle that is nearest."""
+    """What a ray meets, in the world; vertex: the root.
+
+    That is the vertex nearest to the point, of those that are not hidden, on the surface that was hit as far as it is seen
+    from there: it may belong to another triangle, where they are thin, but not to the far side of a wall.
+    """
 
     point: Any
     normal: Any
@@ -78,16 +83,14 @@ class Session:
 
     def pick(self, origin, direction):
         """What a world ray meets first: a Hit, or None."""
-        found = self._surface.ray(
-            self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self._start,
+        found = self._surface.pick(
+            self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self.metric, self._start,
             self.current if self.brush.accumulate and not self._is_fresh else None)
         if found is None:
             return None
-        triangle, point, corners, places = found
-        away = (places - point) @ self.metric.T
-        vertex = int(corners[np.einsum("ij,ij->i", away, away).argmin()])
-        normal = self.space.normal_to_world(np.cross(places[1] - places[0], places[2] - places[0]))
-        return Hit(Vector(self.space.point_to_world(point)), Vector(normal), triangle, vertex)
+        triangle, point, normal, vertex = found
+        return Hit(
+            Vector(self.space.point_to_world(point)), Vector(self.space.normal_to_world(normal)), triangle, vertex)
 
     def nearest(self, location):
         """(index, distance) of the visible vertex nearest to a place of the world; the distance in the brush's unit."""
@@ -233,6 +236,15 @@ class Session:
         roots = [dab.vertex for dab in self.dabs]  # which moves most
         return not _same(self._original[roots], self.current[roots]) or not _same(self._original, self.current)
 
+    @property
+    def is_cancelled(self):
+        """Whether the last pull moved nothing only because its mirror images cancel each other out."""
+        last = self.last
+        if last is None or not last.brush.mirror:
+            return False
+        alone = dataclasses.replace(last.brush, mirror=frozenset())
+        return self._would_move(last.dab, alone) and not self._would_move(last.dab, last.brush)
+
     def shapes_of_last(self):
         """The shapes (n, 3) before the last pull and after it; the session leaves them as they are."""
         last = self.last
@@ -250,37 +262,51 @@ class Session:
         """The last pull, a Pulled value; None after smoothing and where there is none."""
         return self._history.last
 
+    def _would_move(self, dab, brush):
+        shape = self._original.copy()
+        self._puller.pull(shape, dab.vertex, dab.displacement, brush, dab.radius, self._original)
+        return not _same(shape, self._original)
+
     def _pull_on(self, dab, write):
-        before, place, room = self.current, tuple(self.current[dab.vertex].tolist()), None
-        numbers = dab.vertex, dab.displacement, self.brush, dab.radius, self._start
-        if self._puller.may_sweep(self.brush, dab.radius, self._start):
-            after, room = self._spare(), self._room(write)
-            if room is not None and not self._unwritten:
-                # It holds the shape already, and has just been through the processor.
-                moved = self._puller.sweep(room, *numbers, room, after)
-            else:
-                moved = self._puller.sweep(before, *numbers, after, room)
-            self.current = after
-            before = before if moved is None else before[moved]
-        else:
-            moved, before = self._puller.pull(self._writable(), *numbers)
+        place = tuple(self.current[dab.vertex].tolist())
+        moved, before, room = self._pull(dab, self.current, self._start, write)
         self._history.add(dab, self.brush, place, moved, before)
         self._changed([moved], write, room, self.brush.largest_force * np.linalg.norm(dab.displacement))
 
     def _pull_afresh(self, dab, write):
         place = tuple(self._base[dab.vertex].tolist())
-        numbers, room = (dab.vertex, dab.displacement, self.brush, dab.radius), None
-        if self._puller.may_sweep(self.brush, dab.radius, self._base):
-            room = self._room(write)
-            if self._is_kept(self.current):
-                self.current = self._spare()
-            moved = self._puller.sweep(self._base, *numbers, self._base, self.current, room)
-        else:
-            moved = self._puller.pull_from(self._base, self._writable(), self._last_moved, *numbers)
-        self._history.add(dab, self.brush, place, None, self._base)
+        moved, before, room = self._pull(dab, self._base, self._base, write)
+        self._history.add(dab, self.brush, place, None, before)
         # What the dab before has moved is back in its place, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
         self._changed(changed, write, room)
+
+    def _pull(self, dab, source, start, write):
+        """Let what is current be what a dab makes of the source, by one pass over all vertices or by the tree, whichever
+        takes less time.
+
+        Returns (what has moved, or None for all, where it was, the mesh's memory where that is filled too); where nothing
+        accumulates, not where it was, but the source.
+        """
+        numbers, is_on_top = (dab.vertex, dab.displacement, self.brush, dab.radius), self.brush.accumulate
+        if self._puller.may_sweep(self.brush, dab.radius, start):
+            room = self._room(write)
+            moved = self._sweep(source, numbers, start, room)
+            return moved, source[moved] if is_on_top and moved is not None else source, room
+        if is_on_top:
+            return *self._puller.pull(self._writable(), *numbers, start), None
+        return self._puller.pull_from(source, self._writable(), self._last_moved, *numbers), source, None
+
+    def _sweep(self, source, numbers, start, room):
+        is_on_top = self.brush.accumulate
+        after = self._spare() if is_on_top or self._is_kept(self.current) else self.current
+        if is_on_top and room is not None and not self._unwritten:
+            # It holds the shape already, and has just been through the processor.
+            moved = self._puller.sweep(room, *numbers, start, room, after)
+        else:
+            moved = self._puller.sweep(source, *numbers, start, after, room)
+        self.current = after
+        return moved
 
     def _smooth(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())

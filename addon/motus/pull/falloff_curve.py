@@ -19,7 +19,7 @@ def ensure(brush):
     made = brush.curve_nodes.nodes.new(NODE_TYPE)
     points = made.mapping.curves[0].points
     for t in (0.25, 0.5, 0.75):
-        points.new(t, t * t * (3.0 - 2.0 * t))
+        points.new(t, _smooth(t))
     made.mapping.update()
     return made
 
@@ -32,12 +32,17 @@ def node(brush):
 
 
 def samples(brush, count=CURVE_SAMPLES):
-    """Forces at equal steps from the radius to the root: float32 (count,). Linear where there is no curve."""
+    """Forces at equal steps from the radius to the root: float32 (count,). Smooth, as ensure() makes it, where there is no
+    curve yet."""
     steps = np.linspace(0.0, 1.0, count)
     found = node(brush)
     if found is None:
-        return steps.astype(np.float32)
+        return _smooth(steps).astype(np.float32)
     mapping = found.mapping
     mapping.initialize()
     curve = mapping.curves[0]
     return np.array([mapping.evaluate(curve, step) for step in steps], np.float32)
+
+
+def _smooth(t):
+    return t * t * (3.0 - 2.0 * t)

@@ -1,13 +1,12 @@
 """A perspective view from another side, in the corner of the viewport while a mesh is pulled."""
 
-import inspect
 import logging
 import math
 
 import bpy
 from mathutils import Matrix, Vector
 
-from ..core import native
+from ..core import capabilities, native
 from . import drawing, hover, stage
 
 log = logging.getLogger(__name__)
@@ -140,7 +139,7 @@ def _draw_view(context, place):
     matrices = camera(context.region_data.view_rotation, *ball(context.object), width / height)
     buffer.draw_view3d(
         context.scene, context.view_layer, context.space_data, context.region, *matrices,
-        do_color_management=_takes_display_colors(draw_texture_2d))
+        do_color_management=capabilities.has_textures_in_display_colors())
     gpu.state.depth_mask_set(False)
     gpu.state.blend_set('NONE')
     draw_texture_2d(buffer.texture_color, (x, y), width, height)
@@ -149,11 +148,6 @@ def _draw_view(context, place):
     drawing.line(corners, FRAME, 1.5 * context.preferences.system.pixel_size)
     gpu.state.blend_set('NONE')
     gpu.state.depth_mask_set(True)
-
-
-def _takes_display_colors(draw_texture):
-    """Whether textures are drawn with the colours that they have; before Blender 5 they are taken for linear ones."""
-    return "is_scene_linear_with_rec709_srgb_target" in inspect.signature(draw_texture).parameters
 
 
 def _buffer(width, height):

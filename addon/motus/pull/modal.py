@@ -100,6 +100,8 @@ class PickPullModal:
         has_changed = session.finish()
         if has_changed:
             self.remember(context, session)
+        elif sentence := why_cancelled(session):
+            self.report({'WARNING'}, sentence)
         self._keep(context)
         return {'FINISHED'} if has_changed else {'CANCELLED'}
 
@@ -191,6 +193,14 @@ class PickPullModal:
         else:
             pulling.type_strength(context, event.type)
         return {'RUNNING_MODAL'}
+
+
+def why_cancelled(session):
+    """A sentence, where the mirror is why nothing has moved; else None."""
+    if not session.is_cancelled:
+        return None
+    return tr("Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
+              "direction or switch the mirror off")
 
 
 def _turns_view(context, event):

@@ -29,7 +29,8 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
         name="Displacement", description="How far the root goes, instead of a direction and a strength", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     curve: bpy.props.FloatVectorProperty(
-        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root",
+        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
+                                  "without it, those of the scene's own curve",
         size=properties.CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     dabs: bpy.props.CollectionProperty(
         type=properties.MOTUS_PG_dab, name="Dabs", description="What was done with the mouse",
@@ -43,7 +44,8 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         if not session.finish() and has_acted:
-            self.report({'ERROR'}, tr("Nothing moved: what is in reach is hidden, masked or held by a limit"))
+            self.report({'ERROR'}, modal.why_cancelled(session) or tr(
+                "Nothing moved: what is in reach is hidden, masked or held by a limit"))
             return {'CANCELLED'}
         self.remember(context, session, with_dabs=False)
         if session.mesh.is_muted():

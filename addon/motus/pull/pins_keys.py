@@ -5,30 +5,44 @@ import re
 import bpy
 
 from ..core import actions
+from ..core.wiring import readers
 
 _PATH = re.compile(r"^motus\.pull\.pins\[(?P<index>\d+)\](?P<rest>.*)$")
 _KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",
                "back", "amplitude", "period", "type")
 
 
-def reorder(owner, places):
-    """Let keys and drivers follow their pins. places: new index of each pin by its old one; None: it is removed."""
+def reorder(owner, places, absent):
+    """Let keys, drivers, and others' drivers that read them follow their pins.
+
+    places: new index of each pin by its old one, without those that are removed. absent: data path that is read of these.
+    """
     for player in actions.players(owner):
         if any(places.get(place) != place for place in _pins_of(actions.curves_of(player))):
             actions.make_own(player)  # an object that shares it has pins of its own
             _reorder(actions.curves_of(player), places)
     if owner.animation_data:
         _reorder(owner.animation_data.drivers, places)
+    for _, _, variable, index in readers.targets_on({owner}):
+        target = variable.targets[index]
+        match = _PATH.match(target.data_path)
+        if match:
+            target.data_path = _moved(match, places) or absent
 
 
 def _reorder(curves, places):
     found = [(curve, _PATH.match(curve.data_path)) for curve in curves]
     for curve, match in [pair for pair in found if pair[1]]:
-        place = places.get(int(match["index"]))
-        if place is None:
+        path = _moved(match, places)
+        if path is None:
             curves.remove(curve)
         else:
-            curve.data_path = f"motus.pull.pins[{place}]{match['rest']}"
+            curve.data_path = path
+
+
+def _moved(match, places):
+    place = places.get(int(match["index"]))
+    return None if place is None else f"motus.pull.pins[{place}]{match['rest']}"
 
 
 def _pins_of(curves):

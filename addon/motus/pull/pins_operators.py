@@ -82,7 +82,8 @@ class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
         name="Strength", description="How much of its way the pin pulls; negative pushes", default=1.0, soft_min=-2.0,
         soft_max=2.0, options={'SKIP_SAVE'})
     curve: bpy.props.FloatVectorProperty(
-        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root",
+        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
+                                  "without it, those of the scene's own curve",
         size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     name: bpy.props.StringProperty(name="Name", description="Name of the pin", options={'SKIP_SAVE'})
     from_last: bpy.props.BoolProperty(

@@ -5,6 +5,7 @@ import bpy
 from ..core import libraries, wiring
 from ..core.lazy import numpy as np
 from ..core.translations import tr
+from ..core.wiring import readers
 from . import mesh_arrays as arrays
 from . import pins_binding as binding
 from . import pins_keys as keys
@@ -71,7 +72,7 @@ def remove(obj, indices):
     if min(indices) < libraries.count_from_library(obj, "motus.pull.pins"):
         raise Refused(tr("A pin of {object} is from its library and cannot be removed here: mute it").format(object=obj.name))
     left = [index for index in range(len(settings.pins)) if index not in indices]
-    keys.reorder(obj, {old: new for new, old in enumerate(left)})
+    _follow(obj, left)
     for index in sorted(indices, reverse=True):
         settings.pins.remove(index)
     settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
@@ -88,7 +89,7 @@ def reorder(obj, index, place):
     order = list(range(len(settings.pins)))
     order.insert(place, order.pop(index))
     settings.pins.move(index, place)
-    keys.reorder(obj, {old: new for new, old in enumerate(order)})
+    _follow(obj, order)
     settings.active_pin = place
     wiring.touch(system(), obj)
 
@@ -116,6 +117,9 @@ def settle(obj):
             pin.vertex, pin.place = root, positions[root]
 
 
+def _follow(obj, order):
+    # A pin's number may soon be another's: who reads a pin that is gone reads what is never there, and Blender says so.
+    keys.reorder(obj, {old: new for new, old in enumerate(order)}, readers.absent_path(system(), "removed pin"))
 
 
 def _anchors_of_mesh(mesh, but=None):

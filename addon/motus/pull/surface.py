@@ -42,29 +42,34 @@ class Surface:
     def _corners(self):
         return self._mesh.corners()
 
+    @cached_property
+    def _hidden(self):
+        return self._mesh.hidden()
+
     def reopen(self, mesh, depsgraph):
-        """The same mesh, read anew by others' means."""
+        """The same mesh, read anew by others' means: what is hidden is asked again."""
         self._mesh, self._depsgraph = mesh, depsgraph
+        self.__dict__.pop("_hidden", None)
         self._is_deformed, self._seen = mesh.is_deformed(), None
 
     def normal(self, vertex, shape):
         """Unit normal of a shape (n, 3) of the mesh at a vertex; zero for a loose one."""
         return arrays.vertex_normal(self._mesh.mesh, self._corners, shape, vertex)
 
-    def ray(self, origin, direction, start, current):
-        """What a ray in the object's space meets: (triangle, point, the vertices at its corners, their places) or None.
+    def pick(self, origin, direction, metric, start, current):
+        """What a ray in the object's space meets: (triangle, point, its normal there, the root) or None; see Hit.
 
         current: the shape that is pulled and seen; None where that is the start.
         """
         shape = self._seen_shape(start if current is None else current)
         is_start = current is None and not self._is_deformed
         tree = self._start_tree if is_start else self._seen_tree
-        found = tree.ray(shape, self.triangles, self.edges, origin, direction)
+        found = tree.pick(shape, self.triangles, self.edges, origin, direction, metric, self._hidden)
         if found is None:
             return None
-        triangle, point, _ = found
-        corners = self.triangles[triangle]
-        return int(triangle), np.asarray(point, float), corners, shape[corners].astype(float)
+        triangle, point, vertex = found
+        places = shape[self.triangles[triangle]].astype(float)
+        return triangle, point, np.cross(places[1] - places[0], places[2] - places[0]), vertex
 
     def picker(self, start):
         """The native Picker over the start."""

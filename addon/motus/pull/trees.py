@@ -53,8 +53,11 @@ class Tree:
         self._moved, self._drift = [], 0.0
         return self._picker
 
-    def ray(self, positions, triangles, edges, origin, direction):
-        """What Picker.ray gives for these positions; for a few short ways the tree is not refitted."""
+    def pick(self, positions, triangles, edges, *ray):
+        """What Picker.pick gives for these positions; for a few short ways the tree is not refitted.
+
+        ray: origin, direction, metric, and which vertices are hidden.
+        """
         if self._picker is not None and 0.0 < self._drift <= LOOSE * self._size:
-            return self._picker.ray(origin, direction, positions, 1.001 * self._drift + ROUNDING * self._largest)
-        return self.picker(positions, triangles, edges).ray(origin, direction)
+            return self._picker.pick(*ray, positions, 1.001 * self._drift + ROUNDING * self._largest)
+        return self.picker(positions, triangles, edges).pick(*ray)

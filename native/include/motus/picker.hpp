@@ -1,6 +1,7 @@
 // What a ray meets on a triangle mesh, and which vertices are near a point, by a tree that follows the mesh
 // as it is deformed.
 #pragma once
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/mat3x3.hpp>
@@ -18,7 +19,8 @@ namespace motus {
 struct Hit {
     std::uint32_t triangle = 0;
     glm::dvec3 point{0.0};
-    double distance = 0.0;  ///< from the ray's origin, in the positions' own units, >= 0
+    double distance = 0.0;                   ///< from the ray's origin, in the positions' own units, >= 0
+    std::array<std::uint32_t, 3> corners{};  ///< vertices of the triangle
 };
 
 /// A picking tree over the triangles and all vertices of a mesh, loose ones too. It keeps a copy of the
@@ -55,6 +57,23 @@ class Picker {
     /// are more or fewer positions, or the slack is negative or not finite.
     [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                          std::span<const glm::vec3> positions, float slack) const;
+
+    /// The vertex nearest to a hit of the ray with this direction, |metric (p - point)| counting, on the
+    /// surface that was hit: of its triangle, and of those that hang together with it by edges which are
+    /// nearer than the vertex, as far as they are seen from the same side; of 256 triangles at most. So it
+    /// may belong to another triangle, where they are thin, but never to the far side of a wall or to another
+    /// sheet. Those whose `hidden` (nothing, or one for each vertex) is not 0 are left out, unless all around
+    /// are: then it is the triangle's nearest corner. The lowest index where several are as near. Throws
+    /// std::invalid_argument where there are more or fewer of `hidden`.
+    [[nodiscard]] std::uint32_t nearest_seen(const Hit& hit, const glm::dvec3& direction,
+                                             std::span<const std::uint8_t> hidden = {},
+                                             const glm::mat3& metric = glm::mat3(1.0f)) const;
+
+    /// The same for another shape of the mesh, with the arguments of ray().
+    [[nodiscard]] std::uint32_t nearest_seen(const Hit& hit, const glm::dvec3& direction,
+                                             std::span<const glm::vec3> positions, float slack,
+                                             std::span<const std::uint8_t> hidden = {},
+                                             const glm::mat3& metric = glm::mat3(1.0f)) const;
 
     /// The vertex nearest to the point, the lowest index where several are as near. Nothing where there is
     /// none.

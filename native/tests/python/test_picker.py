@@ -38,6 +38,19 @@ class PickerTest(unittest.TestCase):
             with self.assertRaisesRegex(error, name):
                 self.picker.ray((0.0, 0.0, 5.0), (0.0, 0.0, -1.0), *arguments)
 
+    def test_pick(self):
+        triangle, point, vertex = self.picker.pick((0.02, 0.01, 5.0), (0.0, 0.0, -2.0))
+        self.assertEqual((triangle, vertex), (self.picker.ray((0.02, 0.01, 5.0), (0.0, 0.0, -2.0))[0], 220))
+        np.testing.assert_allclose(point, (0.02, 0.01, 0.0), atol=1e-9)
+        hidden = np.arange(441) == 220
+        self.assertEqual(self.picker.pick((0.02, 0.01, 5.0), (0.0, 0.0, -1.0), None, hidden)[2], 221)
+        metric = np.diag((1.0, 9.0, 1.0))
+        self.assertEqual(self.picker.pick((0.045, 0.06, 5.0), (0.0, 0.0, -1.0))[2], 241)
+        self.assertEqual(self.picker.pick((0.055, 0.049, 5.0), (0.0, 0.0, -1.0), metric)[2], 221)
+        moved = self.positions + np.float32([0.05, 0.0, 0.5])
+        self.assertEqual(self.picker.pick((0.06, 0.01, 5.0), (0.0, 0.0, -1.0), None, None, moved, 0.6)[2], 220)
+        self.assertIsNone(self.picker.pick((9.0, 0.0, 5.0), (0.0, 0.0, -1.0)))
+
     def test_nearest(self):
         self.assertEqual(self.picker.nearest((0.03, -0.02, 4.0)), 220)
         self.assertEqual(self.picker.nearest((-9, -9, 0)), 0)
@@ -129,6 +142,10 @@ class PickerTest(unittest.TestCase):
             (lambda: make(self.positions, self.triangles, [0, 1]), ValueError, "edges"),
             (lambda: self.picker.ray((0, 0, np.nan), (0, 0, 1)), ValueError, "origin"),
             (lambda: self.picker.ray((0, 0, 1), (0, 1)), ValueError, "direction"),
+            (lambda: self.picker.pick((0, 0, 1), (0, 0, -1), np.eye(4)), ValueError, "metric"),
+            (lambda: self.picker.pick((0, 0, 1), (0, 0, -1), None, np.zeros(440, bool)), ValueError, "hidden"),
+            (lambda: self.picker.pick((0, 0, 1), (0, 0, -1), None, np.zeros(441)), TypeError, "hidden"),
+            (lambda: self.picker.pick((0, 0, 1), (0, 0, -1), slack=0.5), ValueError, "slack"),
             (lambda: self.picker.nearest((0, 0)), ValueError, "point"),
             (lambda: self.picker.nearest((0, 0, 1e300)), ValueError, "point"),
             (lambda: self.picker.within((0, 0, 0), -1), ValueError, "radius"),

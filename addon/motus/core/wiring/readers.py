@@ -30,19 +30,25 @@ def of(system, owner):
     read = {owner, *(carrier for _, carrier in carriers)}
     slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
     found = []
-    for holder, curve in _drivers(set().union(*bpy.data.user_map(subset=read).values())):
-        for variable in curve.driver.variables:
-            for index, target in enumerate(variable.targets):
-                if target.id not in read:
-                    continue
-                at, absent = slot.match(target.data_path), waiting.match(target.data_path)
-                output = _output(names, target.id, at) if at else absent and bpy.utils.unescape_identifier(absent[1])
-                if output is not None:
-                    found.append(Reader(holder, curve.data_path, curve.array_index, variable.name, index, output))
+    for holder, curve, variable, index in targets_on(read):
+        target = variable.targets[index]
+        at, absent = slot.match(target.data_path), waiting.match(target.data_path)
+        output = _output(names, target.id, at) if at else absent and bpy.utils.unescape_identifier(absent[1])
+        if output is not None:
+            found.append(Reader(holder, curve.data_path, curve.array_index, variable.name, index, output))
     return found
 
 
-def _waiting(system, output):
+def targets_on(read):
+    """(datablock, driver, variable, index of the target) of all that users' drivers read of a set of datablocks."""
+    for holder, curve in _drivers(set().union(*bpy.data.user_map(subset=read).values())):
+        for variable in curve.driver.variables:
+            for index, target in enumerate(variable.targets):
+                if target.id in read:
+                    yield holder, curve, variable, index
+
+
+def absent_path(system, output):
     """Data path of a property that is never there."""
     return f'["motus_{system.name}:{output}"]'
 
@@ -75,7 +81,7 @@ def point(system, owner, readers):
         curve = animation and animation.drivers.find(reader.data_path, index=reader.array_index)
         variable = curve and curve.driver.variables.get(reader.variable)
         if variable:
-            absent = owner, _waiting(system, bpy.utils.escape_identifier(reader.output))
+            absent = owner, absent_path(system, bpy.utils.escape_identifier(reader.output))
             _let_read(variable, variable.targets[reader.index], *places.get(reader.output, absent))
 
 

@@ -40,8 +40,9 @@ INTERFACE = {
     "Falloff": "Decaimiento",
     "First": "Primero",
     "Forces at equal steps from the radius to the root": "Fuerzas a pasos iguales desde el radio hasta la raíz",
-    "Forces of the falloff Curve at equal steps from the radius to the root":
-        "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz",
+    "Forces of the falloff Curve at equal steps from the radius to the root; without it, those of the scene's own curve":
+        "Fuerzas del decaimiento Curva a pasos iguales desde el radio hasta la raíz; sin ella, las de la curva propia de la "
+        "escena",
     "Gaussian": "Gaussiano",
     "Go to Object, Edit or Sculpt Mode first": "Pasa antes al modo Objeto, Edición o Esculpido",
     "Height": "Alto",
@@ -90,6 +91,10 @@ INTERFACE = {
     "Nothing is moved below a height": "Nada se mueve por debajo de una altura",
     "Nothing moved: what is in reach is hidden, masked or held by a limit":
         "Nada se movió: lo que está al alcance está oculto, enmascarado o retenido por un límite",
+    "Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
+    "direction or switch the mirror off":
+        "Nada se movió: en el plano de simetría este tirón y su imagen simétrica se anulan entre sí. Elige otra dirección "
+        "o desactiva la simetría",
     "Number of vertices along X": "Número de vértices en X",
     "Number of vertices along Y": "Número de vértices en Y",
     "Out of the surface at the root": "Hacia fuera de la superficie en la raíz",
