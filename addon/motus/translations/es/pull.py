@@ -32,11 +32,6 @@ INTERFACE = {
     "Each pull builds on the last; otherwise each starts from the original shape":
         "Cada tirón parte del anterior; si no, cada uno parte de la forma original",
     "Edges": "Aristas",
-    "Local": "Local",
-    "Local Space": "Local",
-    "Unit": "Unidades",
-    "World": "Mundo",
-    "World Space": "Global",
     "Falloff": "Decaimiento",
     "First": "Primero",
     "Forces at equal steps from the radius to the root": "Fuerzas a pasos iguales desde el radio hasta la raíz",
@@ -76,6 +71,8 @@ INTERFACE = {
     "Lengths and directions are those of the world, whatever the object's scale":
         "Las longitudes y direcciones son las del mundo, sea cual sea la escala del objeto",
     "Lowest height of what moves": "Altura mínima de lo que se mueve",
+    "Local": "Local",
+    "Local Space": "Local",
     "Matrix, row by row, that takes the object's vectors to those that are measured":
         "Matriz, fila por fila, que lleva los vectores del objeto a los que se miden",
     "Maximum": "Máximo",
@@ -140,6 +137,7 @@ INTERFACE = {
         "No hay una vista hacia la que tirar: elige otra dirección",
     "Towards the viewer": "Hacia quien mira",
     "UV Map": "Mapa UV",
+    "Unit": "Unidades",
     "Use Maximum": "Usar máximo",
     "Use Minimum": "Usar mínimo",
     "Vertex": "Vértice",
@@ -159,6 +157,8 @@ INTERFACE = {
     "Which way it pulls": "Hacia dónde tira",
     "Whose lengths and directions count": "De quién cuentan las longitudes y direcciones",
     "Width": "Ancho",
+    "World": "Mundo",
+    "World Space": "Global",
     "{object} has a Multiresolution modifier: apply it or remove it first":
         "{object} tiene un modificador Multirresolución: aplícalo o quítalo antes",
     "{object} has no vertex group {group}": "{object} no tiene el grupo de vértices {group}",
