@@ -1,5 +1,6 @@
 """What Pick & Pull does in the window, as far as it needs none: strokes, numbers, the cursor's shape, the tools."""
 
+import itertools
 import math
 import types
 import unittest
@@ -239,18 +240,29 @@ class CursorShape(unittest.TestCase):
 
 
 class Inset(unittest.TestCase):
-    def camera(self, rotation):
-        return support.addon("pull.inset").camera(rotation.to_quaternion(), Vector((1.0, 2.0, 3.0)), 2.0, 1.5)
+    def corners(self, size=(4.0, 3.0, 2.0)):
+        return [Vector((1.0, 2.0, 3.0)) + Vector(sides) * Vector(size) / 2.0 for sides in itertools.product((-1, 1), repeat=3)]
 
-    def test_the_whole_ball_is_in_the_picture(self):
-        for rotation in (Euler((0.0, 0.0, 0.0)), Euler((math.pi / 2.0, 0.0, 0.0)), Euler((1.1, 0.0, 0.8))):
-            view, projection = self.camera(rotation)
-            directions = np.random.default_rng(1).normal(size=(500, 3))
-            directions /= np.linalg.norm(directions, axis=1)[:, None]
-            for direction in directions:
-                place = projection @ view @ (Vector((1.0, 2.0, 3.0)) + 2.0 * Vector(direction)).to_4d()
+    def camera(self, rotation, *size):
+        return support.addon("pull.inset").camera(rotation.to_quaternion(), self.corners(*size), 1.5)
+
+    def test_the_whole_box_fills_the_picture(self):
+        views = Euler((0.0, 0.0, 0.0)), Euler((math.pi / 2.0, 0.0, 0.0)), Euler((1.1, 0.0, 0.8))
+        for rotation, size in itertools.product(views, ((4.0, 3.0, 2.0), (5.0, 5.0, 0.0), (0.1, 0.1, 9.0))):
+            view, projection = self.camera(rotation, size)
+            reached = 0.0
+            for corner in self.corners(size):
+                place = projection @ view @ corner.to_4d()
                 self.assertGreater(place.w, 0.0)
-                self.assertLessEqual(max(abs(place.x), abs(place.y), abs(place.z)) / place.w, 1.0)
+                self.assertLessEqual(abs(place.z) / place.w, 1.0)
+                reached = max(reached, abs(place.x) / place.w, abs(place.y) / place.w)
+            self.assertLess(reached, 1.0)
+            self.assertGreater(reached, 0.85)
+
+    def test_an_object_without_size(self):
+        view, projection = self.camera(Euler((0.3, 0.0, 0.0)), (0.0, 0.0, 0.0))
+        place = projection @ view @ Vector((1.0, 2.0, 3.0, 1.0))
+        self.assertLess(max(abs(place.x), abs(place.y), abs(place.z)) / place.w, 1.0)
 
     def test_it_looks_from_another_side(self):
         for rotation in (Euler((0.0, 0.0, 0.0)), Euler((math.pi / 2.0, 0.0, 0.7)), Euler((1.1, 0.0, -2.0))):

@@ -24,6 +24,8 @@ RISE = math.radians(25.0)
 """Above the horizon; more where the work is seen from straight above or below."""
 LENS = 2.4
 """Half the picture's height lies so many times nearer than the eye."""
+BORDER = 1.1
+"""The work takes so much less than the picture."""
 SMALLEST = 96
 SIDES = {'UI', 'TOOLS'}
 SHELVES = {'ASSET_SHELF', 'ASSET_SHELF_HEADER'}
@@ -81,8 +83,8 @@ def _free(region, others):
     return left, right, bottom
 
 
-def camera(view_rotation, center, radius, aspect):
-    """View and projection matrix from another side. center, radius: of a ball round what is shown."""
+def camera(view_rotation, corners, aspect):
+    """View and projection matrix from another side, as near as has all the corners of a box in the picture, in the world."""
     backward = view_rotation @ Vector((0.0, 0.0, 1.0))
     right = view_rotation @ Vector((1.0, 0.0, 0.0))
     # Round the vertical from the screen's right, which a view from above has too.
@@ -90,22 +92,17 @@ def camera(view_rotation, center, radius, aspect):
     is_level = abs(backward.z) < 0.9
     rise = RISE if is_level else 1.4 * RISE
     toward = Vector((math.cos(rise) * math.cos(azimuth), math.cos(rise) * math.sin(azimuth), math.sin(rise)))
-    distance = max(radius, 1e-6) * math.hypot(LENS, 1.0) * 1.05
     rotation = toward.to_track_quat('Z', 'Y')
+    center = sum(corners, Vector()) / len(corners)
+    radius = max(max((corner - center).length for corner in corners), 1e-6)
+    seen = [rotation.inverted() @ (corner - center) for corner in corners]
+    distance = max(place.z + BORDER * LENS * max(abs(place.x) / aspect, abs(place.y), 0.1 * radius) for place in seen)
     view = Matrix.LocRotScale(center + distance * toward, rotation, None).inverted()
     near, far = max(distance - 2.0 * radius, distance * 0.01), distance + 50.0 * radius
     projection = Matrix((
         (LENS / aspect, 0.0, 0.0, 0.0), (0.0, LENS, 0.0, 0.0),
         (0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)), (0.0, 0.0, -1.0, 0.0)))
     return view, projection
-
-
-def ball(obj):
-    """Middle and radius of a ball round an object, in the world."""
-    corners = [obj.matrix_world @ Vector(corner) for corner in obj.bound_box]
-    low = Vector(min(corner[axis] for corner in corners) for axis in range(3))
-    high = Vector(max(corner[axis] for corner in corners) for axis in range(3))
-    return (low + high) / 2.0, (high - low).length / 2.0
 
 
 def _is_wanted(context):
@@ -136,7 +133,8 @@ def _draw_view(context, place):
 
     x, y, width, height = place
     buffer = _buffer(width, height)
-    matrices = camera(context.region_data.view_rotation, *ball(context.object), width / height)
+    corners = [context.object.matrix_world @ Vector(corner) for corner in context.object.bound_box]
+    matrices = camera(context.region_data.view_rotation, corners, width / height)
     buffer.draw_view3d(
         context.scene, context.view_layer, context.space_data, context.region, *matrices,
         do_color_management=capabilities.has_textures_in_display_colors())

@@ -112,8 +112,9 @@ class MOTUS_UL_pins(bpy.types.UIList):
     def draw_item(self, context, layout, settings, pin, _icon, _active, _name, index):
         row = layout.row(align=True)
         is_well = state_of(context, settings.id_data, index) == solve.OK
-        row.prop(pin, "name", text="", emboss=False, icon='PINNED' if is_well else 'ERROR')
-        row.prop(pin, "strength", text="", emboss=False)
+        columns = row.split(factor=0.65, align=True)  # a narrow sidebar has room for the name all the same
+        columns.prop(pin, "name", text="", emboss=False, icon='PINNED' if is_well else 'ERROR')
+        columns.prop(pin, "strength", text="", emboss=False)
         row.prop(pin, "is_muted", text="", emboss=False, icon='HIDE_ON' if pin.is_muted else 'HIDE_OFF')
 
 
