@@ -1,6 +1,29 @@
 """The sidebar's Motus tab opens and draws."""
 
+import blf
+import bpy
+import support
 import window_support
+
+SENTENCES = (
+    "Landscape has a Multiresolution modifier: apply it or remove it first",
+    "Some chains have no target that they could reach for: the list says why",
+    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale")
+AROUND = 80.0
+"""Pixels of the sidebar that its tabs, margins and a message's icon take."""
+
+
+class _Lines(list):
+    """A layout that keeps its labels."""
+
+    def box(self):
+        return self
+
+    def column(self, align):
+        return self
+
+    def label(self, text, icon, translate):
+        self.append(text)
 
 
 def test_key_opens_the_sidebar():
@@ -24,3 +47,19 @@ def test_tab_draws_its_panels():
     assert (width, height) == (1280, 800)
     brightness = {round(value, 2) for value in values[0::4]}
     assert len(brightness) > 20, "the picture shows no interface"
+
+
+def test_messages_fit_into_the_sidebar():
+    yield from window_support.open_tab("Motus")
+    style, scale = bpy.context.preferences.ui_styles[0].widget, bpy.context.preferences.system.ui_scale
+    if bpy.app.version >= (4, 0, 0):
+        blf.size(0, style.points * scale)
+    else:
+        blf.size(0, style.points * scale, 72)
+    sidebar, lines = window_support.region('UI'), _Lines()
+    with bpy.context.temp_override(window=window_support.window(), area=window_support.area(), region=sidebar):
+        for sentence in SENTENCES:
+            support.addon("core.ui").draw_message(lines, sentence, 'INFO')
+    assert " ".join(lines) == " ".join(SENTENCES)
+    widest = max(blf.dimensions(0, line)[0] for line in lines)
+    assert widest <= sidebar.width - AROUND * scale, (widest, sidebar.width, lines)

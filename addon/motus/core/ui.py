@@ -6,6 +6,9 @@ from . import native, wiring
 from .system import of_owner
 
 TAB = "Motus"
+CHARACTER_WIDTH = 6.5  # pixels, of the interface's font at a scale of 1
+FEWEST = 16
+"""Characters in a line, however narrow the region."""
 
 
 class Sidebar:
@@ -101,12 +104,20 @@ def draw_bake(layout, system, owner):
         row.operator("motus.bake", icon='KEYFRAME').system = system.name
 
 
-def draw_message(layout, sentence, icon, width=44):
-    """A sentence over as many lines as a narrow sidebar needs."""
+def draw_message(layout, sentence, icon):
+    """A sentence over as many lines as the region that is drawn needs."""
     import textwrap
-    box = layout.box().column(align=True)
-    for index, line in enumerate(textwrap.wrap(bpy.app.translations.pgettext_tip(sentence), width)):
+    box, most = layout.box().column(align=True), _characters(bpy.context)
+    for index, line in enumerate(textwrap.wrap(bpy.app.translations.pgettext_tip(sentence), most)):
         box.label(text=line, icon=icon if index == 0 else 'BLANK1', translate=False)
+
+
+def _characters(context):
+    """How many fit in a line of the region, beside an icon and the margins."""
+    if context.region is None:
+        return FEWEST
+    scale = context.preferences.system.ui_scale
+    return max(FEWEST, int((context.region.width / scale - 90.0) / CHARACTER_WIDTH))
 
 
 classes = (MOTUS_OT_copy_text, MOTUS_PT_sidebar, MOTUS_PT_overlay)

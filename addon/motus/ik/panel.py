@@ -8,8 +8,6 @@ from . import limits_panel, status
 from .presets import MOTUS_PT_ik_presets
 from .setup import system
 
-CHARACTER_WIDTH = 6.5  # pixels, of the interface's font at a scale of 1
-
 
 def split(layout):
     """A column with labels on the left."""
@@ -45,7 +43,7 @@ def draw_main(layout, context):
     remove.object, remove.bone = rig.name, entry.name
     icon, sentence = status.sentence(context, rig, entry)
     if sentence:
-        ui.draw_message(layout, sentence, icon, _message_width(context))
+        ui.draw_message(layout, sentence, icon)
     else:
         ui.draw_problem(layout, context, system(), rig)
     column = split(layout)
@@ -58,12 +56,6 @@ def draw_main(layout, context):
     column.operator("motus.ik_refresh", icon='FILE_REFRESH')
     everything = column.operator("motus.ik_remove", text="Remove All", icon='X')
     everything.object = rig.name
-
-
-def _message_width(context):
-    """Characters that fit in a line beside the icon."""
-    scale = context.preferences.system.ui_scale
-    return max(16, int((context.region.width / scale - 90.0) / CHARACTER_WIDTH))
 
 
 def _draw_add(layout, context, rig):

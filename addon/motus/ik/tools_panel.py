@@ -22,9 +22,9 @@ def draw(layout, context):
     _of_chain(layout.operator("motus.ik_check", icon='VIEWZOOM'), rig, entry)
     sentence = check_results.sentence(entry, lambda value: status.length(context, value))
     if sentence and is_outdated(context, rig, entry):
-        ui.draw_message(layout, tr("Something has changed since the last check: check again"), 'INFO', width=36)
+        ui.draw_message(layout, tr("Something has changed since the last check: check again"), 'INFO')
     elif sentence:
-        ui.draw_message(layout, sentence, 'ERROR' if entry.check_frames else 'CHECKMARK', width=36)
+        ui.draw_message(layout, sentence, 'ERROR' if entry.check_frames else 'CHECKMARK')
 
 
 def is_outdated(context, rig, entry):

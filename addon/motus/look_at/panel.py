@@ -11,9 +11,6 @@ from . import reasons
 from .groups import OUTPUTS, shared_bone
 from .setup import system
 
-NARROW = 26
-"""Letters that a line of a sidebar as Blender opens it has room for."""
-
 
 def _split(layout):
     layout.use_property_split = True
@@ -93,17 +90,17 @@ def _draw_entry(layout, context, rig, entry):
         _draw_told(layout, told)
     elif entry.name not in rig.pose.bones:
         words = tr("{object} has no bone {bone}").format(object=rig.name, bone=entry.name)
-        ui.draw_message(layout, words, 'ERROR', NARROW)
+        ui.draw_message(layout, words, 'ERROR')
     elif shared_bone(rig, entry):
         words = tr("{bone} is turned by another head already: take fewer spine bones").format(
             bone=shared_bone(rig, entry))
-        ui.draw_message(layout, words, 'ERROR', NARROW)
+        ui.draw_message(layout, words, 'ERROR')
 
 
 def _draw_told(layout, told):
     words = reasons.sentence(told["reason"], told["angle"])
     if words:
-        ui.draw_message(layout, words, 'ERROR' if told["reason"] in reasons.UNWANTED else 'INFO', NARROW)
+        ui.draw_message(layout, words, 'ERROR' if told["reason"] in reasons.UNWANTED else 'INFO')
     if told["reason"] in reasons.UNWANTED or told["reason"] == reasons.MUTED:
         return
     grid = layout.box().grid_flow(columns=2, row_major=True, align=True)
