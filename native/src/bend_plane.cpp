@@ -23,6 +23,32 @@ glm::dvec3 fixed_normal(const glm::dvec3& along) {
 
 // Squares of lengths between which squares keep their digits.
 constexpr double tiny = 1e-200, huge = 1e200;
+constexpr double root_of_tiny = 1e-100, root_of_huge = 1e100;
+
+/// A normal of any length, across the unit vector `along`.
+template <class Real>
+struct Start {
+    glm::vec<3, Real> normal;
+    Real length;
+    glm::vec<3, Real> along;
+};
+
+/// blended_normal() of normals that need not be divided by their lengths first. share: the weight over the
+/// length of `to`.
+template <class Real>
+inline glm::vec<3, Real> blended(const Start<Real>& from, const glm::vec<3, Real>& to, Real share,
+                                 Real weight) {
+    using std::sqrt;
+    // Of unit vectors: rest from + weight to + rest weight (1 - from . to) along x from. Here times length^2.
+    const Real rest = Real(1.0) - weight;
+    const Real detour = rest * (from.length * weight - share * glm::dot(from.normal, to));
+    const Real scale = from.length * from.length;
+    const glm::vec<3, Real> sum = from.normal * (rest * from.length) +
+                                  glm::cross(from.along, from.normal) * detour + to * (scale * share);
+    const Real square = glm::dot(sum, sum);
+    const auto is_long = square > Real(1e-20) * (scale * scale);
+    return select(is_long, sum, from.normal) * (Real(1.0) / select(is_long, sqrt(square), from.length));
+}
 
 /// normal_across() where the plane's part across the line is so small that it fades out. sine: its share.
 glm::dvec3 normal_nearly_along(const glm::dvec3& along, const glm::dvec3& across, double sine) {
@@ -32,15 +58,26 @@ glm::dvec3 normal_nearly_along(const glm::dvec3& along, const glm::dvec3& across
     return blended_normal(fixed, straightened(unit, along), along, smooth_step(sine / pole_band));
 }
 
-/// faded_normal() of lengths whose squares do not keep their digits.
-glm::dvec3 slowly(const BendSide& side, const glm::dvec3& without, const glm::dvec3& across) {
+/// faded_normal() without a plane that decides by itself, and of lengths whose squares do not keep their
+/// digits.
+glm::dvec3 faded_slowly(const BendSide<double>& side) {
+    const bool has_plane = side.plane != glm::dvec3(0.0);
+    const glm::dvec3 without = normal_across(side.along, side.plane) * (has_plane ? 1.0 : side.bend);
+    const glm::dvec3 across = glm::cross(side.along, side.pole);
     const double distance = std::max(glm::length(side.pole), side.near);
     const double sine = distance > 0.0 ? glm::length(across) / distance : 0.0;
     const double weight = smooth_step(sine / side.band);
     const glm::dvec3 of_pole = unit_vector(across);
     if (weight == 0.0 || of_pole == glm::dvec3(0.0)) return without;
-    const double sign = side.bend;
-    return blended_normal(without, sign * straightened(of_pole, side.along), side.along, weight);
+    return blended_normal(without, side.bend * straightened(of_pole, side.along), side.along, weight);
+}
+
+BendSide<double> lane(const BendSide<double>& side, int /*index*/) {
+    return side;
+}
+BendSide<double> lane(const BendSide<Pair>& side, int index) {
+    return {lane(side.along, index), lane(side.pole, index), lane(side.plane, index),
+            lane(side.near, index),  lane(side.band, index), lane(side.bend, index)};
 }
 
 }  // namespace
@@ -56,13 +93,7 @@ glm::dvec3 unit_vector(glm::dvec3 v) {
 
 glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
                           double weight) {
-    constexpr double detour = 2.0;
-    const double rest = 1.0 - weight;
-    const double opposition = 0.5 * (1.0 - glm::dot(from, to));
-    const glm::dvec3 sum =
-        rest * from + weight * to + (detour * weight * rest * opposition) * glm::cross(along, from);
-    const double square = glm::dot(sum, sum);
-    return square > 1e-20 ? sum * (1.0 / std::sqrt(square)) : from;
+    return blended<double>({from, 1.0, along}, to, weight, weight);
 }
 
 glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane) {
@@ -77,16 +108,33 @@ glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane) {
 }
 
 // Not inlined, for the sake of the frequent branch of bend_normal().
-[[gnu::noinline]] glm::dvec3 faded_normal(BendSide side) {
-    const bool has_plane = side.plane != glm::dvec3(0.0);
-    const double sign = side.bend;
-    const glm::dvec3 without = normal_across(side.along, side.plane) * (has_plane ? 1.0 : sign);
-    const glm::dvec3 across = glm::cross(side.along, side.pole);
-    const double square = glm::dot(across, across);
-    const double far_square = std::max(glm::dot(side.pole, side.pole), side.near * side.near);
-    if (!(square > tiny && far_square < huge)) return slowly(side, without, across);
-    const double weight = smooth_step(std::sqrt(square / (side.band * side.band * far_square)));
-    return blended_normal(without, straightened(sign * across, side.along), side.along, weight);
+template <class Real>
+[[gnu::noinline]] glm::vec<3, Real> faded_normal(BendSide<Real> side) {
+    using std::max, std::sqrt;
+    using Vector = glm::vec<3, Real>;
+    const Vector across = glm::cross(side.along, side.pole);
+    const Real square = glm::dot(across, across);
+    const Real far_square = max(glm::dot(side.pole, side.pole), side.near * side.near);
+    const Real size = glm::dot(side.plane, side.plane);
+    const Vector plane = side.plane - side.along * glm::dot(side.plane, side.along);
+    const Real plane_square = glm::dot(plane, plane);
+
+    const Real inverse = Real(1.0) / (side.band * sqrt(far_square));
+    const Real x = sqrt(square) * inverse;
+    const Real slope =
+        x * (Real(3.0) - Real(2.0) * x);  // smooth_step(x) / x: on the line `across` has no direction
+    Vector normal = blended<Real>({plane, sqrt(plane_square), side.along}, across,
+                                  side.bend * inverse * slope, x * slope);
+
+    const auto is_slow =
+        !((square > Real(tiny)) & (far_square < Real(huge)) & (size > Real(root_of_tiny)) &
+          (size < Real(root_of_huge)) & (plane_square >= Real(pole_band * pole_band) * size));
+    for (int i = 0; any(is_slow) && i < lane_count<Real>; ++i)
+        if (lane(is_slow, i)) set_lane(normal, i, faded_slowly(lane(side, i)));
+    return normal;
 }
+
+template glm::vec<3, double> faded_normal(BendSide<double>);
+template glm::vec<3, Pair> faded_normal(BendSide<Pair>);
 
 }  // namespace motus

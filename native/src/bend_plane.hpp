@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
+#include "pair.hpp"
+
 namespace motus {
 
 // Vectors that only rare branches look at go by value: one whose address is taken lives in memory on the
@@ -24,29 +26,33 @@ namespace motus {
 [[nodiscard]] glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
                                         double weight);
 
-/// What the elbow's side depends on.
+/// What the elbow's side depends on. Real: double, or Pair for two at once.
+template <class Real>
 struct BendSide {
-    glm::dvec3 along;  ///< unit, root to target
-    glm::dvec3 pole;   ///< from the root
-    glm::dvec3 plane;  ///< as in TwoBone
-    double near;       ///< a pole nearer to the root counts as this far away
-    double band;       ///< sine of the pole's angle to the line from which on it decides alone
-    int bend;
+    glm::vec<3, Real> along;  ///< unit, root to target
+    glm::vec<3, Real> pole;   ///< from the root
+    glm::vec<3, Real> plane;  ///< as in TwoBone
+    Real near;                ///< a pole nearer to the root counts as this far away
+    Real band;                ///< sine of the pole's angle to the line from which on it decides alone
+    Real bend;                ///< 1 or -1
 };
 
-/// bend_normal where the pole is near the line and fades out.
-[[nodiscard]] glm::dvec3 faded_normal(BendSide side);
+/// bend_normal() where the pole is near the line and fades out.
+template <class Real>
+[[nodiscard]] glm::vec<3, Real> faded_normal(BendSide<Real> side);
 
 /// The unit normal n for which n x along points to the elbow's side; see TwoBone::plane. The pole within
 /// 1e100.
-[[nodiscard]] inline glm::dvec3 bend_normal(const BendSide& side) {
-    constexpr double vanished = 1e-290;  // squared: below it digits are lost
-    const glm::dvec3 across = glm::cross(side.along, side.pole);
-    const double square = glm::dot(across, across);
-    const double far_square = std::max(glm::dot(side.pole, side.pole), side.near * side.near);
-    if (square > vanished && square >= side.band * side.band * far_square)
-        return across * (static_cast<double>(side.bend) / std::sqrt(square));
-    return faded_normal(side);
+template <class Real>
+[[nodiscard]] inline glm::vec<3, Real> bend_normal(const BendSide<Real>& side) {
+    using std::max, std::sqrt;
+    const Real vanished = 1e-290;  // squared: below it digits are lost
+    const glm::vec<3, Real> across = glm::cross(side.along, side.pole);
+    const Real square = glm::dot(across, across);
+    const Real far_square = max(glm::dot(side.pole, side.pole), side.near * side.near);
+    const auto is_clear = (square > vanished) & (square >= side.band * side.band * far_square);
+    const glm::vec<3, Real> clear = across * (side.bend / sqrt(square));
+    return all(is_clear) ? clear : select(is_clear, clear, faded_normal(side));
 }
 
 }  // namespace motus

@@ -77,7 +77,8 @@ IkAim::Line IkAim::line_to_target(const IkPose& pose, const AimGoal& goal, doubl
     glm::dvec3 wanted = carried;
     if (goal.pole) {
         const glm::dvec3 to_pole = *goal.pole - pose.root();
-        wanted = bend_normal({line.chord.along, to_pole, carried, length, pole_band, goal.bend});
+        wanted = bend_normal<double>(
+            {line.chord.along, to_pole, carried, length, pole_band, static_cast<double>(goal.bend)});
     }
     if (goal.pole_angle != 0.0)
         wanted = std::cos(goal.pole_angle) * wanted +
@@ -112,7 +113,7 @@ void IkAim::find_joints(const IkPose& pose, const AimGoal& goal, const Line& lin
         report.reason = is_reached ? Reason::reached : short_of > 0.0 ? Reason::too_far : Reason::too_near;
     } else if (goal.count == 2) {
         const double shortest = std::abs(lengths_[0] - lengths_[1]);
-        const Direction bone = shoulder(lengths_[0], lengths_[1], report.reach, shortest, report.end);
+        const Direction<double> bone = shoulder(lengths_[0], lengths_[1], report.reach, shortest, report.end);
         const glm::dvec3 elbow = root + (lengths_[0] * bone.cosine) * along +
                                  (lengths_[0] * bone.sine) * glm::cross(line.chord.normal, along);
         joints_[1] = elbow_near_pose(elbow, root, line.turn * (pose.joints()[1] - root), line.chord);

@@ -250,7 +250,17 @@ TEST_CASE("stretch makes up its share of what lacks", "[two_bone]") {
 TEST_CASE("many chains are solved as one is", "[two_bone]") {
     RandomTwoBones random(6);
     std::vector<TwoBone> chains;
-    for (int i = 0; i < 5000; ++i) chains.push_back(i % 2 == 0 ? random.reachable() : random.wild());
+    // Beside each kind every other one, and an odd number of them.
+    const auto any_kind = [&] {
+        const double kind = random.between(0.0, 5.0);
+        TwoBone chain = kind < 1.0 ? random.wild() : random.reachable();
+        if (kind > 2.0) chain.plane = random.direction();
+        if (kind > 3.0) chain.pole = chain.target + 0.05 * random.direction();
+        if (kind > 4.0) chain.target = chain.root + random.between(0.0, 2.0) * (chain.target - chain.root);
+        if (kind > 4.5) chain.softness = chain.stretch = random.between(0.0, 1.0);
+        return chain;
+    };
+    for (int i = 0; i < 20001; ++i) chains.push_back(any_kind());
     std::vector<TwoBoneSolution> solutions(chains.size());
     solve_two_bones(chains, solutions);
     for (std::size_t i = 0; i < chains.size(); ++i)
