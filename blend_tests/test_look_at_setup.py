@@ -446,4 +446,4 @@ class Manual(LookAtTestCase):
         self.addCleanup(sys.modules.pop, "motus_native")
         scope = {}
         exec(compile(code, "look_at.md", "exec"), scope)
-        self.assertEqual(scope["eyes"].shape, (1, 4))
+        self.assertEqual(scope["turns"].eyes.shape, (1, 4))

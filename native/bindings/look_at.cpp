@@ -45,11 +45,17 @@ constexpr double entry_cost = 1500.0;  // ns, rough
     return v / length;
 }
 
-py::tuple look_at_targets(const py::object& forward, const py::object& targets, const py::object& chest,
-                          const py::object& up, const py::object& weight, const py::object& body_weight,
-                          const py::object& head_weight, const py::object& eyes_weight,
-                          const py::object& clamp, const py::object& body_limit, const py::object& head_limit,
-                          const py::object& eyes_limit) {
+/// What Python gets: of one target values, of many arrays.
+struct Turns {
+    DoubleArray body, head, eyes;
+    py::object residual, reason;
+};
+
+Turns look_at_targets(const py::object& reason_type, const py::object& forward, const py::object& targets,
+                      const py::object& chest, const py::object& up, const py::object& weight,
+                      const py::object& body_weight, const py::object& head_weight,
+                      const py::object& eyes_weight, const py::object& clamp, const py::object& body_limit,
+                      const py::object& head_limit, const py::object& eyes_limit) {
     const glm::dvec3 animated = unit(vector(forward, "forward"), "forward");
     const glm::dvec3 ahead = chest.is_none() ? animated : unit(vector(chest, "chest"), "chest");
     const glm::dvec3 above = unit(vector(up, "up"), "up");
@@ -78,6 +84,10 @@ py::tuple look_at_targets(const py::object& forward, const py::object& targets, 
 
     const auto rows = [&] { return is_single ? new_array({4}) : new_array({count, 4}); };
     DoubleArray body = rows(), head = rows(), eyes = rows();
+    DoubleArray residual = new_array({count});
+    py::array_t<std::int64_t> reason(static_cast<py::ssize_t>(count));
+    const std::span<double> residuals = values_of(residual);
+    std::int64_t* const reasons = reason.mutable_data();
     const std::span<glm::dquat> body_out = quaternions_in(body.mutable_data(), count);
     const std::span<glm::dquat> head_out = quaternions_in(head.mutable_data(), count);
     const std::span<glm::dquat> eyes_out = quaternions_in(eyes.mutable_data(), count);
@@ -89,12 +99,15 @@ py::tuple look_at_targets(const py::object& forward, const py::object& targets, 
             body_out[i] = turns.body;
             head_out[i] = turns.head;
             eyes_out[i] = turns.eyes;
+            residuals[i] = turns.residual;
+            reasons[i] = static_cast<std::int64_t>(turns.reason);
         }
         rows_from_quaternions(body_out);
         rows_from_quaternions(head_out);
         rows_from_quaternions(eyes_out);
     }
-    return py::make_tuple(body, head, eyes);
+    if (!is_single) return {body, head, eyes, residual, reason};
+    return {body, head, eyes, py::float_(residuals[0]), reason_type(static_cast<int>(reasons[0]))};
 }
 
 // --- LookAtPlan ------------------------------------------------------------------------------------------
@@ -208,14 +221,39 @@ DoubleArray solve_plan(const LookAtPlan& plan, const py::object& rest, const py:
     return report;
 }
 
+void bind_turns(py::module_& m) {
+    py::class_<Turns>(m, "LookAtTurns", R"(
+How a gaze turns to its target, from look_at(): of one target values, of m targets arrays with m rows.
+
+body, head and eyes are quaternions (m, 4) or (4,), w, x, y, z; each comes on top of the one before: eyes * head * body.)")
+        .def_readonly("body", &Turns::body, "(4,) or (m, 4).")
+        .def_readonly("head", &Turns::head, "(4,) or (m, 4).")
+        .def_readonly("eyes", &Turns::eyes, "(4,) or (m, 4).")
+        .def_readonly("residual", &Turns::residual,
+                      "A float or (m,): angle between the turned gaze and the target, rad.")
+        .def_readonly("reason", &Turns::reason, R"(
+A Reason or (m,) int64 of their codes: LIMIT where the clamp or a limit keeps the gaze off; REACHED where nothing but the
+weights does.)");
+}
+
 }  // namespace
 
 void bind_look_at(py::module_& m) {
-    m.def("look_at", &look_at_targets, "forward"_a, "targets"_a, "chest"_a = py::none(),
-          "up"_a = py::make_tuple(0.0, 0.0, 1.0), "weight"_a = 1.0, "body_weight"_a = 0.3,
-          "head_weight"_a = 1.0, "eyes_weight"_a = 0.0, "clamp"_a = 0.5, "body_limit"_a = pi,
-          "head_limit"_a = pi, "eyes_limit"_a = pi,
-          R"(
+    bind_turns(m);
+    m.def(
+        "look_at",
+        [reason_type = py::object(m.attr("Reason"))](
+            const py::object& forward, const py::object& targets, const py::object& chest,
+            const py::object& up, const py::object& weight, const py::object& body_weight,
+            const py::object& head_weight, const py::object& eyes_weight, const py::object& clamp,
+            const py::object& body_limit, const py::object& head_limit, const py::object& eyes_limit) {
+            return look_at_targets(reason_type, forward, targets, chest, up, weight, body_weight, head_weight,
+                                   eyes_weight, clamp, body_limit, head_limit, eyes_limit);
+        },
+        "forward"_a, "targets"_a, "chest"_a = py::none(), "up"_a = py::make_tuple(0.0, 0.0, 1.0),
+        "weight"_a = 1.0, "body_weight"_a = 0.3, "head_weight"_a = 1.0, "eyes_weight"_a = 0.0,
+        "clamp"_a = 0.5, "body_limit"_a = pi, "head_limit"_a = pi, "eyes_limit"_a = pi,
+        R"(
 How body, head and eyes share the turn of a gaze to a target far away.
 
 forward: (3,), where the head looks before.  targets: (m, 3) or (3,), directions to look in.  chest: (3,), where the chest
@@ -226,7 +264,7 @@ body_limit, head_limit, eyes_limit: greatest turn of the gaze by each, rad, >= 0
 A turn adds no roll where both gazes lie within 37 degrees of the horizon (and, unless clamp is 0 and head_limit pi, within
 73 degrees of chest).  With a clamp >= 0.5, or limits for all that turn, the result is a continuous function of the target;
 else it changes sides where the target passes straight behind the chest.
-Returns (body, head, eyes): quaternions (m, 4) or (4,), w, x, y, z; each comes on top of the one before: eyes * head * body.
+Returns a LookAtTurns.
 Raises ValueError or TypeError that names the argument.)");
 
     py::class_<LookAtPlan> plan(m, "LookAtPlan", R"(

@@ -255,7 +255,20 @@ def soft_reach(distance: _Number, reach: float, softness: float) -> float: ...
 @overload
 def soft_reach(distance: ArrayLike, reach: float, softness: float) -> _Array: ...
 
-# (body, head, eyes): quaternions (m, 4), or (4,) for one target, each on top of the one before.
+class LookAtTurns:
+    """How a gaze turns to its target; quaternions, each on top of the one before."""
+
+    @property
+    def body(self) -> _Array: ...  # (4,) or (m, 4)
+    @property
+    def head(self) -> _Array: ...  # (4,) or (m, 4)
+    @property
+    def eyes(self) -> _Array: ...  # (4,) or (m, 4)
+    @property
+    def residual(self) -> Union[float, _Array]: ...  # angle between the turned gaze and the target, rad
+    @property
+    def reason(self) -> Union[Reason, NDArray[np.int64]]: ...  # REACHED or LIMIT
+
 def look_at(
     forward: ArrayLike,  # (3,), where the head looks before
     targets: ArrayLike,  # (m, 3) or (3,), directions
@@ -269,7 +282,7 @@ def look_at(
     body_limit: float = 3.141592653589793,  # rad, pi: none
     head_limit: float = 3.141592653589793,
     eyes_limit: float = 3.141592653589793,
-) -> tuple[_Array, _Array, _Array]: ...
+) -> LookAtTurns: ...
 
 class LookAtPlan:
     """Bones of one rig that look at targets, checked once."""

@@ -7,6 +7,7 @@
 
 #include "motus/two_bone.hpp"
 #include "smooth.hpp"
+#include "turns.hpp"
 
 namespace motus {
 namespace {
@@ -125,12 +126,13 @@ GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::
 LookAtTurns look_at(const GazeChart& chart, const glm::dvec3& animated, const glm::dvec3& target,
                     const LookAtSettings& settings) {
     LookAtTurns turns;
+    bool is_limited = false;
     glm::dvec2 present = chart.place(animated);
     const glm::dvec2 wanted = chart.place(target);
     const GazeStep goal = gaze_goal(present, wanted, settings);
     const auto take = [&](double weight, double limit, glm::dquat& turn) {
         const GazeStep step = gaze_share(present, goal, wanted, weight, limit);
-        turns.is_limited = turns.is_limited || step.is_limited;
+        is_limited = is_limited || step.is_limited;
         if (step.by == glm::dvec2(0.0)) return;
         const glm::dvec2 next = present + step.by;
         turn = chart.turn(present, next);
@@ -139,6 +141,8 @@ LookAtTurns look_at(const GazeChart& chart, const glm::dvec3& animated, const gl
     take(settings.body_weight, settings.body_limit, turns.body);
     take(settings.head_weight, settings.head_limit, turns.head);
     take(settings.eyes_weight, settings.eyes_limit, turns.eyes);
+    turns.residual = angle_between(chart.direction(present), target);
+    if (is_limited && turns.residual > reached_angle) turns.reason = Reason::limit;
     return turns;
 }
 

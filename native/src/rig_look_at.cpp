@@ -10,14 +10,13 @@
 #include <utility>
 
 #include "gaze_bone.hpp"
+#include "turns.hpp"
 
 namespace motus {
 namespace {
 
-constexpr double reached_angle = 1e-6;  // rad
-constexpr double same_place = 1e-12;    // of the distances from the origin
-constexpr double least_sine = 1e-9;     // between forward and up
-constexpr glm::dquat no_turn{1.0, 0.0, 0.0, 0.0};
+constexpr double same_place = 1e-12;  // of the distances from the origin
+constexpr double least_sine = 1e-9;   // between forward and up
 constexpr glm::dvec3 along_bone{0.0, 1.0, 0.0};
 
 double largest_part(const glm::dvec3& v) {
@@ -29,10 +28,6 @@ std::optional<glm::dvec3> towards(const glm::dvec3& place, const glm::dvec3& tar
     const glm::dvec3 way = target - place;
     if (largest_part(way) <= same_place * (largest_part(place) + largest_part(target))) return std::nullopt;
     return direction_of(way);
-}
-
-double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
-    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
 bool is_finite(const glm::dvec3& v) {

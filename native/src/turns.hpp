@@ -11,6 +11,11 @@ namespace motus {
 
 inline constexpr glm::dquat no_turn{1.0, 0.0, 0.0, 0.0};
 
+/// Between vectors of any length, rad, 0 to pi; precise for the smallest and the largest.
+[[nodiscard]] inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) {
+    return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
 /// v at unit length; `otherwise` where it has none.
 [[nodiscard]] inline glm::dvec3 direction_or(const glm::dvec3& v, const glm::dvec3& otherwise) {
     const double square = glm::dot(v, v);

@@ -91,7 +91,8 @@ TEST_CASE("the original's weights: the body takes 0.3 of the turn, the head the 
     CHECK(angle_between(turns.body, glm::angleAxis(-9 * degree, up)) < 1e-15);
     CHECK(angle_between(turns.head, glm::angleAxis(-21 * degree, up)) < 1e-15);
     CHECK(is_identity(turns.eyes));
-    CHECK_FALSE(turns.is_limited);
+    CHECK(turns.residual < 1e-15);
+    CHECK(turns.reason == Reason::reached);
 }
 
 TEST_CASE("shares of what is left", "[look_at]") {
@@ -206,7 +207,9 @@ TEST_CASE("clamp and limits hold, and begin smoothly", "[look_at]") {
         CHECK(angle_between(eyes, head) <= 1.05 * settings.eyes_limit);
         const double to_target = angle_between(target, animated);
         if (to_target < 25 * degree) CHECK(angle_between(eyes, target) < 1e-9);
-        if (to_target > 150 * degree) CHECK(turns.is_limited);
+        CHECK(turns.residual == Approx(angle_between(eyes, target)).margin(1e-12));
+        if (to_target < 25 * degree) CHECK(turns.reason == Reason::reached);
+        if (to_target > 150 * degree) CHECK(turns.reason == Reason::limit);
     }
 
     LookAtSettings settings = free_head();

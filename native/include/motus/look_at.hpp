@@ -15,6 +15,8 @@
 #include <glm/vec3.hpp>
 #include <numbers>
 
+#include "motus/reason.hpp"
+
 namespace motus {
 
 /// Where a turn adds no roll; no way of telling what is level is continuous on the whole sphere. Level is
@@ -94,12 +96,16 @@ struct GazeStep {
 [[nodiscard]] GazeStep gaze_share(const glm::dvec2& present, const GazeStep& goal, const glm::dvec2& target,
                                   double weight, double limit);
 
+inline constexpr double reached_angle = 1e-6;  ///< rad, between gaze and target: less counts as none
+
 /// Rotations in the space of the chart, each on top of the one before.
 struct LookAtTurns {
     glm::dquat body{1.0, 0.0, 0.0, 0.0};
     glm::dquat head{1.0, 0.0, 0.0, 0.0};
     glm::dquat eyes{1.0, 0.0, 0.0, 0.0};
-    bool is_limited = false;
+    double residual = 0.0;            ///< angle between the turned gaze and the target, rad
+    Reason reason = Reason::reached;  ///< limit: clamp or a limit keeps the gaze off; reached: nothing but
+                                      ///< weights does
 };
 
 /// The shares of a turn from the animated gaze to a target far away, where it is in the same direction from

@@ -21,32 +21,52 @@ def about_z(angle):
     return np.array((math.cos(angle / 2.0), 0.0, 0.0, math.sin(angle / 2.0)))
 
 
+def shares(*args, **options):
+    turns = native.look_at(*args, **options)
+    return turns.body, turns.head, turns.eyes
+
+
 class LookAt(unittest.TestCase):
     def test_the_original_s_weights(self):
-        body, head, eyes = native.look_at(AHEAD, (-math.sin(30 * DEGREE), -math.cos(30 * DEGREE), 0.0))
+        body, head, eyes = shares(AHEAD, (-math.sin(30 * DEGREE), -math.cos(30 * DEGREE), 0.0))
         np.testing.assert_allclose(body, about_z(-9 * DEGREE), atol=1e-15)
         np.testing.assert_allclose(head, about_z(-21 * DEGREE), atol=1e-15)
         np.testing.assert_array_equal(eyes, (1.0, 0.0, 0.0, 0.0))
 
     def test_many_targets(self):
         targets = np.random.default_rng(1).normal(size=(50, 3))
-        parts = native.look_at(AHEAD, targets, clamp=0.0)
+        parts = shares(AHEAD, targets, clamp=0.0)
         for i, target in enumerate(targets):
-            for part, alone in zip(parts, native.look_at(AHEAD, target, clamp=0.0)):
+            for part, alone in zip(parts, shares(AHEAD, target, clamp=0.0)):
                 self.assertEqual(part.shape, (50, 4))
                 np.testing.assert_array_equal(part[i], alone)
             body, head, eyes = (part[i] for part in parts)
             gaze = turned(eyes, turned(head, turned(body, AHEAD)))
             np.testing.assert_allclose(gaze, target / np.linalg.norm(target), atol=1e-13)
-        self.assertEqual(native.look_at(AHEAD, np.empty((0, 3)))[0].shape, (0, 4))
+        self.assertEqual(native.look_at(AHEAD, np.empty((0, 3))).body.shape, (0, 4))
 
     def test_the_chest_tells_which_way_round(self):
         left, behind_right = (math.sin(1.0), -math.cos(1.0), 0.0), (-math.sin(3.0), -math.cos(3.0), 0.0)
         options = {"clamp": 0.0, "body_weight": 0.0, "head_weight": 0.5}
-        by_the_front = native.look_at(left, behind_right, AHEAD, **options)[1]
-        by_the_back = native.look_at(left, behind_right, **options)[1]
+        by_the_front = native.look_at(left, behind_right, AHEAD, **options).head
+        by_the_back = native.look_at(left, behind_right, **options).head
         np.testing.assert_allclose(by_the_front, about_z(-2.0), atol=1e-14)
         np.testing.assert_allclose(by_the_back, about_z((2.0 * math.pi - 4.0) / 2.0), atol=1e-14)
+
+    def test_what_is_left_and_why(self):
+        aside = (-math.sin(60 * DEGREE), -math.cos(60 * DEGREE), 0.0)
+        free = native.look_at(AHEAD, aside)
+        self.assertLess(free.residual, 1e-15)
+        self.assertIs(free.reason, native.Reason.REACHED)
+        held = native.look_at(AHEAD, aside, head_limit=20 * DEGREE)
+        self.assertGreaterEqual(held.residual, 22 * DEGREE)
+        self.assertIs(held.reason, native.Reason.LIMIT)
+        half = native.look_at(AHEAD, aside, weight=0.5)  # as it is wanted
+        self.assertAlmostEqual(half.residual, 30 * DEGREE, delta=1e-14)
+        self.assertIs(half.reason, native.Reason.REACHED)
+        many = native.look_at(AHEAD, [AHEAD, aside], head_limit=20 * DEGREE)
+        self.assertEqual(many.residual[1], held.residual)
+        self.assertEqual(many.reason.tolist(), [native.Reason.REACHED, native.Reason.LIMIT])
 
     def test_errors_name_the_argument(self):
         for name, value, error in (
