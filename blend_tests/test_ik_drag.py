@@ -256,6 +256,24 @@ class WithIk(DragTestCase):
         self.drag("Bone 3", 1.0, (1.0, 0.0, 0.0))
         self.assertNear(self.point(rig, "Bone 3", 1.0), (1.0, 0.0, 0.0), 1e-4)
 
+    def test_limits_of_a_keyed_length(self):
+        """The chain is wired with more bones than it has now: each is held to its own limits."""
+        rig = self.arm(tentacle(4, 0.3))
+        for index, most in enumerate((0.01, 0.01, 1.5, 1.5)):
+            bone = rig.pose.bones[f"Bone {index}"]
+            for axis in "xyz":
+                setattr(bone, f"use_ik_limit_{axis}", True)
+                setattr(bone, f"ik_min_{axis}", -most)
+                setattr(bone, f"ik_max_{axis}", most)
+        entry = self.reach("Bone 3", target="Far", use_limits=True, position_weight=0.0, chain_length=2)
+        for frame, length in ((1, 2), (10, 4)):
+            entry.chain_length = length
+            rig.keyframe_insert("motus.ik.entries[0].chain_length", frame=frame)
+        self.scene.frame_set(1)
+        tip = self.point(rig, "Bone 3", 1.0)
+        away = (self.point(rig, "Bone 2", 0.0) - tip) * 0.3 + Vector((0.0, 0.1, 0.1))
+        self.assertPulled(rig, "Bone 3", 1.0, away, 1e-4)
+
     def test_auto_key(self):
         self.arm()
         self.reach()

@@ -196,7 +196,8 @@ def _limits(rig, evaluated, entry, bones, depsgraph):
         if rows:
             limits = reading.gather(evaluated, group.data[groups.PLAN], depsgraph).limits
             free = np.array([[-np.inf] * 3 + [np.inf] * 3])  # of an effector that is none of the chain's bones
-            known = [limits[row:row + 1] if row < len(limits) else free for row in rows.rows[:len(bones)]]
+            row_of = dict(zip(rows.bones, rows.rows))  # of the longest chain, where the length is keyed
+            known = [limits[row:row + 1] if row < len(limits) else free for row in map(row_of.get, bones)]
             return np.ascontiguousarray(np.concatenate(known))
     return None
 

@@ -77,9 +77,12 @@ def _circles(rig, chain, entry, joints, reach):
     """
     normal = placing.bend_normal(joints) or placing.hinge_normal(rig, chain, entry.hinge_angle)
     links = [(end - start).length for start, end in zip(joints, joints[1:])]
-    reach = reach or sum(links)
+    total = sum(links)
+    if total == 0.0:  # a rig that is scaled to nothing
+        return []
+    reach = reach or total
     found = [_circle(joints[0], normal, reach, REACH_COLOR, 1.5)]
-    nearest = reach * (2.0 * max(links) / sum(links) - 1.0)
+    nearest = reach * (2.0 * max(links) / total - 1.0)
     if nearest > 1e-6 * reach:
         found.append(_circle(joints[0], normal, nearest, NEAR_COLOR, 1.0))
     return found
