@@ -168,7 +168,7 @@ def _system(name, settings, classes):
         name=name, label=name.title(), settings=settings, classes=classes,
         solve=lambda context: _solve(context, name), problems=(NOBODY, LOOSE, EDITED),
         groups=lambda owner: _groups(owner, name), entries=lambda owner: _entries(owner, name),
-        bone_renamed=lambda owner, old, new: _renamed(owner, name, old, new))
+        bone_renamed=lambda owner, rig, old, new: _renamed(owner, name, old, new))
 
 
 SYSTEM = _system("bend", MOTUS_PG_bend, (MOTUS_PG_bend_entry, MOTUS_PG_bend))

@@ -171,6 +171,11 @@ class Group:
     outputs: tuple = ()
     data: dict = field(default_factory=dict)
 
+    @property
+    def reads(self):
+        """(object, bone or "") of the transforms that the solver waits for."""
+        return [(one.object, one.bone) for one in dict.fromkeys(self.inputs) if isinstance(one, Transform)]
+
 
 @dataclass(frozen=True)
 class Entry:
@@ -192,6 +197,7 @@ class System:
     the owner's mesh, by a modifier, and has no members. unbakeable: a sentence that says why there is nothing to bake.
     scene_settings: a PropertyGroup that becomes Scene.motus.<name>. extras: with register() and unregister() of their own.
     settle: called after an evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner.
+    bone_renamed: called with the owner, a rig, and the old and the new name of a bone of it that the owner drives or reads.
     """
 
     name: str

@@ -15,7 +15,7 @@ OUTPUTS = ("residual", "angle", "reason", "distance", "reach")
 RELATIVE = frozenset({"rotation"})
 STRETCHED = frozenset({"rotation", "scale"})
 PLAN = "plan"
-"""Key of a group's data: a JSON object that reading.Wired is made of."""
+"""Key of a group's data: a JSON object that wired.Wired is made of."""
 
 _OF_BONE = re.compile(r'^pose\.bones\["((?:[^"\\]|\\.)*)"\]\.(?!constraints\[)')
 
@@ -52,18 +52,18 @@ def groups(owner):
     return tuple(_group(owner, str(level) if level else "", found, driven) for level, found in sorted(by_level.items()))
 
 
-def bone_renamed(owner, old, new):
+def bone_renamed(owner, rig, old, new):
     """Let the entries follow a bone that was given another name. The wiring wires the rig again by itself."""
     with owner.motus.ik.unwired() as settings:
         for entry in settings.entries:
-            if entry.name == old:
+            if rig == owner and entry.name == old:
                 entry.name = new
-            if entry.target == owner and entry.target_bone == old:
+            if entry.target == rig and entry.target_bone == old:
                 entry.target_bone = new
-            if entry.pole == owner and entry.pole_bone == old:
+            if entry.pole == rig and entry.pole_bone == old:
                 entry.pole_bone = new
             for extra in entry.extra_targets:
-                if extra.object == owner and extra.bone == old:
+                if extra.object == rig and extra.bone == old:
                     extra.bone = new
 
 

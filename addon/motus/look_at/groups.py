@@ -46,13 +46,13 @@ def members(owner):
     return [member.thing for group in groups(owner) for member in group.members]
 
 
-def bone_renamed(owner, old, new):
+def bone_renamed(owner, rig, old, new):
     """Let the entries follow a bone that was given another name."""
     for entry in owner.motus.look_at.entries:
         for item in (entry, *entry.eyes):
-            if item.name == old:
+            if rig == owner and item.name == old:
                 item.name = new
-        if entry.target == owner and entry.target_bone == old:
+        if entry.target == rig and entry.target_bone == old:
             entry.target_bone = new
 
 

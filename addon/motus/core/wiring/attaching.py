@@ -144,11 +144,13 @@ def refresh_changed(system, owner):
 
 
 def refresh_edited(system, owner):
-    """Tell the system of driven bones that have other names now, and wire again where that or more has changed."""
-    for old, new in renamed_bones(system, owner):
+    """Tell the system of bones that have other names now, and wire again where that or more has changed."""
+    driven = [(owner, old, new) for old, new in renamed_bones(system, owner)]
+    for rig, old, new in dict.fromkeys(driven + solver_driver.renamed_reads(system, owner)):
         if system.bone_renamed:
-            system.bone_renamed(owner, old, new)
-            _rename_paths(system, owner, old, new)
+            system.bone_renamed(owner, rig, old, new)
+            if rig == owner:
+                _rename_paths(system, owner, old, new)
     refresh_changed(system, owner)
 
 

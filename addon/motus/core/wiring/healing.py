@@ -3,7 +3,7 @@
 - Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
 - A file was loaded, or a library again, and Blender has not kept what was wired on an override (see overrides).
-- The bones of an armature were renamed, removed, or given other parents.
+- The bones of an armature, the owner's or one that it reads, were renamed, removed, or given other parents.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 
 Solvers and Blender's handlers notice; the wiring is done when Blender has finished the evaluation, which it then does once
@@ -167,11 +167,17 @@ def _heal_overrides():
 def _heal_edited(depsgraph):
     from . import attaching
     edited = [update.id.original for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
-    edited = [armature for armature in edited if not armature.is_editmode]
-    for owner in [obj for obj in bpy.data.objects if edited and obj.data in edited and not obj.library]:
-        for system in registered.values():
-            if system.groups is not None and owner.is_property_set("motus") and attaching.is_attached(system, owner):
-                attaching.refresh_edited(system, owner)
+    edited = {armature for armature in edited if not armature.is_editmode}
+    for system, owner in _attached() if edited else ():
+        if system.groups is not None and not edited.isdisjoint(_armatures(system, owner)):
+            attaching.refresh_edited(system, owner)
+
+
+def _armatures(system, owner):
+    """The data of the owner and of all objects that it reads."""
+    from .solver_driver import waits
+    read = [pair[0] for key, _ in outbox.carriers(system, owner) for pair in waits(system, owner, key)]
+    return {owner.data, *(obj.data for obj in read if obj)}
 
 
 @persistent

@@ -47,6 +47,7 @@ class Info:
     is_relative: bool
     uses_attribute: bool
     data: dict
+    reads: tuple = ()  # names of the bones in Group.reads
 
     @functools.cached_property
     def layout(self):
@@ -122,7 +123,8 @@ def create(system, carrier, group, uses_attribute):
     if system.groups is not None:
         noted = Info(
             group.outputs, tuple(member.thing.name for member in group.members), has_scales(group),
-            any(member.is_relative for member in group.members), uses_attribute, group.data)
+            any(member.is_relative for member in group.members), uses_attribute, group.data,
+            tuple(bone for _, bone in group.reads))
         text = json.dumps(list(vars(noted).values()))
         digest = hashlib.sha1(text.encode()).hexdigest()
         carrier[info_key(system, group.key)] = {"digest": digest, "text": text}

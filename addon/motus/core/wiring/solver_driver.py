@@ -25,6 +25,28 @@ def direct(system, owner, group):
     return f'motus_direct(self,"{_name(system, group)}",{{slot}},frame,depsgraph{expression})', variables
 
 
+def waits(system, owner, key):
+    """(object, bone or "") of a group's reads, as it waits for them: where a bone is renamed Blender renames it here too."""
+    hub = outbox.hub_of(system, owner, key)
+    if hub:
+        return waiting.waits(hub)
+    animation = owner.animation_data
+    curve = animation and animation.drivers.find(outbox.out_path(system, group=key), index=outbox.STATUS)
+    targets = [variable.targets[0] for variable in curve.driver.variables if variable.type == 'TRANSFORMS'] if curve else ()
+    return [(target.id, target.bone_target) for target in targets]
+
+
+def renamed_reads(system, owner):
+    """(rig, old name, new name) of bones that the owner reads and that were renamed since it was wired."""
+    found = {}
+    for key, carrier in outbox.carriers(system, owner):
+        known = outbox.info(system, carrier, key)
+        for old, (rig, new) in zip(known.reads if known else (), waits(system, owner, key)):
+            if old != new and rig and rig.pose and old not in rig.pose.bones:
+                found[rig, old] = new
+    return [(rig, old, new) for (rig, old), new in found.items()]
+
+
 def _awaited(group):
     """The inputs that there is anything to wait for.
 
@@ -66,9 +88,8 @@ def _call(system, owner, group, hub=None, with_settings=False):
         variables[f"v{index}"] = variable
     awaited = list(dict.fromkeys(_awaited(group)))
     if hub and group.inputs:
-        transforms = [(one.object, one.bone) for one in awaited if isinstance(one, Transform)]
         awaited = [one for one in awaited if not isinstance(one, Transform)]
-        variables["waits"] = waiting.wait_for(hub, transforms)
+        variables["waits"] = waiting.wait_for(hub, group.reads)
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
     if with_settings:

@@ -15,3 +15,8 @@ def wait_for(hub, transforms):
         constraint.target = thing
         constraint.subtarget = bone
     return Variable('OBJECT', hub)
+
+
+def waits(hub):
+    """The pairs that it waits for."""
+    return [(constraint.target, constraint.subtarget) for constraint in hub.constraints if constraint.mute]
