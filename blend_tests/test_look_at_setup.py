@@ -1,7 +1,9 @@
 """Look At's operators: what they find by themselves, removing without a trace, problems, and what is refused."""
 
 import math
+import os
 import sys
+from pathlib import Path
 
 import bpy
 import rig_samples
@@ -426,6 +428,25 @@ class Keeping(LookAtTestCase):
         self.target.location.z += 0.2
         bpy.context.view_layer.update()
         self.assertLess(self.off("Head"), 2e-3)
+
+
+class Presets(LookAtTestCase):
+    def test_kept_and_taken_up_again(self):
+        self.aim(40)
+        entry = self.look(body_weight=0.2, clamp=0.7, weight=0.9)
+        bpy.context.view_layer.objects.active = self.rig
+        name = f"test{os.getpid()}"
+        # Blender writes the preset's name over the panel's label.
+        panel = bpy.types.MOTUS_PT_look_at_presets
+        self.addCleanup(setattr, panel, "bl_label", panel.bl_label)
+        self.assertEqual(bpy.ops.motus.look_at_preset_add(name=name), {'FINISHED'})
+        kept, = [path for folder in bpy.utils.preset_paths("motus/look_at") for path in Path(folder).glob(f"{name}.py")]
+        self.addCleanup(kept.unlink)
+        entry = self.look(body_weight=0.5, clamp=0.0, weight=0.4)
+        bpy.ops.script.execute_preset(filepath=str(kept), menu_idname="MOTUS_PT_look_at_presets")
+        self.assertAlmostEqual(entry.body_weight, 0.2)
+        self.assertAlmostEqual(entry.clamp, 0.7)
+        self.assertAlmostEqual(entry.weight, 0.4, msg="belongs to the shot, not to the preset")
 
 
 class Manual(LookAtTestCase):

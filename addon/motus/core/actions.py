@@ -94,6 +94,37 @@ def assign_copy(id_data, name):
     return _ensure_channelbag(action, animation.action_slot)
 
 
+def curves_and_drivers(id_data):
+    """Its F-curves and its drivers."""
+    animation = id_data.animation_data
+    return [*fcurves(id_data), *(animation.drivers if animation else ())]
+
+
+def make_alone(id_data):
+    """Give it its action for itself where others use it too."""
+    action = id_data.animation_data.action
+    if action.users > 1:
+        assign_copy(id_data, action.name)
+
+
+def remove(id_data, prefixes):
+    """Remove keys and drivers of what has a data path with one of these beginnings, and what is then empty."""
+    animation = id_data.animation_data
+    if animation is None:
+        return
+    for curve in [curve for curve in animation.drivers if curve.data_path.startswith(prefixes)]:
+        animation.drivers.remove(curve)
+    if any(curve.data_path.startswith(prefixes) for curve in fcurves(id_data)):
+        make_alone(id_data)
+        curves = fcurves(id_data)
+        for curve in [curve for curve in curves if curve.data_path.startswith(prefixes)]:
+            curves.remove(curve)
+        if not curves:
+            animation.action = None
+    if not animation.action and not animation.drivers and not animation.nla_tracks:
+        id_data.animation_data_clear()
+
+
 def new_fcurve(bag, data_path, index, group):
     """A new F-curve in what assign_copy() returned, listed under `group` in the animation editors."""
     curve = bag.fcurves.new(data_path, index=index)

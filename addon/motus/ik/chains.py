@@ -3,9 +3,7 @@
 import itertools
 from typing import NamedTuple
 
-import bpy
-
-from ..core import actions
+from ..core import actions, entry_keys
 from ..core.system import registered
 
 
@@ -72,22 +70,15 @@ def entry_with(rig, name):
     return -1
 
 
-def curves(rig):
-    """F-curves and drivers of the rig."""
-    animation = rig.animation_data
-    return [*actions.fcurves(rig), *(animation.drivers if animation else ())]
-
-
 def animated_paths(rig, name):
     """Data paths of keys and drivers of a setting of any entry."""
-    paths = {curve.data_path for curve in curves(rig)}
+    paths = {curve.data_path for curve in actions.curves_and_drivers(rig)}
     return {path for path in paths if path.startswith("motus.ik.entries[") and path.endswith("." + name)}
 
 
 def prefixes(rig, index):
     """How data paths of an entry's settings begin: Blender's own have the index, scripts may use the name."""
-    name = bpy.utils.escape_identifier(rig.motus.ik.entries[index].name)
-    return f"motus.ik.entries[{index}].", f'motus.ik.entries["{name}"].'
+    return entry_keys.prefixes("motus.ik.entries", rig.motus.ik.entries, index)
 
 
 def driven_elsewhere(rig, name):

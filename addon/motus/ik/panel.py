@@ -4,8 +4,7 @@ import bpy
 
 from ..core import native, ui
 from ..core.translations import OWN_SENSE
-from . import limits_panel, status
-from .presets import MOTUS_PT_ik_presets
+from . import limits_panel, presets, status
 from .setup import system
 
 
@@ -171,7 +170,7 @@ class _Main:
 
     def draw_header_preset(self, context):
         if shown_entry(context):
-            MOTUS_PT_ik_presets.draw_panel_header(self.layout)
+            presets.PANEL.draw_panel_header(self.layout)
 
     def draw(self, context):
         draw_main(self.layout, context)

@@ -4,9 +4,8 @@ from contextlib import contextmanager
 
 import bpy
 
-from ..core import actions, dependencies, wiring
+from ..core import actions, dependencies, entry_keys, wiring
 from ..core.system import registered
-from . import chains
 from .groups import goals
 from .placing import CONTROL_KEY
 
@@ -75,11 +74,11 @@ def remove(rig, indices, with_controls=False):
         for index in sorted(indices, reverse=True):
             entry = settings.entries[index]
             controls += [goal for goal in (entry.target, entry.pole) if goal and CONTROL_KEY in goal]
-            _forget_animation(rig, index)
+            entry_keys.forget(rig, "motus.ik.entries", settings.entries, index)
             settings.entries.remove(index)
         settings.chosen_entry = max(0, min(settings.chosen_entry, len(settings.entries) - 1))
         if not settings.entries:
-            _remove_animation(rig, ("motus.ik.",))
+            actions.remove(rig, ("motus.ik.",))
     if with_controls:
         for control in dict.fromkeys(controls):
             if not _is_used(control):
@@ -97,40 +96,3 @@ def _reset(rig):
     rig.motus.property_unset("ik")
     if not any(getattr(rig.motus, name).is_active or getattr(rig.motus, name).leader for name in registered):
         rig.property_unset("motus")
-
-
-def _forget_animation(rig, index):
-    """Remove keys and drivers of an entry's settings; those of the entries behind it move up with them."""
-    animation = rig.animation_data
-    if animation is None:
-        return
-    _own_action(rig)
-    _remove_animation(rig, chains.prefixes(rig, index))
-    for later in range(index + 1, len(rig.motus.ik.entries)):
-        old = f"motus.ik.entries[{later}]."
-        for curve in chains.curves(rig):
-            if curve.data_path.startswith(old):
-                curve.data_path = f"motus.ik.entries[{later - 1}].{curve.data_path[len(old):]}"
-
-
-def _own_action(rig):
-    """Give the rig its action for itself where others use it too: they have chains of their own."""
-    action = rig.animation_data.action
-    if action and action.users > 1 and any(curve.data_path.startswith("motus.ik.") for curve in actions.fcurves(rig)):
-        actions.assign_copy(rig, action.name)
-
-
-def _remove_animation(rig, paths):
-    animation = rig.animation_data
-    if animation is None:
-        return
-    for curve in [curve for curve in animation.drivers if curve.data_path.startswith(paths)]:
-        animation.drivers.remove(curve)
-    curves = actions.fcurves(rig)
-    ours = [curve for curve in curves if curve.data_path.startswith(paths)]
-    for curve in ours:
-        curves.remove(curve)
-    if ours and not curves:
-        animation.action = None
-    if not animation.action and not animation.drivers and not animation.nla_tracks:
-        rig.animation_data_clear()

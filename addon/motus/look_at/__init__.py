@@ -1,7 +1,7 @@
 """Look At: spine, head and eyes of a rig share the turn to a target, each by its weight and within its limits."""
 
 from ..core.system import System
-from . import groups, operators, overlay, panel, properties, solve
+from . import groups, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="look_at",
@@ -10,7 +10,7 @@ SYSTEM = System(
     classes=(
         # Groups before the group that holds them.
         properties.MOTUS_PG_look_at_eye, properties.MOTUS_PG_look_at_entry, properties.MOTUS_PG_look_at,
-        *operators.classes, *panel.classes,
+        *operators.classes, *presets.classes, *panel.classes,
     ),
     solve=solve.solve,
     problems=solve.PROBLEMS,

@@ -4,7 +4,7 @@ from contextlib import contextmanager
 
 import bpy
 
-from ..core import actions, wiring
+from ..core import actions, entry_keys, wiring
 from ..core.system import registered
 
 PREFIX = "motus.look_at."
@@ -36,11 +36,11 @@ def add(rig, head, changes, eyes):
 def remove(rig, index):
     """Take one head back: wiring, keys and drivers of its settings, and with the last one the settings themselves."""
     with _at_once(rig) as settings:
-        _forget_animation(rig, index)
+        entry_keys.forget(rig, PREFIX + "entries", settings.entries, index)
         settings.entries.remove(index)
         settings.active_entry = max(0, min(settings.active_entry, len(settings.entries) - 1))
         if not settings.entries:
-            _remove_animation(rig, (PREFIX,))
+            actions.remove(rig, (PREFIX,))
 
 
 @contextmanager
@@ -76,50 +76,3 @@ def new_target(context, rig, head, forward):
     collections = rig.users_collection or (context.scene.collection,)
     collections[0].objects.link(empty)
     return empty
-
-
-def _forget_animation(rig, index):
-    """Remove keys and drivers of an entry's settings; those of the entries behind it move up with them."""
-    if rig.animation_data is None:
-        return
-    _own_action(rig)
-    entries = rig.motus.look_at.entries
-    _remove_animation(rig, _prefixes(entries, index))
-    for later in range(index + 1, len(entries)):
-        old = f"{PREFIX}entries[{later}]."
-        for curve in _curves(rig):
-            if curve.data_path.startswith(old):
-                curve.data_path = f"{PREFIX}entries[{later - 1}].{curve.data_path[len(old):]}"
-
-
-def _own_action(rig):
-    """Give the rig its action for itself where others use it too: they have heads of their own."""
-    action = rig.animation_data.action
-    if action and action.users > 1 and any(curve.data_path.startswith(PREFIX) for curve in actions.fcurves(rig)):
-        actions.assign_copy(rig, action.name)
-
-
-def _prefixes(entries, index):
-    # Blender's own paths have the index; scripts may key by the name.
-    name = bpy.utils.escape_identifier(entries[index].name)
-    return f"{PREFIX}entries[{index}].", f'{PREFIX}entries["{name}"].'
-
-
-def _curves(rig):
-    return [*actions.fcurves(rig), *rig.animation_data.drivers]
-
-
-def _remove_animation(rig, prefixes):
-    animation = rig.animation_data
-    if animation is None:
-        return
-    for curve in [curve for curve in animation.drivers if curve.data_path.startswith(prefixes)]:
-        animation.drivers.remove(curve)
-    curves = actions.fcurves(rig)
-    ours = [curve for curve in curves if curve.data_path.startswith(prefixes)]
-    for curve in ours:
-        curves.remove(curve)
-    if ours and not curves:
-        animation.action = None
-    if not animation.action and not animation.drivers and not animation.nla_tracks:
-        rig.animation_data_clear()

@@ -5,8 +5,7 @@ import bpy
 from ..core import native, ui, wiring
 from ..core.system import Problem
 from ..core.translations import OWN_SENSE
-from . import members
-from .presets import MOTUS_PT_path_presets
+from . import members, presets
 from .properties import DEFAULT_GAP
 from .setup import is_stray, system
 
@@ -186,7 +185,7 @@ class _Main:
 
     def draw_header_preset(self, context):
         if _is_follower(context):
-            MOTUS_PT_path_presets.draw_panel_header(self.layout)
+            presets.PANEL.draw_panel_header(self.layout)
 
     def draw(self, context):
         draw_main(self.layout, context)

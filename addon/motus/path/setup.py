@@ -33,7 +33,7 @@ def clear(owner):
     """Take the follower back: wiring, keys and drivers of its settings, and the settings themselves."""
     driven = members.members(owner)
     wiring.detach(system(), owner)
-    _remove_animation(owner)
+    actions.remove(owner, (PREFIX,))
     for member in driven:
         reset(member)
 
@@ -84,20 +84,3 @@ def _replace_wagons(owner, wagons):
         entry.name = wagon.name
         entry.object = wagon
         entry.gap = gap
-
-
-def _remove_animation(owner):
-    animation = owner.animation_data
-    if animation is None:
-        return
-    for curve in [curve for curve in animation.drivers if curve.data_path.startswith(PREFIX)]:
-        animation.drivers.remove(curve)
-    curves = actions.fcurves(owner)
-    ours = [curve for curve in curves if curve.data_path.startswith(PREFIX)]
-    if ours and animation.action.users == 1:
-        for curve in ours:
-            curves.remove(curve)
-        if not curves:
-            animation.action = None
-    if not animation.action and not animation.drivers and not animation.nla_tracks:
-        owner.animation_data_clear()

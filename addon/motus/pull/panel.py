@@ -3,8 +3,7 @@
 import bpy
 
 from ..core import native, ui
-from . import falloff_curve, meshes
-from .presets import MOTUS_PT_pull_presets
+from . import falloff_curve, meshes, presets
 
 PRESSURE_ICON = 'STYLUS_PRESSURE'
 
@@ -92,7 +91,7 @@ class MOTUS_PT_pull(_Part, ui.Sidebar, bpy.types.Panel):
     bl_label = "Pick & Pull"
 
     def draw_header_preset(self, _context):
-        MOTUS_PT_pull_presets.draw_panel_header(self.layout)
+        presets.PANEL.draw_panel_header(self.layout)
 
     def draw(self, context):
         draw_main(self.layout, context)

@@ -1,6 +1,7 @@
 """Spanish: look at."""
 
 INTERFACE = {
+    "Look At Presets": "Preajustes de mirar a",
     "Automatic": "Automático",
     "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone":
         "Hacia donde mira el personaje en reposo: -Y del rig; un ojo que apunta hacia allí mira a lo largo de su hueso",
@@ -98,6 +99,7 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Add Look At Preset": "Añadir preajuste de mirar a",
     "Look At": "Mirar a",
     "Remove Look At": "Quitar mirar a",
     "Add Eye": "Añadir ojo",
