@@ -6,6 +6,7 @@
 #include <glm/vec3.hpp>
 
 #include "pair.hpp"
+#include "smooth.hpp"
 
 namespace motus {
 
@@ -25,6 +26,14 @@ namespace motus {
 /// direction and weight, and opposite normals, which mirrored poles lead to, are not that.
 [[nodiscard]] glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
                                         double weight);
+
+/// How sure the plane is that a pose bends in, by the sine of its bend: 0 up to 1 degree, 1 from 8 degrees
+/// on.
+[[nodiscard]] inline double certainty_of_bend(double sine) {
+    constexpr double sine_of_1 = 0.01745240643728351;
+    constexpr double sine_of_8 = 0.13917310096006544;
+    return smooth_step((sine - sine_of_1) / (sine_of_8 - sine_of_1));
+}
 
 /// What the elbow's side depends on. Real: double, or Pair for two at once.
 template <class Real>

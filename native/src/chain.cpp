@@ -9,15 +9,13 @@
 #include "bend_plane.hpp"
 #include "chain_axes.hpp"
 #include "chain_bender.hpp"
+#include "motus/two_bone.hpp"
 #include "smooth.hpp"
 
 namespace motus {
 namespace {
 
-constexpr double closed = 1e-9;         // of the length: a tip nearer to the root shows no direction
-constexpr double one_degree = 0.01745;  // sines of the bend of the pose between which its plane fades in
-constexpr double eight_degrees = 0.1392;
-constexpr double pole_band = 0.1;   // sine of the pole's angle with the line from root to target
+constexpr double closed = 1e-9;     // of the length: a tip nearer to the root shows no direction
 constexpr double bulge_band = 0.1;  // of the joints' distances from that line, what is left in their mean
 constexpr double fits = 1e100;      // coordinates up to here, and down to its inverse, may be squared
 
@@ -140,8 +138,7 @@ int bring_to_target(Bones& bones, const Task& task, const ChainSettings& setting
     const glm::dvec3 bulge = bulge_of(bones, pose_along).mean;
     const double bend = 8.0 * glm::length(bulge);
     const bool has_plane = settings.plane != glm::dvec3(0.0);
-    const double certainty =
-        has_plane ? smooth_step((bend - one_degree) / (eight_degrees - one_degree)) : smooth_step(1e5 * bend);
+    const double certainty = has_plane ? certainty_of_bend(bend) : smooth_step(1e5 * bend);
     const glm::dvec3 pose_normal = normal_across(pose_along, glm::cross(pose_along, bulge));
     const Swing swing(pose_along, along, pose_normal);
     const glm::dvec3 spare = has_plane

@@ -4,7 +4,6 @@
 
 #include "bend_plane.hpp"
 #include "ik_aim.hpp"
-#include "smooth.hpp"
 #include "turns.hpp"
 
 namespace motus {
@@ -42,12 +41,9 @@ Chord chord_of(const IkPose& pose, std::size_t count, double hinge_angle) {
     chord.along =
         glm::dot(line, line) > closed * closed * length * length ? direction_or(line, first) : first;
 
-    constexpr double sine_of_1 = 0.01745240643728351;
-    constexpr double sine_of_8 = 0.13917310096006544;
     const glm::dvec3 across = area - glm::dot(area, chord.along) * chord.along;
     const double size = glm::length(across);
-    const bool bends = count > 1 && size > sine_of_1 * pairs && size > 0.0;
-    const double weight = bends ? smooth_step((size / pairs - sine_of_1) / (sine_of_8 - sine_of_1)) : 0.0;
+    const double weight = count > 1 && size > 0.0 ? certainty_of_bend(size / pairs) : 0.0;
     if (weight >= 1.0) {
         chord.normal = across / size;
         return chord;

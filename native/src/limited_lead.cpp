@@ -4,10 +4,10 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <numbers>
 
 #include "bend_plane.hpp"
 #include "limited_step.hpp"
-#include "smooth.hpp"
 #include "turns.hpp"
 
 namespace motus {
@@ -158,9 +158,7 @@ class Lead {
 
     /// How straight the pose is: 1 to a bend of 1 degree, 0 from 8 on.
     [[nodiscard]] double straightness() const {
-        constexpr double one_degree = 0.01745;
-        constexpr double eight_degrees = 0.1396;
-        return 1.0 - smooth_step((bend_at(from_.length) - one_degree) / (eight_degrees - one_degree));
+        return 1.0 - certainty_of_bend(std::sin(std::min(bend_at(from_.length), 0.5 * std::numbers::pi)));
     }
 
     /// Of the plane that the pose bends in, as it will be when it is bent.
