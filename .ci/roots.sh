@@ -1,8 +1,21 @@
 #!/usr/bin/env bash
 # roots.sh DIR SUITE...: makes DIR/trixie (Blender 4.3, Python 3.13) and DIR/sid (Blender 5.2, Python 3.14), each a Debian in
-# a folder, unless it is there already. Needs debootstrap, and root for the making. The stamp DIR/SUITE/.complete says that
-# a root is whole; one that was broken off is made again.
+# a folder, unless it is there already. Needs debootstrap, and root for the making. The stamp DIR/SUITE/.complete holds the
+# names of the packages that were asked for: a root that was broken off is made again, one without a package is given it.
+# roots.sh --is-whole DIR SUITE: whether nothing is to be done; needs nothing.
 set -euo pipefail
+
+# libgl1 and libglx-mesa0: Blender opens a window by them, but Debian's package does not ask for them (5.2).
+packages=(
+    blender python3-numpy python3-requests python3-dev pybind11-dev libgl1-mesa-dri libegl1 libgl1 libglx-mesa0
+)
+
+is_whole() { [[ $(cat "$1/.complete" 2>/dev/null) == "${packages[*]}" ]]; }
+
+if [[ ${1:-} == --is-whole ]]; then
+    is_whole "$2/$3"
+    exit
+fi
 
 # The mounts that the making needs are private to this process, so that none is left however it ends.
 if [[ ${1:-} != --inside ]]; then
@@ -15,8 +28,6 @@ shift
 dir=$1
 shift
 
-packages=(blender python3-numpy python3-requests python3-dev pybind11-dev libgl1-mesa-dri libegl1)
-
 make_root() {
     local suite=$1 root=$dir/$1
     umount --recursive "$root/proc" "$root/dev" 2>/dev/null || true
@@ -25,6 +36,10 @@ make_root() {
     debootstrap --variant=minbase --include=ca-certificates "$suite" "$root"
     cp /etc/resolv.conf "$root/etc/"
     cp /etc/apt/apt.conf.d/* "$root/etc/apt/apt.conf.d/"  # how this machine reaches the mirrors
+}
+
+install_packages() {
+    local suite=$1 root=$dir/$1
     mount --rbind /proc "$root/proc"
     mount --rbind /dev "$root/dev"
     export DEBIAN_FRONTEND=noninteractive
@@ -35,9 +50,11 @@ make_root() {
     chroot "$root" apt-get clean
     umount --recursive "$root/proc" "$root/dev"
     chmod 1777 "$root/tmp"
-    touch "$root/.complete"
+    printf '%s\n' "${packages[*]}" >"$root/.complete"
 }
 
 for suite; do
+    is_whole "$dir/$suite" && continue
     [[ -f $dir/$suite/.complete ]] || make_root "$suite"
+    install_packages "$suite"
 done
