@@ -2,7 +2,7 @@
 
 from ..core import actions
 from ..core.translations import tr
-from . import chains, controls, setup
+from . import chains, controls, setup, stations
 from .keying import SAME_FRAME, KeyWriter
 from .targets import Refused
 
@@ -23,7 +23,7 @@ def present(rig, entry, frame):
     """Number of the target that the chain is at on a frame. Refuses where it is between two."""
     curve = curve_of(rig, entry)
     blend = curve.evaluate(frame) if curve else entry.target_blend
-    if abs(blend - round(blend)) > controls.STANDS:
+    if abs(blend - round(blend)) > stations.STANDS:
         sentence = tr("{bone} passes from one target to another at frame {frame}: begin before or after that")
         raise Refused(sentence.format(bone=entry.name, frame=f"{frame:g}"))
     return min(round(blend), len(entry.extra_targets))

@@ -5,6 +5,8 @@ INTERFACE = {
         "0 es el objetivo, 1 el primero de los demás objetivos, y entre ellos el camino de uno a otro",
     "A joint limit is in the way: {length} are left": "Lo impide un límite de articulación: faltan {length}",
     "A number of this chain is not finite": "Un número de esta cadena no es finito",
+    "A target that Blend needs is missing: the one before it counts instead":
+        "Falta un objetivo que la mezcla necesita: en su lugar cuenta el anterior",
     "Active Chain": "Cadena activa",
     "Active Further Target": "Otro objetivo activo",
     "Angle Left": "Ángulo restante",
