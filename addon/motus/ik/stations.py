@@ -50,3 +50,8 @@ def needed(blend, places):
 def nearest(number, places):
     """The place of a station, or of the nearest before it; None where all of these are missing."""
     return next((place for place in places[number::-1] if place is not None), None)
+
+
+def without(blend, number):
+    """A value of Blend when a station is removed: what passed to that one stays at the one before it."""
+    return min(blend, max(blend - 1.0, number - 1.0))
