@@ -10,6 +10,8 @@ from ik_cases import ARM, add_chain, state, tentacle, turn
 from ik_match_cases import MatchTestCase, state_of
 from mathutils import Quaternion
 
+WEIGHT = "motus.ik.entries[0].position_weight"
+
 
 class IkMatchesFk(MatchTestCase):
     def test_animated_pose_is_the_solution(self):
@@ -183,6 +185,65 @@ class IkMatchesFk(MatchTestCase):
             self.evaluated(rig, frame)
             self.assertAlmostEqual(entry.position_weight, weight, msg=f"frame {frame}")
 
+    def keyed_weight(self, keys, interpolation='BEZIER', handles='AUTO_CLAMPED', smoothing='CONT_ACCEL'):
+        """F-curve of the position weight of an arm that is made anew."""
+        self.setUp()
+        rig = self.animated_arm()
+        entry = self.reach()
+        for frame, weight in keys:
+            entry.position_weight = weight
+            rig.keyframe_insert(WEIGHT, frame=frame)
+        curve = support.addon("core.actions").find(rig, WEIGHT)
+        curve.auto_smoothing = smoothing
+        for key in curve.keyframe_points:
+            key.interpolation, key.handle_left_type, key.handle_right_type = interpolation, handles, handles
+        curve.update()
+        return curve
+
+    def assertSwitched(self, keys, interpolation='BEZIER', frames=(20, 30), **options):
+        """Weights that have keys are 1 from frame to frame, and on all others what they were."""
+        curve = self.keyed_weight(keys, interpolation, **options)
+        step = 1.0 if interpolation == 'SINE' else 0.5
+        before = {frame: curve.evaluate(frame) for frame in np.arange(-20.0, 81.0, step)}
+        self.match(switch=True, frame_start=frames[0], frame_end=frames[1])
+        curve = support.addon("core.actions").find(bpy.data.objects["Rig"], WEIGHT)
+        for frame, weight in before.items():
+            if frames[0] <= frame <= frames[1]:
+                weight = 1.0
+            elif frames[0] - 1 < frame < frames[1] + 1:
+                continue
+            self.assertAlmostEqual(curve.evaluate(frame), weight, delta=1e-5, msg=f"frame {frame}")
+
+    def test_switch_of_keyed_weights_leaves_other_frames(self):
+        ways = ((1, 0.0), (40, 1.0)), ((-10, 0.2), (1, 0.0), (12, 0.7), (25, 0.1), (38, 0.9), (44, 0.5), (70, 0.0))
+        for keys in ways:
+            for handles in ('AUTO_CLAMPED', 'AUTO', 'VECTOR', 'ALIGNED', 'FREE'):
+                for smoothing in ('CONT_ACCEL', 'NONE'):
+                    with self.subTest(f"{len(keys)} keys, {handles}, {smoothing}"):
+                        self.assertSwitched(keys, handles=handles, smoothing=smoothing)
+            for interpolation in ('LINEAR', 'CONSTANT', 'SINE'):
+                with self.subTest(f"{len(keys)} keys, {interpolation}"):
+                    self.assertSwitched(keys, interpolation)
+
+    def test_switch_beside_the_keys_of_weights(self):
+        for frames in ((45, 50), (2, 5), (-9, -5), (41, 43), (12, 19), (40, 60), (5, 40)):
+            for handles in ('AUTO_CLAMPED', 'AUTO'):
+                with self.subTest(f"{frames}, {handles}"):
+                    self.assertSwitched(((11, 0.0), (20, 0.8), (40, 0.3)), handles=handles, frames=frames)
+
+    def test_switch_of_keyed_weights_is_taken_back(self):
+        for interpolation in ('BEZIER', 'SINE'):
+            for frames in ((20, 30), (45, 50), (2, 40)):
+                with self.subTest(f"{interpolation}, {frames}"):
+                    curve = self.keyed_weight(((11, 0.0), (20, 0.8), (40, 0.3)), interpolation)
+                    rig, writer = bpy.data.objects["Rig"], support.addon("ik.keying").KeyWriter()
+                    before = _keys(curve)
+                    support.addon("ik.weights").switch(
+                        self.scene, rig, rig.motus.ik.entries[:], frames, writer, {"position_weight": 1.0})
+                    self.assertNotEqual(_keys(curve), before)
+                    writer.take_back()
+                    self.assertEqual(_keys(curve), before)
+
     def test_error_is_found_with_weight_0_too(self):
         """Joint limits that the animated pose breaks show in the report though IK does not act yet."""
         rig = self.animated_arm()
@@ -293,3 +354,8 @@ class Undo(MatchTestCase):
     def test_one_step(self):
         for name in ("ik_match_fk", "fk_match_ik", "ik_switch_target", "ik_drag", "ik_check"):
             self.assertLessEqual({'REGISTER', 'UNDO'}, getattr(bpy.types, f"MOTUS_OT_{name}").bl_options)
+
+
+def _keys(curve):
+    return [(tuple(key.co), tuple(round(part, 4) for part in (*key.handle_left, *key.handle_right)),
+             key.handle_left_type, key.handle_right_type, key.interpolation) for key in curve.keyframe_points]

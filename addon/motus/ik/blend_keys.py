@@ -2,7 +2,7 @@
 
 from ..core import actions
 from ..core.translations import tr
-from . import chains, controls, setup
+from . import chains, controls, setup, stations
 from .keying import SAME_FRAME, KeyWriter
 from .targets import Refused
 
@@ -23,10 +23,11 @@ def present(rig, entry, frame):
     """Number of the target that the chain is at on a frame. Refuses where it is between two."""
     curve = curve_of(rig, entry)
     blend = curve.evaluate(frame) if curve else entry.target_blend
-    if abs(blend - round(blend)) > controls.STANDS:
+    blend = max(0.0, min(blend, len(entry.extra_targets)))
+    if abs(blend - round(blend)) > stations.STANDS:
         sentence = tr("{bone} passes from one target to another at frame {frame}: begin before or after that")
         raise Refused(sentence.format(bone=entry.name, frame=f"{frame:g}"))
-    return min(round(blend), len(entry.extra_targets))
+    return round(blend)
 
 
 def check_other(entry, number, goal):
@@ -52,10 +53,11 @@ def switch(rig, entry, goal, start, end, interpolation):
     """Key the way from the present target to `goal` from one frame to another; later switches start from it."""
     number = present(rig, entry, start)
     check_other(entry, number, goal)
-    curve = curve_of(rig, entry)
+    curve, last = curve_of(rig, entry), float(len(entry.extra_targets))
     with setup.at_once(rig):
         is_between = place_next(entry, number, goal)
         if curve:
+            _change(curve, lambda value: min(value, last))  # more was the last target too
             _renumber(curve, number, start, end, is_between)
         writer = KeyWriter()
         path = curve.data_path if curve else ""
@@ -72,4 +74,30 @@ def _renumber(curve, number, start, end, is_between):
         if leaves_here or (is_between and value > number + LARGEST_STEP):
             for point in (key.co, key.handle_left, key.handle_right):
                 point.y += 1.0
+    curve.update()
+
+
+def take_out(rig, entry, number):
+    """Renumber Blend and its keys for a further target, by its number, that is about to be removed."""
+    paths = [prefix + "target_blend" for prefix in chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))]
+    for player in actions.players(rig):
+        if any(curve.data_path in paths and _passes(curve, number) for curve in actions.curves_of(player)):
+            actions.make_own(player)  # a rig that shares it has targets of its own
+            for curve in actions.curves_of(player):
+                if curve.data_path in paths:
+                    _change(curve, lambda value: stations.without(value, number))
+    if entry.target_blend > number - 1.0:
+        entry.target_blend = stations.without(entry.target_blend, number)
+
+
+def _passes(curve, number):
+    """Whether the target of this number, or a later one, is on the way of an F-curve."""
+    return any(key.co.y > number - 1.0 for key in curve.keyframe_points)
+
+
+def _change(curve, change):
+    """Give the points of all keys other values."""
+    for key in curve.keyframe_points:
+        for point in (key.co, key.handle_left, key.handle_right):
+            point.y = change(point.y)
     curve.update()

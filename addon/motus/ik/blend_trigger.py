@@ -3,6 +3,7 @@
 The driver's expression is a sum with a term for each switch, made of functions that Blender evaluates without Python.
 """
 
+import itertools
 import re
 
 from ..core import dependencies, wiring
@@ -18,6 +19,7 @@ TERMS = {
     'CONSTANT': "({value}{sign}{start})",
 }
 _TERM = re.compile(r"smoothstep\([^()]*\)|clamp\(\([^()]*\)/\([^()]*\)\)|\([^()]*[<>]=[^()]*\)")
+_NAME = re.compile(r"\bv\d+\b")
 _SUM = re.compile(rf"(\d+)((?:\+(?:{_TERM.pattern}))*)$")
 
 
@@ -76,7 +78,7 @@ def switch(rig, entry, goal, source, start, end, interpolation):
     driver = driver_of(rig, entry)
     number, expression = _so_far(entry, driver)
     blend_keys.check_other(entry, number, goal)
-    name = f"v{len(driver.driver.variables) if driver else 0}" if source else "frame"
+    name = _free_name(driver.driver.variables if driver else ()) if source else "frame"
     longer = f"{expression}+" + TERMS[interpolation].format(
         start=f"{start:.9g}", end=f"{end:.9g}", value=name, sign=">=" if end > start else "<=")
     if len(longer) > LONGEST_EXPRESSION:
@@ -109,10 +111,39 @@ def _so_far(entry, driver):
     if driver is None:
         number = min(round(entry.target_blend), len(entry.extra_targets))
         return number, str(number)
-    found = _SUM.match(driver.driver.expression)
-    if found is None or driver.driver.type != 'SCRIPTED':
+    found = _sum_of(driver.driver)
+    if found is None:
         raise Refused(tr("Blend of {bone} has a driver of its own").format(bone=entry.name))
-    return int(found[1]) + len(_TERM.findall(found[2])), driver.driver.expression
+    number = found[0] + len(found[1])
+    if number > len(entry.extra_targets):
+        raise Refused(tr("Blend of {bone} is driven to targets that there are no more: remove its driver").format(
+            bone=entry.name))
+    return number, driver.driver.expression
+
+
+def _sum_of(driver):
+    """(number of the first target, terms) of a driver that switch() made, or None."""
+    found = _SUM.match(driver.expression) if driver.type == 'SCRIPTED' else None
+    return found and (int(found[1]), _TERM.findall(found[2]))
+
+
+def take_out(rig, entry, number):
+    """Let a driver that switch() made do without a further target, by its number, that is about to be removed."""
+    curve = driver_of(rig, entry)
+    found = curve and _sum_of(curve.driver)
+    if not found:
+        return
+    first, terms = found
+    way = terms.pop(number - first - 1) if first < number <= first + len(terms) else ""
+    if number <= first:
+        first -= 1
+    if not terms:
+        _remove_driver(rig, curve)
+        entry.target_blend = first
+        return
+    curve.driver.expression = "+".join([str(first), *terms])
+    for variable in [one for one in curve.driver.variables if one.name in _NAME.findall(way)]:
+        curve.driver.variables.remove(variable)
 
 
 def _new_driver(rig, path):
@@ -124,6 +155,11 @@ def _new_driver(rig, path):
         curve.keyframe_points.remove(key)
     curve.driver.type = 'SCRIPTED'
     return curve
+
+
+def _free_name(variables):
+    names = {variable.name for variable in variables}
+    return next(name for name in map("v{}".format, itertools.count()) if name not in names)
 
 
 def _add_variable(driver, name, source):
@@ -145,10 +181,15 @@ def _take_back(rig, entry, added, expression, name):
             entry.extra_targets.remove(added)
         curve = driver_of(rig, entry)
         if not expression:
-            rig.animation_data.drivers.remove(curve)
-            if not (rig.animation_data.drivers or rig.animation_data.action or rig.animation_data.nla_tracks):
-                rig.animation_data_clear()
+            _remove_driver(rig, curve)
             return
         curve.driver.expression = expression
         if name in curve.driver.variables:
             curve.driver.variables.remove(curve.driver.variables[name])
+
+
+def _remove_driver(rig, curve):
+    animation = rig.animation_data
+    animation.drivers.remove(curve)
+    if not (animation.drivers or animation.action or animation.nla_tracks):
+        rig.animation_data_clear()

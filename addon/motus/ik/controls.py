@@ -4,12 +4,9 @@ from typing import Any, NamedTuple
 
 from ..core.bake.sampling import rotation_path
 from ..core.translations import tr
-from . import reading
+from . import reading, stations
 from .groups import goals
 from .targets import Refused
-
-STANDS = 1e-4
-"""A Blend this near to a whole number stands on one target."""
 
 
 class Control(NamedTuple):
@@ -35,7 +32,7 @@ def _control(obj, bone):
 def goal_at(entry, blend):
     """(object or None, bone) that the chain goes to at a value of Blend; None between two of them."""
     whole = round(blend)
-    if abs(blend - whole) > STANDS:
+    if abs(blend - whole) > stations.STANDS:
         return None
     whole = min(whole, len(entry.extra_targets))
     if whole == 0:

@@ -8,8 +8,8 @@ from mathutils import Euler, Quaternion, Vector
 from ..core import actions
 from ..core.bake.sampling import rotation_path
 from ..core.lazy import numpy as np
+from .curve_cut import SAME_FRAME, around, cut
 
-SAME_FRAME = 1e-3
 _KEY = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing", "back",
         "amplitude", "period", "type")
 
@@ -96,6 +96,15 @@ class KeyWriter:
             kept = None if is_new else _keys(_between(curve, frames))
             self._done.append((owner, path, index, (kept, frames)))
             _replace(curve, frames, column, interpolation)
+
+    def cut(self, owner, path, frame):
+        """Put a key on the F-curve of a number, which stays as it is; returns the key."""
+        curve = actions.find(owner, path)
+        self._remember(owner)
+        self.written.add((owner, path))
+        frames = sorted([frame, *(points[0].co.x for points in around(curve, frame) if points)])
+        self._done.append((owner, path, 0, (_keys(_between(curve, frames)), frames)))
+        return cut(curve, frame)
 
     def set(self, holder, name, value):
         """Set a property that is not animated."""

@@ -4,7 +4,7 @@ import bpy
 
 from ..core import wiring
 from ..core.translations import tr
-from . import placing, setup, status, targets
+from . import blend_keys, blend_trigger, placing, setup, status, targets
 from .properties import KEYWORDS, IkKeywords
 
 
@@ -249,6 +249,8 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
         except targets.Refused as refusal:
             return refused(self, refusal)
         with setup.at_once(rig):
+            blend_keys.take_out(rig, entry, index + 1)
+            blend_trigger.take_out(rig, entry, index + 1)
             entry.extra_targets.remove(index)
             entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))
         return {'FINISHED'}

@@ -6,10 +6,11 @@ the arrays that are there already.
 
 from typing import Any, NamedTuple
 
-from mathutils import Euler
+from mathutils import Euler, Matrix
 
 from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
+from . import stations
 from .groups import PLAN
 from .wired import RigChanged, Wired
 
@@ -33,7 +34,7 @@ class Gathered(NamedTuple):
     """Arguments of IkPlan.solve and IkPlan.match, and what keeps an entry from them.
 
     off: why an entry is switched off, NO_TARGET and the like, by row. is_stiff: whether one should stretch, or have more
-    bones, but was wired when it did not.
+    bones, but was wired when it did not. is_astray: whether one's Blend needs a target that is missing.
     """
 
     wired: Wired
@@ -45,6 +46,7 @@ class Gathered(NamedTuple):
     limits: Any
     off: dict
     is_stiff: bool
+    is_astray: bool
 
 
 def gather(rig, text, depsgraph):
@@ -95,6 +97,7 @@ def _gather(rig, wired, poses, depsgraph):
     listed = _Listed(rig, known.places)
     off = {}
     targets = _targets(listed, wired, posed, known, depsgraph, off)
+    is_astray = wired.is_blended and _blend(targets, rig, listed, wired.further, depsgraph, off)
     if known.weights is not None:
         _turn(targets, known.offsets, known.weights)
     if known.muted:
@@ -105,7 +108,7 @@ def _gather(rig, wired, poses, depsgraph):
         numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
     poles = _poles(listed, wired, posed, known.copy, depsgraph)
     limits = _limits(rig, wired) if known.has_limits else None
-    return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, limits, off, known.is_stiff)
+    return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, limits, off, known.is_stiff, is_astray)
 
 
 class _Listed:
@@ -200,8 +203,6 @@ def _targets(entries, wired, posed, known, depsgraph, off):
         _take_others(found, entries, wired.targets, known, depsgraph, off)
     if wired.targets.none:
         off.update(dict.fromkeys(wired.targets.none, NO_TARGET))
-    if wired.is_blended:
-        _blend(found, entries(), _presence(depsgraph))
     return found
 
 
@@ -256,25 +257,36 @@ def world_matrix(target, bone=""):
     return target.matrix_world @ posed.matrix if posed else None
 
 
-def _blend(found, entries, presence):
-    """Replace targets by the mixture of two of them, where an entry's blend says so."""
-    from mathutils import Matrix
-    for row, entry in enumerate(entries):
-        if entry.target_blend <= 0.0 or not entry.extra_targets:
+def _blend(found, rig, entries, further, depsgraph, off):
+    """Replace targets by the mixture of two of them, where an entry's blend says so; one that is missing counts as the one
+    before it.
+
+    An entry whose own target is missing is off until its blend has left that. Returns whether another one is missing.
+    """
+    is_astray = False
+    for row, are_there in further.there(rig, entries, depsgraph).items():
+        entry = entries()[row]
+        if entry.target_blend <= 0.0:
             continue
-        stations = [Matrix(found[row].reshape(4, 4).T)]
-        for extra in entry.extra_targets:
-            is_there = extra.object and not presence.is_deleted(extra.object)
-            # One that is gone leaves the chain where it was before.
-            stations.append(is_there and world_matrix(extra.object, extra.bone) or stations[-1])
-        share = min(entry.target_blend, len(stations) - 1.0)
-        first = min(int(share), len(stations) - 2)
-        found[row] = rigs.columns(mixed(stations[first], stations[first + 1], share - first))
+        places = [None if row in off else Matrix(found[row].reshape(4, 4).T), *_further_places(entry, are_there)]
+        numbers, share = stations.needed(entry.target_blend, places)
+        ends = [stations.nearest(number, places) for number in numbers]
+        if None in ends:
+            continue
+        off.pop(row, None)
+        found[row] = rigs.columns(mixed(ends[0], ends[-1], share))
+        is_astray |= not entry.is_muted and None in [places[number] for number in numbers]
+    return is_astray
+
+
+def _further_places(entry, are_there):
+    """World matrices of an entry's further targets, None for those that are missing, or whose bone is."""
+    return [world_matrix(extra.object, extra.bone) if is_there else None
+            for extra, is_there in zip(entry.extra_targets, are_there)]
 
 
 def mixed(start, end, share):
     """Matrix between two: place by a straight line, orientation by the shorter way; without their scales."""
-    from mathutils import Matrix
     turned = start.to_quaternion().slerp(end.to_quaternion(), share)
     matrix = turned.to_matrix().to_4x4()
     matrix.translation = start.translation.lerp(end.translation, share)

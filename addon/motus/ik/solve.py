@@ -7,9 +7,10 @@ from .groups import OUTPUTS
 
 SOME_ARE_OFF = Problem("Some chains have no target that they could reach for: the list says why", blocking=False)
 NOT_WIRED = Problem("The rig's bones have changed: press Refresh")
+ASTRAY = Problem("A target that Blend needs is missing: the one before it counts instead", blocking=False)
 STIFF = Problem("Stretch or Length was keyed or driven after the chain was made: press Refresh", blocking=False)
 REASON = OUTPUTS.index("reason")
-PROBLEMS = (SOME_ARE_OFF, NOT_WIRED, STIFF)
+PROBLEMS = (SOME_ARE_OFF, NOT_WIRED, STIFF, ASTRAY)
 
 
 def solve(context):
@@ -30,4 +31,6 @@ def solve(context):
     # All reasons below 0 are a want, but for MUTED, which is the least. argmin, as least numbers go, is quick.
     if reasons[reasons.argmin()] < 0.0 and np.any((reasons < 0.0) & (reasons > reading.MUTED)):
         return SOME_ARE_OFF
+    if found.is_astray:
+        return ASTRAY
     return STIFF if found.is_stiff else None

@@ -104,8 +104,6 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         rig = active_rig(context, self.object)
         targets.check_editable(rig)
         entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
-        if entry.target is None:
-            raise Refused(tr("{bone} has no target: choose one").format(bone=entry.name))
         goal = targets.goal_for(context, self.target, self.target_bone, rig)
         if goal is None:
             raise Refused(tr("Name the target, or select it along with the bone"))

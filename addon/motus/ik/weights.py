@@ -38,10 +38,11 @@ def _prefixes(rig, entry):
 def _hold(rig, entry, name, path, frames, value, writer):
     """Key a value over the frames, and what there was on the frames before and after."""
     first, last = frames[0], frames[-1]
-    curve = actions.find(rig, path) if path else None
-    outside = [curve.evaluate(frame) if curve else getattr(entry, name) for frame in (first - 1, last + 1)]
-    for frame, kept in zip((first - 1, last + 1), outside):
-        interpolation = 'CONSTANT' if frame < first else 'BEZIER'
-        writer.write(entry, name, [frame], [kept], interpolation, instead_of=path)
+    if path:
+        writer.cut(rig, path, last + 1)
+        writer.cut(rig, path, first - 1).interpolation = 'CONSTANT'
+    else:
+        for frame, interpolation in ((first - 1, 'CONSTANT'), (last + 1, 'BEZIER')):
+            writer.write(entry, name, [frame], [getattr(entry, name)], interpolation)
     held = [first] if first == last else [first, last]
     writer.write(entry, name, held, [value] * len(held), interpolation='CONSTANT', instead_of=path)

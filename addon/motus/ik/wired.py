@@ -5,6 +5,7 @@ import json
 from ..core import native, rigs
 from ..core.lazy import numpy as np
 from .groups import OUTPUTS
+from .stations import Further
 
 
 class RigChanged(Exception):
@@ -34,6 +35,7 @@ class Wired:
         self.columns = {name: column for column, name in enumerate(native.module.IkPlan.SETTINGS)}
         self.settings = self._settings_as_wired(chains)
         self.is_blended = any(chain["extras"] for chain in chains)
+        self.further = Further()
         self.all_bones = np.array([row for chain in bones for row in chain])
         self.targets = _Goals(rows, chains, "target")
         self.poles = _Goals(rows, chains, "pole")

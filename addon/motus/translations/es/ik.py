@@ -5,6 +5,8 @@ INTERFACE = {
         "0 es el objetivo, 1 el primero de los demás objetivos, y entre ellos el camino de uno a otro",
     "A joint limit is in the way: {length} are left": "Lo impide un límite de articulación: faltan {length}",
     "A number of this chain is not finite": "Un número de esta cadena no es finito",
+    "A target that Blend needs is missing: the one before it counts instead":
+        "Falta un objetivo que la mezcla necesita: en su lugar cuenta el anterior",
     "Active Chain": "Cadena activa",
     "Active Further Target": "Otro objetivo activo",
     "Angle Left": "Ángulo restante",
@@ -220,6 +222,8 @@ INTERFACE = {
         "{bone} pasa de un objetivo a otro en el fotograma {frame}: empieza antes o después",
     "{bone} passes on too many times for one driver": "{bone} pasa demasiadas veces para un solo controlador",
     "Blend of {bone} has a driver of its own": "La mezcla de {bone} tiene un controlador propio",
+    "Blend of {bone} is driven to targets that there are no more: remove its driver":
+        "La mezcla de {bone} la lleva un controlador a objetivos que ya no hay: quita el controlador",
     "Blend of {bone} is keyed: remove the keys, or give frames instead of a trigger":
         "La mezcla de {bone} tiene claves: quítalas o indica fotogramas en vez de un desencadenante",
     "The range is empty: the end frame has to come after the start frame":

@@ -1,0 +1,47 @@
+"""A further key on an F-curve that leaves the curve as it is."""
+
+import math
+
+SAME_FRAME = 1e-3
+_EXACT = {'BEZIER', 'LINEAR', 'CONSTANT'}
+"""Interpolations of which a part is one of the same kind."""
+
+
+def around(curve, frame):
+    """The last key before a frame, the one on it, and the first after it: lists of one or none."""
+    points = curve.keyframe_points
+    return ([point for point in points if point.co.x < frame - SAME_FRAME][-1:],
+            [point for point in points if abs(point.co.x - frame) <= SAME_FRAME][:1],
+            [point for point in points if point.co.x > frame + SAME_FRAME][:1])
+
+
+def cut(curve, frame):
+    """Put a key on a curve at a frame; returns it. Handles of the keys next to it are no longer automatic."""
+    before, here, after = around(curve, frame)
+    if before and after and not here and before[0].interpolation not in _EXACT:
+        _key_every_frame(curve, before[0].co.x, after[0].co.x)
+        before, here, after = around(curve, frame)
+    # Blender divides a segment exactly where its handles are not automatic.
+    for point in (*before, *here, *after):
+        _free(point)
+    if here:
+        return here[0]
+    if before and not after:
+        before[0].interpolation = 'LINEAR'
+    value, interpolation = curve.evaluate(frame), before[0].interpolation if before else 'LINEAR'
+    point = curve.keyframe_points.insert(frame, value)
+    point.interpolation = interpolation
+    _free(point)
+    return point
+
+
+def _free(point):
+    point.handle_left_type = point.handle_right_type = 'FREE'
+
+
+def _key_every_frame(curve, start, end):
+    """Key the frames of a segment that eases: no part of it is a segment of its kind."""
+    frames = [start, *range(math.floor(start + SAME_FRAME) + 1, math.ceil(end - SAME_FRAME))]
+    for frame, value in [(frame, curve.evaluate(frame)) for frame in frames]:
+        curve.keyframe_points.insert(frame, value, options={'FAST'}).interpolation = 'LINEAR'
+    curve.update()
