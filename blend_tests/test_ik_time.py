@@ -235,6 +235,24 @@ class Copies(IkTestCase):
         rig.pose.bones["Clavicle"].location = (0.5, 0.5, 0.5)
         self.assertNear(self.tail(rig, "Forearm"), REACHABLE)
 
+    def test_inheritance_switched_off_and_on(self):
+        """What was wired comes back: nothing may have been kept under its name from while the rig was another."""
+        rig = self.arm()
+        self.reach()
+        for name, axis in (("Shoulder", (0.0, 0.0, 1.0)), ("Bone 0", (1.0, 0.0, 0.0))):
+            turn(rig.pose.bones[name], axis, 0.8)
+        bpy.context.view_layer.objects.active = rig
+        for inherits, roll, scale in ((False, 0.5, 'NONE'), (True, 0.5, 'FULL'), (False, 0.2, 'FULL'), (True, 0.2, 'FULL')):
+            bpy.ops.object.mode_set(mode='EDIT')
+            bone = rig.data.edit_bones["Bone 1"]
+            bone.use_inherit_rotation, bone.roll, bone.inherit_scale = inherits, roll, scale
+            bpy.ops.object.mode_set(mode='OBJECT')
+            self.assertNear(self.tail(rig), REACHABLE)
+        for inherits in (False, True) * 5:
+            rig.data.bones["Bone 1"].use_inherit_rotation = inherits
+            rig.data.bones["Bone 1"].use_local_location = not inherits
+            self.assertNear(self.tail(rig), REACHABLE)
+
 
 class Bake(IkTestCase):
     def test_baked_equals_live(self):

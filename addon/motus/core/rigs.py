@@ -17,6 +17,7 @@ from .wiring.scratch import scratch
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
 """Bone.inherit_scale as motus::InheritScale; Blender's own numbers are others."""
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
+_INHERITED = {"inherit_scale": "i4", "use_inherit_rotation": "?", "use_local_location": "?"}
 LARGEST_CACHE = 64
 
 # Objects, by name, that were seen in a collection. Names, not references: undo invalidates those.
@@ -36,7 +37,7 @@ class Still(NamedTuple):
     inheritance: Any  # (B,) int32: motus::InheritScale | INHERITS_ROTATION | HAS_LOCAL_LOCATION
     rest: Any         # as in Arrays
     lengths: Any      # (B,) float32
-    bones: tuple      # bytes of rest and lengths in Bone order
+    bones: tuple      # bytes of what _at_rest() reads, in Bone order
 
 
 class Arrays(NamedTuple):
@@ -65,15 +66,15 @@ def still(rig, names):
         rows = {name: row for row, name in enumerate(order)}
         places = np.array([rows[name] for name in names])
     inheritance = np.array([_inheritance(bones[name]) for name in names], np.int32)
-    rest, lengths = (array.copy() for array in _at_rest(bones, len(names)))
-    as_bytes = rest.tobytes(), lengths.tobytes()
+    rest, lengths, *flags = (array.copy() for array in _at_rest(bones, len(names)))
+    as_bytes = tuple(array.tobytes() for array in (rest, lengths, *flags))
     if places is not None:
         rest, lengths = rest[places], lengths[places]
     return Still(names, places, inheritance, rest, lengths, as_bytes)
 
 
 def is_still(rig, known):
-    """Whether the rig's bones are those of a Still: as many, and each as it was at rest.
+    """Whether the rig's bones are those of a Still: as many, each as it was at rest and inheriting what it did.
 
     Cheaper than to compare names; a bone that is only renamed keeps its row.
     """
@@ -85,7 +86,10 @@ def is_still(rig, known):
 def _at_rest(bones, count):
     lengths = scratch("rig_lengths", (count,), np.float32)
     bones.foreach_get("length", lengths)
-    return _matrices("rest", bones, "matrix_local", count), lengths
+    flags = [scratch("rig_" + name, (count,), dtype) for name, dtype in _INHERITED.items()]
+    for name, column in zip(_INHERITED, flags):
+        bones.foreach_get(name, column)
+    return _matrices("rest", bones, "matrix_local", count), lengths, *flags
 
 
 def _inheritance(bone):
@@ -156,14 +160,16 @@ def plan(rig, key, make):
     if found is not None and copy and found.copy == copy:
         plans.move_to_end(place)
         return found
-    if found is None or not is_still(rig, found.still):
-        names = names_of(rig)
-        if found is not None and found.still.names == names:
+    if found is None or copy or not is_still(rig, found.still):
+        # The key is what was wired; the rig may be one that was edited since.
+        edited, names = fingerprint(rig), names_of(rig)
+        if found is not None and found.edited == edited:
             found.still = still(rig, names)
         else:
             found = plans[place] = make(rig, {name: row for row, name in enumerate(names)})
-        if len(plans) > LARGEST_CACHE:
-            plans.popitem(last=False)
+            found.edited = edited
+            if len(plans) > LARGEST_CACHE:
+                plans.popitem(last=False)
     found.copy = copy
     plans.move_to_end(place)
     return found
