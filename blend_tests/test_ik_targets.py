@@ -74,6 +74,43 @@ class Targets(IkTestCase):
         self.assertSamePose(rig, before, frame=2)
         self.assertIn("Target is in no collection any more", self.sentence(rig))
 
+    def test_deleted_target_in_another_process(self):
+        """Deleted here, the target is deleted wherever the saved file is opened."""
+        rig = self.arm()
+        before = self.tail(rig)
+        self.reach()
+        self.tail(rig)
+        self.scene.collection.objects.unlink(bpy.data.objects["Target"])
+        self.assertNear(self.tail(rig), before)
+        path = str(self.folder / "deleted.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        status, output = support.run_blender(f"""
+import bpy
+bpy.ops.wm.open_mainfile(filepath={path!r})
+rig = bpy.data.objects["Rig"]
+print("TAIL", *rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones["Bone 1"].tail)
+bpy.context.scene.collection.objects.link(bpy.data.objects["Target"])
+bpy.context.view_layer.update()
+print("BACK", *rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones["Bone 1"].tail)
+""")
+        self.assertEqual(status, 0, output)
+        found = {line.split()[0]: list(map(float, line.split()[1:])) for line in output.splitlines()
+                 if line.startswith(("TAIL", "BACK"))}
+        self.assertNear(found["TAIL"], before)
+        self.assertNear(found["BACK"], REACHABLE)
+
+    def test_a_new_object_of_a_deleted_name(self):
+        """It came along with something and never stood in a collection: that counts, as for Blender's own constraints."""
+        rig = self.arm()
+        entry = self.reach()
+        self.tail(rig)
+        bpy.data.objects.remove(bpy.data.objects["Target"])
+        self.tail(rig)
+        target = bpy.data.objects.new("Target", None)
+        target.location = REACHABLE
+        entry.target = target
+        self.assertNear(self.tail(rig), REACHABLE)
+
     def test_excluded_target_counts(self):
         rig = self.arm()
         target = self.target()

@@ -6,7 +6,7 @@ from typing import Any
 
 import bpy
 
-from . import native
+from . import native, presence
 from .lazy import numpy as np
 from .system import Problem
 
@@ -70,11 +70,7 @@ def read(curve_object, splines, depsgraph, index, matrix):
 
 
 def is_deleted(curve_object):
-    """Whether the object stands in no collection any more; a pointer property keeps it in the file all the same.
-
-    A curve that came along with an appended follower has never stood in one, and is followed. Nothing in a file tells it from
-    a deleted one, so a curve that was deleted before the file was saved counts as present when the file is opened again.
-    """
+    """Whether the object stands in no collection any more; see presence.py."""
     original = curve_object.original
     if original.library:
         return False
@@ -82,8 +78,9 @@ def is_deleted(curve_object):
     # Names, not references: undo invalidates those.
     holder = _collection_of(name, _last_collection.get(name, ""))
     if holder is None:
-        return name in _last_collection
+        return presence.was_somewhere(original)
     _last_collection[name] = holder
+    presence.saw((name,))
     return False
 
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix
 
-from . import copies
+from . import copies, presence
 from .lazy import numpy as np
 from .per_thread import kept
 from .wiring.scratch import scratch
@@ -20,12 +20,8 @@ INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 _INHERITED = {"inherit_scale": "i4", "use_inherit_rotation": "?", "use_local_location": "?"}
 LARGEST_CACHE = 64
 
-# Objects, by name, that were seen in a collection. Names, not references: undo invalidates those.
-_seen = set()
-# How many objects a scene or view layer had when they were last counted: only for the faster of two ways to the same
-# answer.
-_scene_sizes, _layer_sizes = {}, {}
-LARGE_SCENE = 8  # objects for each target
+# How many objects a view layer had when they were last counted: only for the faster of two ways to the same answer.
+_layer_sizes = {}
 _LENDS_MEMORY = hasattr(Matrix, "__buffer__")  # Blender 5
 
 
@@ -203,7 +199,7 @@ class Standing:
     def _look(self, view_layer, objects):
         layer = view_layer.id_data.name, view_layer.name
         wanted = list(map(hash, objects()))
-        most = LARGE_SCENE * len(wanted)
+        most = presence.LARGE_SCENE * len(wanted)
         if _layer_sizes.get(layer, 0) <= most:
             # Of evaluated data no references are kept; what is compared is where it lies in memory.
             every = list(map(hash, view_layer.objects.values()))
@@ -216,65 +212,12 @@ class Standing:
 
     def _find(self, every, wanted, objects):
         there = {*every, *(self._every or ())}
-        _seen.update(one.name for one, mark in zip(objects, wanted) if one and mark in there)
+        presence.saw(one.name for one, mark in zip(objects, wanted) if one and mark in there)
         rows = {mark: row for row, mark in enumerate(every)}
         is_there = all(mark in rows for mark in wanted)
         self._rows = np.array([rows[mark] for mark in wanted]) if is_there else None
         self._room = np.empty(16 * len(every), np.float32)
         self._every, self._wanted = every, wanted
-
-
-class Presence:
-    """Which targets were taken out of all collections; a pointer property keeps them in the file all the same.
-
-    A target that came along with an appended rig has never stood in a collection, and counts as present. So does what
-    is merely hidden or excluded, as for Blender's own constraints. Made anew for each solve; with `scene` it is faster
-    for many targets.
-    """
-
-    def __init__(self, view_layer, scene=None):
-        self._view_layer = view_layer
-        self._scene = scene
-        self._in_scene = None
-
-    def deleted(self, targets):
-        """Indices of those of the objects that were deleted."""
-        names = [target.name for target in targets]
-        present = self._names_in_scene(len(targets))
-        unseen = self._not_in_view(targets) if present is None else [
-            index for index, name in enumerate(names) if name not in present]
-        if not unseen:
-            _seen.update(names)
-            return unseen
-        gone = [index for index in unseen if not self._is_somewhere(targets[index].original)]
-        found = [index for index in gone if names[index] in _seen]
-        _seen.update(name for index, name in enumerate(names) if index not in gone)
-        return found
-
-    def _names_in_scene(self, count):
-        """The names of all objects in the scene, where so many targets are worth it, else None."""
-        if self._in_scene is None and self._scene and _scene_sizes.get(self._scene.name, 0) <= LARGE_SCENE * count:
-            self._in_scene = set(self._scene.objects.keys())
-            _scene_sizes[self._scene.name] = len(self._in_scene)
-        return self._in_scene
-
-    def _not_in_view(self, targets):
-        # What can be seen is there.
-        layer = self._view_layer
-        return [index for index, target in enumerate(targets) if not target.original.visible_get(view_layer=layer)]
-
-    def is_deleted(self, target):
-        """The same for one object."""
-        return bool(self.deleted([target]))
-
-    @staticmethod
-    def _is_somewhere(original):
-        return original.library is not None or bool(original.users_collection)
-
-
-def is_deleted(target, view_layer):
-    """Whether a target was deleted; see Presence."""
-    return Presence(view_layer).is_deleted(target)
 
 
 def _matrices(name, collection, attribute, count):

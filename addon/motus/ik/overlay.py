@@ -4,9 +4,9 @@ import math
 
 from mathutils import Quaternion
 
-from ..core import rigs
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch
+from ..core.presence import Presence
 from . import chains, controls, placing, reading, status
 
 STEPS = 64  # of a circle
@@ -26,7 +26,7 @@ def overlay(context, owner):
     depsgraph = context.evaluated_depsgraph_get()
     rig = owner.evaluated_get(depsgraph)
     active = owner.motus.ik.active_entry
-    presence = rigs.Presence(depsgraph.view_layer, depsgraph.scene)
+    presence = Presence(depsgraph.view_layer, depsgraph.scene)
     found, poles, residuals = [], [], []
     for index, entry in enumerate(rig.motus.ik.entries):
         chain = chains.find(rig, entry)

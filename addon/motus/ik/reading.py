@@ -10,6 +10,7 @@ from mathutils import Euler, Matrix
 
 from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
+from ..core.presence import Presence
 from . import stations
 from .groups import PLAN
 from .wired import RigChanged, Wired
@@ -207,7 +208,7 @@ def _targets(entries, wired, posed, known, depsgraph, off):
 
 
 def _presence(depsgraph):
-    return rigs.Presence(depsgraph.view_layer, depsgraph.scene)
+    return Presence(depsgraph.view_layer, depsgraph.scene)
 
 
 def _take_others(found, entries, goals, known, depsgraph, off):

@@ -2,7 +2,8 @@
 
 import itertools
 
-from ..core import copies, rigs
+from ..core import copies
+from ..core.presence import Presence
 
 STANDS = 1e-4
 """A Blend this near to a whole number stands on one target."""
@@ -28,7 +29,7 @@ class Further:
 
 def _there(entries, depsgraph):
     objects = [(row, extra.object) for row, entry in enumerate(entries) for extra in entry.extra_targets]
-    gone = set(rigs.Presence(depsgraph.view_layer, depsgraph.scene).deleted([one for _, one in objects if one]))
+    gone = set(Presence(depsgraph.view_layer, depsgraph.scene).deleted([one for _, one in objects if one]))
     found, numbers = {}, itertools.count()
     for row, one in objects:
         found.setdefault(row, []).append(one is not None and next(numbers) not in gone)

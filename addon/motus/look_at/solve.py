@@ -4,6 +4,7 @@ import json
 
 from ..core import native, rigs
 from ..core.lazy import numpy as np
+from ..core.presence import Presence
 from ..core.system import Problem
 from . import reasons
 from .groups import LOOPED, OUTPUTS, PLAN
@@ -53,7 +54,7 @@ def _solve(context, arrays, wired):
     places = [entries.find(name) for name in wired.names]
     if min(places) < 0:
         return BONES_CHANGED
-    points, found = _targets(entries, places, rigs.Presence(context.depsgraph.view_layer, context.depsgraph.scene))
+    points, found = _targets(entries, places, Presence(context.depsgraph.view_layer, context.depsgraph.scene))
     settings = _settings(entries, places, wired.columns)
     settings[:, wired.columns["weight"]] *= context.settings.influence
     muted = settings[:, wired.columns["is_on"]] == 0.0

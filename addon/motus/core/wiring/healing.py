@@ -15,7 +15,7 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native
+from .. import native, presence
 from ..system import of_owner, registered
 from . import geometry_sink, outbox, overrides, proxy_sink
 
@@ -137,6 +137,7 @@ def _heal_copies():
     count = len(bpy.data.objects)
     if count == _object_count[0]:
         return
+    presence.forget_removed()
     from . import attaching
     for system, owner in _attached():
         place = system.name, owner.name
