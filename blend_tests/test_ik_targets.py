@@ -190,6 +190,61 @@ print("BACK", *rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bon
 
 
 class Outputs(IkTestCase):
+    def two_arms(self):
+        """One rig with two chains, the first one's target keyed."""
+        def build(bones):
+            for name, place in (("Left", (0.0, 0.0, 0.0)), ("Right", (0.0, 2.0, 0.0))):
+                add_chain(bones, name, [Vector(place) + Vector(joint) for joint in ARM])
+        rig = self.rig(build)
+        left, right = self.target(REACHABLE, "Left Target"), self.target(Vector(REACHABLE) + Vector((0.0, 2.0, 0.0)), "Right Target")
+        for frame, height in ((1, 1.4), (20, 1.0)):
+            left.location.z = height
+            left.keyframe_insert("location", frame=frame)
+        self.reach("Left 1", target="Left Target")
+        self.reach("Right 1", target="Right Target")
+        self.evaluated(rig)
+        return rig, right
+
+    def test_a_target_that_comes_to_hang_on_another_chain(self):
+        """Afterwards, by a parent or a constraint: the second chain is solved after the first one from then on."""
+        def parent(rig, right):
+            right.parent, right.parent_type, right.parent_bone = rig, 'BONE', "Left 1"
+            right.matrix_world = Matrix.Translation((0.4, 1.5, 1.2))
+
+        def constrain(rig, right):
+            constraint = right.constraints.new('CHILD_OF')
+            constraint.target, constraint.subtarget = rig, "Left 1"
+            right.location = (0.0, 2.2, 0.0)
+
+        for hang in (parent, constrain):
+            with self.subTest(hang.__name__):
+                support.empty_scene()
+                self.setUp()
+                rig, right = self.two_arms()
+                hang(rig, right)
+                bpy.context.view_layer.update()
+                for frame in (1, 20, 10, 1):
+                    evaluated = self.evaluated(right, frame)
+                    self.assertNear(self.tail(rig, "Right 1"), evaluated.matrix_world.translation, 5e-6)
+                right.parent = None
+                right.constraints.clear()
+                right.location = Vector(REACHABLE) + Vector((0.0, 2.0, 0.0))
+                self.assertNear(self.tail(rig, "Right 1"), right.location)
+
+    def test_a_target_that_comes_to_hang_on_its_own_chain(self):
+        rig, right = self.two_arms()
+        own = self.pose(rig, "Right 0", frame=1)
+        constraint = right.constraints.new('COPY_LOCATION')
+        constraint.target, constraint.subtarget = rig, "Right 1"
+        bpy.context.view_layer.update()
+        first = self.poses(rig, frame=1)
+        self.poses(rig, frame=20)
+        self.assertNear(self.poses(rig, frame=1), first, 0.0)
+        self.assertIn("moves with the chain itself", self.sentence(rig, "Right 1"))
+        right.constraints.clear()
+        bpy.context.view_layer.update()
+        self.assertNear(self.pose(rig, "Right 0", frame=1), own)
+
     def test_another_property_can_be_driven_by_the_residual(self):
         rig = self.arm()
         target = self.target((0.0, 0.0, 4.0))

@@ -3,6 +3,7 @@
 - Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
 - A file was loaded, or a library again, and Blender has not kept what was wired on an override (see overrides).
+- An object was given another parent, constraint or driver, by which entries may come to wait for each other.
 - The bones of an armature, the owner's or one that it reads, were renamed, removed, or given other parents.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 
@@ -17,7 +18,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, presence
 from ..system import of_owner, registered
-from . import geometry_sink, outbox, overrides, proxy_sink
+from . import geometry_sink, outbox, overrides, proxy_sink, relations
 
 log = logging.getLogger(__name__)
 
@@ -138,6 +139,7 @@ def _heal_copies():
     if count == _object_count[0]:
         return
     presence.forget_removed()
+    relations.look()
     from . import attaching
     for system, owner in _attached():
         place = system.name, owner.name
@@ -189,6 +191,7 @@ def _forget(*_):
     _unsettled.clear()
     _given_up.clear()
     overrides.forget()
+    relations.forget()
     _object_count[0] = -1
 
 
@@ -200,10 +203,23 @@ def _loaded(*_):
 
 
 @persistent
-def _updated(*_):
-    # Not after every change of the frame: nothing that Blender keeps of an override goes then.
-    if not bpy.app.is_job_running('RENDER') and overrides.has_new_marks():
+def _updated(_scene=None, depsgraph=None):
+    # Not after every change of the frame: neither what Blender keeps of an override nor what an object hangs on changes then.
+    if bpy.app.is_job_running('RENDER'):
+        return
+    if overrides.has_new_marks():
         _try(_heal_overrides)
+    if depsgraph is not None and depsgraph.id_type_updated('OBJECT'):
+        _try(lambda: _heal_order(depsgraph))
+
+
+def _heal_order(depsgraph):
+    from . import attaching
+    if not relations.have_changed(depsgraph):
+        return
+    for system, owner in _attached():
+        if system.entries is not None:
+            attaching.refresh_changed(system, owner)
 
 
 _HANDLERS = (bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.frame_change_post)

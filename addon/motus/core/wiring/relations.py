@@ -1,0 +1,48 @@
+"""Notices that objects were given another parent, constraint or driver: what reads them may have to be solved in another order.
+
+Blender tells handlers which objects were updated, not why; so what an object hangs on is kept, to be compared.
+"""
+
+import bpy
+
+_known = {}
+"""What each object hung on when it was last looked at, by its name."""
+
+
+def look():
+    """Note what the objects hang on that are not known yet."""
+    objects = bpy.data.objects
+    for name in _known.keys() - set(objects.keys()):
+        del _known[name]
+    for name in set(objects.keys()) - _known.keys():
+        _known[name] = _hangs_on(objects[name])
+
+
+def have_changed(depsgraph):
+    """Whether one of the objects that were updated hangs on something else than before."""
+    changed = False
+    for update in depsgraph.updates:
+        obj = update.id.original if update.is_updated_transform else None
+        if isinstance(obj, bpy.types.Object):
+            now = _hangs_on(obj)
+            changed = changed or _known.get(obj.name, now) != now
+            _known[obj.name] = now
+    return changed
+
+
+def forget():
+    """Forget all objects."""
+    _known.clear()
+
+
+def _hangs_on(obj):
+    constraints = [(one.type, _name(getattr(one, "target", None)), getattr(one, "subtarget", "")) for one in obj.constraints]
+    # Of bones, of which there may be hundreds that are posed with the mouse, just how many.
+    on_bones = [len(bone.constraints) for bone in obj.pose.bones] if obj.pose else ()
+    animation = obj.animation_data
+    return (_name(obj.parent), obj.parent_type, obj.parent_bone, tuple(constraints), tuple(on_bones),
+            len(animation.drivers) if animation else 0)
+
+
+def _name(obj):
+    return obj.name if obj else ""
