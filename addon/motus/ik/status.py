@@ -13,8 +13,6 @@ from .setup import system
 
 LEAST_FAULT = 1e-5
 """Share of a chain's reach: less is not worth a warning."""
-MOST_LEVELS = 16
-"""Entries that wait for one another, looked for."""
 
 
 class Report(NamedTuple):
@@ -29,13 +27,8 @@ class Report(NamedTuple):
 
 def report(owner, name, depsgraph):
     """The Report of the entry of this name; None where it was not solved."""
-    for level in range(MOST_LEVELS):
-        group = str(level) if level else ""
-        values = [wiring.output(system(), owner, f"{name}.{output}", depsgraph, group) for output in OUTPUTS]
-        if None not in values:
-            # Blender 5 may copy the rig anew without solving again (a change of mode): zeros for a while.
-            return Report(*values) if any(values) else None
-    return None
+    values = wiring.outputs_of(system(), owner, name, OUTPUTS, depsgraph)
+    return None if values is None else Report(*values)
 
 
 def sentence(context, owner, entry):
