@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import bpy
 
-from ..core import dependencies, native, wiring
+from ..core import dependencies, native, rigs, wiring
 from ..core.translations import tr
 from . import chains, reading
 from .groups import OUTPUTS
@@ -32,8 +32,8 @@ def report(owner, name, depsgraph):
 
 
 def sentence(context, owner, entry):
-    """(icon, sentence in the user's language) of why an entry does not reach, or of limits that it does not keep; the
-    sentence is "" where all is well."""
+    """(icon, sentence in the user's language) of why an entry does not reach, or of a pole or limits that do not count;
+    the sentence is "" where all is well."""
     found = report(owner, entry.name, context.view_layer.depsgraph)
     if found is None:
         return 'ERROR', _unwired(owner, entry)
@@ -41,7 +41,7 @@ def sentence(context, owner, entry):
         return 'ERROR', _unwanted(entry, found.reason)
     is_animated = entry.position_weight * owner.motus.ik.influence == 0.0
     unreached = "" if is_animated else _unreached(context, entry, found)
-    return 'INFO', unreached or _unlimited(owner, entry)
+    return 'INFO', _without_pole(context, entry) or unreached or _unlimited(owner, entry)
 
 
 def _unwired(owner, entry):
@@ -67,6 +67,18 @@ def _unwanted(entry, reason):
     if reason == reading.NO_TARGET_BONE:
         return tr("{object} has no bone {bone}").format(object=entry.target.name, bone=entry.target_bone)
     return tr("A number of this chain is not finite")
+
+
+def _without_pole(context, entry):
+    """Of a pole that is gone."""
+    pole, bone = entry.pole, entry.pole_bone
+    if pole is None:
+        return ""
+    if rigs.is_deleted(pole, context.view_layer):
+        return tr("{pole} is in no collection any more: the chain bends as without a pole").format(pole=pole.name)
+    if bone and not (pole.pose and bone in pole.pose.bones):
+        return tr("{object} has no bone {bone}: the chain bends as without a pole").format(object=pole.name, bone=bone)
+    return ""
 
 
 def _unreached(context, entry, found):
