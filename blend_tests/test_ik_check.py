@@ -208,3 +208,4 @@ class Text(support.SceneTestCase):
         self.assertEqual(ranges([1, 2, 3, 7, 9, 10], 1.0), "1-3, 7, 9-10")
         self.assertEqual(ranges([1.0, 1.5, 2.0, 3.0], 0.5), "1-2, 3")
         self.assertEqual(ranges([-3, -2, 4], 1), "-3--2, 4")
+        self.assertEqual(ranges([1048573, 1048574, 1048600.25], 1.0), "1048573-1048574, 1048600.25")

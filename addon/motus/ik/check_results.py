@@ -39,7 +39,7 @@ class CheckResults:
 def store(entry, checked, frames, worst, reason):
     """Keep a result. checked: (first, last) frame and step. frames: those with a residual. reason: of WHY."""
     first, last, _ = checked
-    entry.check_range = f"{first:g}" if first == last else f"{first:g}-{last:g}"
+    entry.check_range = text(first) if first == last else f"{text(first)}-{text(last)}"
     entry.check_frames = ranges(frames, checked[2])
     entry.check_worst = worst
     entry.check_reason = reason
@@ -53,7 +53,12 @@ def ranges(frames, step):
             runs[-1][1] = frame
         else:
             runs.append([frame, frame])
-    return ", ".join(f"{first:g}" if first == last else f"{first:g}-{last:g}" for first, last in runs)
+    return ", ".join(text(first) if first == last else f"{text(first)}-{text(last)}" for first, last in runs)
+
+
+def text(frame):
+    """A frame to a thousandth, without an exponent."""
+    return f"{round(frame, 3):.12g}"
 
 
 def contradicts(entry, frame, is_away):
@@ -61,8 +66,8 @@ def contradicts(entry, frame, is_away):
     return _lies_in(entry.check_range, frame) and _lies_in(entry.check_frames, frame) != is_away
 
 
-def _lies_in(text, frame):
-    return any(float(first) <= frame <= float(last or first) for first, last in _RUN.findall(text))
+def _lies_in(frames, frame):
+    return any(float(first) <= frame <= float(last or first) for first, last in _RUN.findall(frames))
 
 
 def sentence(entry, length):

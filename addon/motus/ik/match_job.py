@@ -10,7 +10,7 @@ from mathutils import Matrix, Vector
 
 from ..core.lazy import numpy as np
 from ..core.translations import tr
-from . import controls, forward, groups, reading, targets, weights
+from . import check_results, controls, forward, groups, reading, targets, weights
 from .frame_walk import Kept, go_to
 from .keying import Channels, KeyWriter
 from .pose_compare import Poses, without_sinks
@@ -202,7 +202,7 @@ class _Wanted:
             self._under_way(chain)
         if not np.isfinite(pole).all():
             raise targets.Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
-                bone=chain.name, frame=f"{frame:g}"))
+                bone=chain.name, frame=check_results.text(frame)))
         matrix = Matrix(goal.reshape(4, 4).T.tolist())
         # The offset is applied to the target's orientation, in the target's own space.
         turn = matrix.to_quaternion() @ entry.rotation_offset.to_quaternion().inverted()
