@@ -1,7 +1,7 @@
 """Matching over a range of frames: controls to the animated pose, or the animated pose to the solution.
 
-Plain generators of how many steps are done. Each goes through the frames at least twice, to read and to measure what
-came of it; closed before its end it leaves everything as it was.
+Plain generators: the first value is how many steps there will be, the others are how many are done. Each goes through
+the frames at least twice, to read and to measure what came of it; closed before its end it leaves everything as it was.
 """
 
 from typing import Any, NamedTuple
@@ -58,6 +58,7 @@ def match_fk(context, rig, bone, frames, switch, outcome):
         go_to(scene, frames[0])
         wanted, poses = _Wanted(context, rig, chosen), Poses(rig, chosen)
         passes = wanted.passes()
+        yield len(frames) * (len(passes) + 1)  # one more, to measure
         with without_sinks(rig, chosen):
             for frame in frames:
                 go_to(scene, frame)
@@ -100,6 +101,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
     scene, done = context.scene, 0
     try:
         poses = Poses(rig, chosen)
+        yield 2 * len(frames)
         for frame in frames:
             go_to(scene, frame)
             evaluated = rig.evaluated_get(context.view_layer.depsgraph)
