@@ -39,9 +39,18 @@ def sentence(context, owner, entry):
         return 'ERROR', _unwired(owner, entry)
     if found.reason in reading.UNWANTED:
         return 'ERROR', _unwanted(entry, found.reason)
-    is_animated = entry.position_weight * owner.motus.ik.influence == 0.0
-    unreached = "" if is_animated else _unreached(context, entry, found)
+    unreached = "" if is_animated(entry) else _unreached(context, entry, found)
     return 'INFO', _without_pole(context, entry) or unreached or _unlimited(owner, entry)
+
+
+def is_unwired(owner, entry):
+    """Whether no solver has the entry."""
+    return bool(_unwired(owner, entry))
+
+
+def is_animated(entry):
+    """Whether the entry leaves its chain to the animation."""
+    return entry.is_muted or entry.position_weight * entry.id_data.motus.ik.influence == 0.0
 
 
 def _unwired(owner, entry):
@@ -107,8 +116,12 @@ def _has_limits(bone):
 
 
 def fault(found, entry):
-    """(what is left, why, of check_results.WHY) of a Report; 'NONE' where the target is reached, or where
+    """(what is left, why, of check_results.WHY) of a Report, or of None; 'NONE' where the target is reached, or where
     nothing but softness keeps the chain off."""
+    if is_animated(entry):
+        return 0.0, 'ANIMATED'
+    if found is None or found.reason in reading.UNWANTED:
+        return 0.0, 'UNSOLVED'
     why = _why(found, entry)
     if why in ('NONE', 'SOFT') or found.residual <= LEAST_FAULT * found.reach:
         return 0.0, 'NONE'
