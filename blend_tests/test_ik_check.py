@@ -4,32 +4,9 @@ import math
 
 import bpy
 import support
-from ik_cases import REACHABLE, IkTestCase, turn
+from ik_cases import REACHABLE, turn
+from ik_check_cases import CheckTestCase
 from mathutils import Vector
-
-
-class CheckTestCase(IkTestCase):
-    def setUp(self):
-        super().setUp()
-        self.scene.frame_start, self.scene.frame_end = 1, 100
-        self.rigged = self.arm()
-
-    def moving(self, places, name="Target"):
-        target = self.target(name=name)
-        for frame, place in places:
-            target.location = place
-            target.keyframe_insert("location", frame=frame)
-        for curve in support.addon("core.actions").fcurves(target):
-            for point in curve.keyframe_points:
-                point.interpolation = 'CONSTANT'
-        return target
-
-    def check(self, **keywords):
-        self.assertEqual(bpy.ops.motus.ik_check(object="Rig", **keywords), {'FINISHED'})
-
-    def told(self, entry):
-        status = support.addon("ik.status")
-        return support.addon("ik.check_results").sentence(entry, lambda value: status.length(bpy.context, value))
 
 
 class Frames(CheckTestCase):
@@ -114,12 +91,13 @@ class Frames(CheckTestCase):
         entry = self.reach()
         self.check()
         outdated = support.addon("ik.check_results").contradicts
-        self.assertFalse(outdated(entry, 20, True) or outdated(entry, 77, True) or outdated(entry, 50, False))
-        self.assertTrue(outdated(entry, 20, False) and outdated(entry, 50, True))
-        self.assertFalse(outdated(entry, 101, True))
+        self.assertFalse(outdated(entry, 20, 'FAR') or outdated(entry, 77, 'NEAR') or outdated(entry, 50, 'NONE'))
+        self.assertTrue(outdated(entry, 20, 'NONE') and outdated(entry, 50, 'FAR'))
+        self.assertTrue(outdated(entry, 20, 'UNSOLVED') and outdated(entry, 50, 'ANIMATED'))
+        self.assertFalse(outdated(entry, 101, 'FAR'))
         self.check(frame_start=-20, frame_end=-5)
         self.assertEqual(entry.check_frames, "")
-        self.assertTrue(outdated(entry, -10, True))
+        self.assertTrue(outdated(entry, -10, 'FAR'))
         panel = support.addon("ik.tools_panel")
         self.scene.frame_set(-10)
         bpy.context.view_layer.update()
@@ -128,6 +106,28 @@ class Frames(CheckTestCase):
         target.location = (3.0, 0.0, 1.0)
         bpy.context.view_layer.update()
         self.assertTrue(panel.is_outdated(bpy.context, self.rigged, entry))
+
+    def test_only_frames_that_were_checked_contradict(self):
+        self.moving(((1, REACHABLE), (11, (2.0, 0.0, 1.0)), (20, REACHABLE)))
+        entry = self.reach()
+        self.check(step=10.0)
+        self.assertEqual((entry.check_range, entry.check_frames), ("1-91", "11"))
+        panel = support.addon("ik.tools_panel")
+        for frame in (1, 11, 12, 19, 20, 21, 91, 95):
+            self.scene.frame_set(frame)
+            self.assertFalse(panel.is_outdated(bpy.context, self.rigged, entry), frame)
+        outdated = support.addon("ik.check_results").contradicts
+        self.assertTrue(outdated(entry, 11, 'NONE') and outdated(entry, 21, 'FAR'))
+        self.check(step=0.3, frame_end=5)  # in single precision: 1, 1.3, 1.6, 1.9, 2.2, 2.5, 2.8, 3.1, 3.4, 3.7, 4.0000001
+        self.assertTrue(outdated(entry, 4, 'FAR'))
+        self.assertFalse(outdated(entry, 3, 'FAR'))
+
+    def test_softness_hides_no_orientation(self):
+        target = self.target((1.25, 0.0, 1.0))
+        target.rotation_euler = (0.0, 0.0, math.pi / 2.0)
+        entry = self.reach(softness=0.02, rotation_weight=1.0, keep_rotation=False)
+        self.check(frame_start=1, frame_end=2)
+        self.assertEqual((entry.check_frames, entry.check_reason), ("1-2", 'TURN'))
 
     def test_softness_is_no_fault(self):
         self.target(Vector((1.3, 0.0, 1.0)))
@@ -144,10 +144,10 @@ class Frames(CheckTestCase):
         entry.position_weight = 1.0
         entry.keyframe_insert("position_weight", frame=11)
         self.check(frame_end=20)
-        self.assertEqual(entry.check_frames, "11-20")
+        self.assertEqual((entry.check_range, entry.check_frames), ("11-20", "11-20"))
         entry.is_muted = True
         self.check(frame_end=20)
-        self.assertEqual(entry.check_frames, "")
+        self.assertEqual((entry.check_range, entry.check_frames), ("", ""))
 
     def test_all_chains_or_one(self):
         self.arm(((0.0, 2.0, 1.0), (0.7, 2.1, 1.0), (1.3, 2.0, 1.0)), "Other")
@@ -208,3 +208,13 @@ class Text(support.SceneTestCase):
         self.assertEqual(ranges([1, 2, 3, 7, 9, 10], 1.0), "1-3, 7, 9-10")
         self.assertEqual(ranges([1.0, 1.5, 2.0, 3.0], 0.5), "1-2, 3")
         self.assertEqual(ranges([-3, -2, 4], 1), "-3--2, 4")
+
+    def test_large_frames(self):
+        """An exponent would be nothing to read, and other frames."""
+        results = support.addon("ik.check_results")
+        self.assertEqual(results.ranges([1048573, 1048574, 1048575, 1048600.25], 1.0), "1048573-1048575, 1048600.25")
+        entry = type("Entry", (results.CheckResults,), {})()
+        results.store(entry, [1048573, 1048574, 1048575], 1.0, [1048574], 1.0, 'FAR')
+        self.assertEqual((entry.check_range, entry.check_frames), ("1048573-1048575", "1048574"))
+        self.assertTrue(results.contradicts(entry, 1048575, 'FAR'))
+        self.assertFalse(results.contradicts(entry, 1048574, 'FAR'))

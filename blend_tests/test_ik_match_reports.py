@@ -3,6 +3,7 @@
 import math
 import re
 
+import bpy
 import support
 from ik_match_cases import MatchTestCase
 from mathutils import Quaternion, Vector
@@ -94,3 +95,24 @@ class Reports(support.SceneTestCase):
             self.assertAlmostEqual(float(length), wanted, delta=1e-5 * wanted)
             self.assertAlmostEqual(float(angle), 60.0, delta=1e-3)
             self.assertNotIn("e", length + angle, "an exponent is nothing to read")
+
+
+class Steps(MatchTestCase):
+    """How many steps the operators announce, and how many they take."""
+
+    def steps(self, operator):
+        """(announced before the first, numbers of those that were done)."""
+        cls = getattr(support.addon("ik.matching"), operator)
+        walker = type("Walker", (), {
+            "object": "Rig", "bone": "", "switch": False, "steps": cls.steps, "job": staticmethod(cls.job)})()
+        steps = walker.steps(bpy.context, list(range(1, 11)))
+        return walker.total, list(steps)
+
+    def test_announced(self):
+        self.animated_arm()
+        entry = self.reach(make_pole=True)
+        for operator, parent, wanted in (("MOTUS_OT_ik_match_fk", None, 20), ("MOTUS_OT_fk_match_ik", None, 20),
+                                         ("MOTUS_OT_ik_match_fk", entry.target, 30)):
+            with self.subTest(operator, parent=parent):
+                entry.pole.parent = parent
+                self.assertEqual(self.steps(operator), (wanted, list(range(1, wanted + 1))))

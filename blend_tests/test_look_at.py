@@ -316,6 +316,38 @@ class Time(LookAtTestCase):
             self.assertLess(self.off("Head"), HIT, f"frame {frame}")
 
 
+class Told(LookAtTestCase):
+    """What the panel shows of the outputs."""
+
+    def setUp(self):
+        super().setUp()
+        self.aim(40)
+        self.look()
+        bpy.context.view_layer.update()
+
+    def outputs(self):
+        return support.addon("look_at.panel").outputs_of(bpy.context, self.rig, "Head")
+
+    def test_nothing_after_a_change_of_mode(self):
+        """Blender 5 copies the rig anew without solving it: those zeros are no angles."""
+        before = self.outputs()
+        self.assertAlmostEqual(math.degrees(before["yaw"]), 40.0, delta=1e-3)
+        bpy.ops.object.mode_set(mode='POSE')
+        self.assertIn(self.outputs(), (before, None))
+        bpy.context.view_layer.update()
+        self.assertIn(self.outputs(), (before, None))
+        self.scene.frame_set(2)
+        self.assertEqual(self.outputs(), before)
+
+    def test_zeros_that_were_solved(self):
+        box = self.evaluated()["motus_look_at_out"]
+        for slot in range(2, 6):
+            box[slot] = 0.0
+        self.assertEqual(self.outputs(), dict.fromkeys(("angle", "reason", "yaw", "pitch"), 0.0))
+        box[1] = 0.0
+        self.assertIsNone(self.outputs())
+
+
 class Copies(LookAtTestCase):
     def test_a_copied_rig_looks_for_itself(self):
         self.aim(30, 10, 2.0)

@@ -6,19 +6,35 @@ from ..core.translations import tr
 from . import check_results, controls, status, targets
 from .frame_walk import Kept, OverFrames, active_rig, go_to
 
+
 class _Finding:
-    """What was found of one entry."""
+    """What was found of one entry, frame by frame; on those where it is muted nothing."""
 
     def __init__(self):
-        self.frames = []
-        self.worst = 0.0
-        self.reason = 'NONE'
+        self._checked, self._short, self._unsolved, self._animated = [], [], [], []
+        self._worst, self._reason = 0.0, 'NONE'
 
     def add(self, frame, left, reason):
-        """Note a frame on which something is left."""
-        self.frames.append(frame)
-        if left > self.worst:
-            self.worst, self.reason = left, reason
+        """Note what is left on a frame, and why."""
+        if reason == 'ANIMATED':
+            self._animated.append(frame)
+            return
+        self._checked.append(frame)
+        if reason == 'UNSOLVED':
+            self._unsolved.append(frame)
+        elif reason != 'NONE':
+            self._short.append(frame)
+            if left > self._worst:
+                self._worst, self._reason = left, reason
+
+    def store(self, entry, step):
+        """Keep the result with the entry."""
+        if self._unsolved:
+            check_results.store(entry, self._checked, step, self._unsolved, reason='UNSOLVED')
+        elif self._animated and not self._checked:
+            check_results.store(entry, self._animated, step, reason='ANIMATED')
+        else:
+            check_results.store(entry, self._checked, step, self._short, self._worst, self._reason)
 
 
 class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
@@ -35,21 +51,30 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
             raise targets.Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
         entries = rig.motus.ik.entries
         self._chosen = [entries[targets.entry_for(rig, self.bone)]] if self.bone else list(entries)
-        self._range = frames[0], frames[-1], self.step
+        self._range = check_results.ranges(frames, self.step)
         self._findings = {entry.name: _Finding() for entry in self._chosen}
         return self._walk(context, rig, frames)
 
     def result(self, context):
         for entry in self._chosen:
-            finding = self._findings[entry.name]
-            check_results.store(entry, self._range, finding.frames, finding.worst, finding.reason)
-        bad = [entry for entry in self._chosen if entry.check_frames]
-        for entry in bad:
-            self.report({'WARNING'}, f"{entry.name}: " + check_results.sentence(
+            self._findings[entry.name].store(entry, self.step)
+        told = [entry for entry in self._chosen if entry.check_range]
+        if not told:
+            self.report({'INFO'}, tr("Muted chains are not checked"))
+        told = self._without_good(told)
+        # Blender shows the last report: what is bad.
+        for entry in sorted(told, key=lambda entry: bool(entry.check_frames)):
+            self.report({'WARNING' if entry.check_frames else 'INFO'}, f"{entry.name}: " + check_results.sentence(
                 entry, lambda value: status.length(context, value)))
-        if not bad:
-            self.report({'INFO'}, tr("{chains} chains reach their targets on all {frames} frames").format(
-                chains=len(self._chosen), frames=self.total))
+
+    def _without_good(self, told):
+        """Those of the entries that need a sentence of their own: several that are good on all frames share one."""
+        good = [entry for entry in told if entry.check_reason == 'NONE' and entry.check_range == self._range]
+        if len(good) < 2:
+            return told
+        self.report({'INFO'}, tr("{chains} chains reach their targets on all frames {range}").format(
+            chains=len(good), range=self._range))
+        return [entry for entry in told if entry not in good]
 
     def _walk(self, context, rig, frames):
         kept = Kept(context.scene, controls.animated_with(rig, self._chosen))
@@ -61,11 +86,8 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
                 for entry in self._chosen:
                     now = evaluated.entries[entry.name]
                     found = status.report(rig, entry.name, depsgraph)
-                    if found is None or now.is_muted or now.position_weight * evaluated.influence == 0.0:
-                        continue
-                    left, reason = status.fault(found, now)
-                    if reason != 'NONE':
-                        self._findings[entry.name].add(frame, left, reason)
+                    if not now.is_muted:
+                        self._findings[entry.name].add(frame, *status.fault(found, now))
                 yield index + 1
         finally:
             kept.restore()

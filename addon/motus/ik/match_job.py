@@ -1,7 +1,7 @@
 """Matching over a range of frames: controls to the animated pose, or the animated pose to the solution.
 
-Plain generators of how many steps are done. Each goes through the frames at least twice, to read and to measure what
-came of it; closed before its end it leaves everything as it was.
+Plain generators: the first value is how many steps there will be, the others are how many are done. Each goes through
+the frames at least twice, to read and to measure what came of it; closed before its end it leaves everything as it was.
 """
 
 from typing import Any, NamedTuple
@@ -10,7 +10,7 @@ from mathutils import Matrix, Vector
 
 from ..core.lazy import numpy as np
 from ..core.translations import tr
-from . import controls, forward, groups, reading, targets, weights
+from . import check_results, controls, forward, groups, reading, targets, weights
 from .frame_walk import Kept, go_to
 from .keying import Channels, KeyWriter
 from .pose_compare import Poses, without_sinks
@@ -58,6 +58,7 @@ def match_fk(context, rig, bone, frames, switch, outcome):
         go_to(scene, frames[0])
         wanted, poses = _Wanted(context, rig, chosen), Poses(rig, chosen)
         passes = wanted.passes()
+        yield len(frames) * (len(passes) + 1)  # one more, to measure
         with without_sinks(rig, chosen):
             for frame in frames:
                 go_to(scene, frame)
@@ -100,6 +101,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
     scene, done = context.scene, 0
     try:
         poses = Poses(rig, chosen)
+        yield 2 * len(frames)
         for frame in frames:
             go_to(scene, frame)
             evaluated = rig.evaluated_get(context.view_layer.depsgraph)
@@ -202,7 +204,7 @@ class _Wanted:
             self._under_way(chain)
         if not np.isfinite(pole).all():
             raise targets.Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
-                bone=chain.name, frame=f"{frame:g}"))
+                bone=chain.name, frame=check_results.text(frame)))
         matrix = Matrix(goal.reshape(4, 4).T.tolist())
         # The offset is applied to the target's orientation, in the target's own space.
         turn = matrix.to_quaternion() @ entry.rotation_offset.to_quaternion().inverted()

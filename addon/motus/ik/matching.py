@@ -13,19 +13,20 @@ GOOD = 1e-3
 
 
 class _Match(OverFrames):
-    """What both directions have in common. job: the generator of match_job that does it. passes: at least."""
+    """What both directions have in common. job: the generator of match_job that does it."""
 
     def steps(self, context, frames):
         rig = active_rig(context, self.object)
-        self._outcome = {}
-        self.total = 2 * len(frames)
-        return type(self).job(context, rig, self.bone, frames, self.switch, self._outcome)
+        self._outcome, self._count = {}, len(frames)
+        job = type(self).job(context, rig, self.bone, frames, self.switch, self._outcome)
+        self.total = next(job)
+        return job
 
     def result(self, context):
         error = self._outcome["error"]
         millimetres = 1000.0 * error.length * context.scene.unit_settings.scale_length
         sentence = tr("Matched {frames} frames of {chains} chains: largest error {length} mm, {angle} degrees").format(
-            frames=self.total // 2, chains=self._outcome["chains"], length=_number(millimetres),
+            frames=self._count, chains=self._outcome["chains"], length=_number(millimetres),
             angle=_number(math.degrees(error.angle)))
         self.report({'INFO'} if error.share <= GOOD else {'WARNING'}, sentence)
 

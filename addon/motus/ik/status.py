@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import bpy
 
-from ..core import dependencies, native, wiring
+from ..core import dependencies, native, rigs, wiring
 from ..core.translations import tr
 from . import chains, reading
 from .groups import OUTPUTS
@@ -13,8 +13,6 @@ from .setup import system
 
 LEAST_FAULT = 1e-5
 """Share of a chain's reach: less is not worth a warning."""
-MOST_LEVELS = 16
-"""Entries that wait for one another, looked for."""
 
 
 class Report(NamedTuple):
@@ -29,26 +27,30 @@ class Report(NamedTuple):
 
 def report(owner, name, depsgraph):
     """The Report of the entry of this name; None where it was not solved."""
-    for level in range(MOST_LEVELS):
-        group = str(level) if level else ""
-        values = [wiring.output(system(), owner, f"{name}.{output}", depsgraph, group) for output in OUTPUTS]
-        if None not in values:
-            # Blender 5 may copy the rig anew without solving again (a change of mode): zeros for a while.
-            return Report(*values) if any(values) else None
-    return None
+    values = wiring.outputs_of(system(), owner, name, OUTPUTS, depsgraph)
+    return None if values is None else Report(*values)
 
 
 def sentence(context, owner, entry):
-    """(icon, sentence in the user's language) of why an entry does not reach, or of limits that it does not keep; the
-    sentence is "" where all is well."""
+    """(icon, sentence in the user's language) of why an entry does not reach, or of a pole or limits that do not count;
+    the sentence is "" where all is well."""
     found = report(owner, entry.name, context.view_layer.depsgraph)
     if found is None:
         return 'ERROR', _unwired(owner, entry)
     if found.reason in reading.UNWANTED:
         return 'ERROR', _unwanted(entry, found.reason)
-    is_animated = entry.position_weight * owner.motus.ik.influence == 0.0
-    unreached = "" if is_animated else _unreached(context, entry, found)
-    return 'INFO', unreached or _unlimited(owner, entry)
+    unreached = "" if is_animated(entry) else _unreached(context, entry, found)
+    return 'INFO', _without_pole(context, entry) or unreached or _unlimited(owner, entry)
+
+
+def is_unwired(owner, entry):
+    """Whether no solver has the entry."""
+    return bool(_unwired(owner, entry))
+
+
+def is_animated(entry):
+    """Whether the entry leaves its chain to the animation."""
+    return entry.is_muted or entry.position_weight * entry.id_data.motus.ik.influence == 0.0
 
 
 def _unwired(owner, entry):
@@ -76,21 +78,29 @@ def _unwanted(entry, reason):
     return tr("A number of this chain is not finite")
 
 
-def _unreached(context, entry, found):
-    reasons = native.module.Reason
-    if found.reason == int(reasons.TOO_FAR):
-        if found.distance > found.reach:
-            return tr("The target is {length} too far away").format(length=length(context, found.residual))
-        if is_turned_away(entry, found):
-            return tr("With the target's orientation {length} are left").format(length=length(context, found.residual))
-        return tr("Softness keeps the chain {length} from the target").format(length=length(context, found.residual))
-    if found.reason == int(reasons.TOO_NEAR):
-        return tr("The target is {length} too near").format(length=length(context, found.residual))
-    if found.reason == int(reasons.LIMIT):
-        return tr("A joint limit is in the way: {length} are left").format(length=length(context, found.residual))
-    if found.reason == int(reasons.ITERATIONS):
-        return tr("The iterations were used up: {length} are left").format(length=length(context, found.residual))
+def _without_pole(context, entry):
+    """Of a pole that is gone."""
+    pole, bone = entry.pole, entry.pole_bone
+    if pole is None:
+        return ""
+    if rigs.is_deleted(pole, context.view_layer):
+        return tr("{pole} is in no collection any more: the chain bends as without a pole").format(pole=pole.name)
+    if bone and not (pole.pose and bone in pole.pose.bones):
+        return tr("{object} has no bone {bone}: the chain bends as without a pole").format(object=pole.name, bone=bone)
     return ""
+
+
+def _unreached(context, entry, found):
+    sentences = {
+        'NONE': "",
+        'FAR': tr("The target is {length} too far away"),
+        'TURN': tr("With the target's orientation {length} are left"),
+        'SOFT': tr("Softness keeps the chain {length} from the target"),
+        'NEAR': tr("The target is {length} too near"),
+        'LIMIT': tr("A joint limit is in the way: {length} are left"),
+        'ITERATIONS': tr("The iterations were used up: {length} are left"),
+    }
+    return sentences[_why(found, entry)].format(length=length(context, found.residual))
 
 
 def _unlimited(owner, entry):
@@ -106,22 +116,69 @@ def _has_limits(bone):
 
 
 def fault(found, entry):
-    """(what is left, of check_results.WHY) of a Report; (0, 'NONE') where the target is reached, or softness alone keeps it
-    off."""
-    codes = native.module.Reason
-    names = {int(codes.TOO_FAR): 'FAR', int(codes.TOO_NEAR): 'NEAR', int(codes.LIMIT): 'LIMIT',
-             int(codes.ITERATIONS): 'ITERATIONS'}
-    reason = names.get(int(found.reason), 'NONE')
-    if reason == 'FAR' and found.distance <= found.reach:
-        reason = 'TURN' if is_turned_away(entry, found) else 'NONE'
-    if reason == 'NONE' or found.residual <= LEAST_FAULT * found.reach:
+    """(what is left, why, of check_results.WHY) of a Report, or of None; 'NONE' where the target is reached, or where
+    nothing but softness keeps the chain off."""
+    if is_animated(entry):
+        return 0.0, 'ANIMATED'
+    if found is None or found.reason in reading.UNWANTED:
+        return 0.0, 'UNSOLVED'
+    why = _why(found, entry)
+    if why in ('NONE', 'SOFT') or found.residual <= LEAST_FAULT * found.reach:
         return 0.0, 'NONE'
-    return found.residual, reason
+    return found.residual, why
 
 
-def is_turned_away(entry, found):
-    """Whether a target within the chain's reach is too far for the bones before the last one, which takes its orientation."""
-    return found.distance <= found.reach and entry.softness == 0.0 and entry.rotation_weight > 0.0
+def _why(found, entry):
+    """Of check_results.WHY, or 'SOFT' where nothing but softness keeps the chain from its target."""
+    codes = native.module.Reason
+    if found.reason == int(codes.TOO_FAR):
+        return _why_too_far(found, entry)
+    names = {int(codes.TOO_NEAR): 'NEAR', int(codes.LIMIT): 'LIMIT', int(codes.ITERATIONS): 'ITERATIONS'}
+    return names.get(int(found.reason), 'NONE')
+
+
+def _why_too_far(found, entry):
+    turn = _turn_of_last(entry)
+    if found.distance > found.reach:
+        # The greater part of what is left decides.
+        by_distance = (1.0 - entry.stretch) * _lag(entry, found.distance, found.reach)
+        return 'TURN' if turn > 0.0 and found.residual > 2.0 * by_distance else 'FAR'
+    if turn > 0.0 and found.residual > _most_by_softness(found, entry, turn):
+        return 'TURN'
+    return 'SOFT' if entry.softness > 0.0 else 'FAR'
+
+
+def _turn_of_last(entry):
+    """How far the chain's last bone is turned as the target is, whatever that leaves: limits give way to the place."""
+    is_turned = entry.use_tail and not entry.use_limits
+    return entry.rotation_weight * entry.id_data.motus.ik.influence if is_turned else 0.0
+
+
+def _most_by_softness(found, entry, turn):
+    """The most that softness leaves where the target is within reach, as far as the last bone is turned, too.
+
+    Without the turn the chain lags behind the target. Turned, the bones before the last do, as a chain of their own
+    (none where it is a single bone); how far away its target is nobody has told, but not farther than it reaches.
+    """
+    if entry.softness == 0.0:
+        return 0.0
+    whole = _lag(entry, found.distance, found.reach)
+    others = found.reach * _share_before_last(entry)
+    lag = (1.0 - turn) * whole + turn * _lag(entry, others, others)
+    return (1.0 - entry.stretch) * lag + LEAST_FAULT * found.reach
+
+
+def _lag(entry, distance, reach):
+    """How far the tip of bones that do not stretch stays behind a target, straight as they may be."""
+    return distance - native.module.soft_reach(distance, reach, entry.softness * reach)
+
+
+def _share_before_last(entry):
+    """Of a chain's length at rest, that of the bones before the last; 0 where it is a single one, which is not soft."""
+    rig = entry.id_data
+    chain = chains.find(rig, entry)  # None until a rig that has lost bones is wired again
+    lengths = [rig.data.bones[name].length for name in chain.bones] if chain else []
+    return sum(lengths[:-1]) / sum(lengths) if len(lengths) > 2 else 0.0
 
 
 def warnings(context, owner, entry):

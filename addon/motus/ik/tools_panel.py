@@ -7,6 +7,9 @@ from ..core.translations import tr
 from . import check_results, status
 from .panel import shown_entry
 
+ICONS = {'NONE': 'CHECKMARK', 'ANIMATED': 'INFO'}
+"""Of what a check can find, all that is no error."""
+
 
 def draw(layout, context):
     """Buttons for the chain that the panels are about, and what checking it found."""
@@ -24,17 +27,17 @@ def draw(layout, context):
     if sentence and is_outdated(context, rig, entry):
         ui.draw_message(layout, tr("Something has changed since the last check: check again"), 'INFO')
     elif sentence:
-        ui.draw_message(layout, sentence, 'ERROR' if entry.check_frames else 'CHECKMARK')
+        ui.draw_message(layout, sentence, ICONS.get(entry.check_reason, 'ERROR'))
 
 
 def is_outdated(context, rig, entry):
     """Whether the last check found the present frame otherwise than it is."""
-    report = status.report(rig, entry.name, context.view_layer.depsgraph)
-    is_off = entry.is_muted or entry.position_weight * rig.motus.ik.influence == 0.0
-    if report is None or report.reason < 0.0 or is_off or context.scene.frame_subframe != 0.0:
+    if context.scene.frame_subframe != 0.0:
         return False
-    is_away = status.fault(report, entry)[1] != 'NONE'
-    return check_results.contradicts(entry, context.scene.frame_current, is_away)
+    report = status.report(rig, entry.name, context.view_layer.depsgraph)
+    if report is None and not status.is_unwired(rig, entry):
+        return False  # Blender 5 has copied the rig anew, and has not solved it yet
+    return check_results.contradicts(entry, context.scene.frame_current, status.fault(report, entry)[1])
 
 
 def _of_chain(button, rig, entry):

@@ -5,7 +5,6 @@ import math
 import bpy
 
 from ..core import native, ui, wiring
-from ..core.system import registered
 from ..core.translations import OWN_SENSE, tr
 from . import reasons
 from .groups import OUTPUTS, shared_bone
@@ -30,15 +29,8 @@ def active_entry(rig):
 
 def outputs_of(context, rig, head):
     """What the solver told of a head, by name of the output; None where it told nothing."""
-    depsgraph = context.view_layer.depsgraph
-    # The group's key is the head's level: at most as high as there are entries that it can wait for.
-    levels = 1 + sum(len(getattr(getattr(rig.motus, name), "entries", ())) for name in registered)
-    for level in range(levels):
-        key = str(level) if level else ""
-        angle = wiring.output(system(), rig, f"{head}.{OUTPUTS[0]}", depsgraph, group=key)
-        if angle is not None:
-            return {name: wiring.output(system(), rig, f"{head}.{name}", depsgraph, group=key) for name in OUTPUTS}
-    return None
+    found = wiring.outputs_of(system(), rig, head, OUTPUTS, context.view_layer.depsgraph)
+    return None if found is None else dict(zip(OUTPUTS, found))
 
 
 def draw_main(layout, context):

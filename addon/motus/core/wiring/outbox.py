@@ -222,6 +222,21 @@ def output(system, owner, name, depsgraph, group=""):
     return None if out is None or name not in names else out[FIRST_OUTPUT + names.index(name)]
 
 
+def outputs_of(system, owner, entry, names, depsgraph):
+    """Values of the outputs "<entry>.<name>" as last evaluated, in whichever group the entry is; None where nothing was.
+
+    Of a system whose members are relative: its weight is never 0 where it was solved.
+    """
+    wanted = [f"{entry}.{name}" for name in names]
+    for key, carrier in carriers(system, owner):
+        evaluated = carrier.evaluated_get(depsgraph)
+        out, known = evaluated.get(out_key(system, key)), output_names(system, evaluated, key)
+        # Blender 5 may copy the owner anew without solving again (a change of mode): all is 0 for a while.
+        if out is not None and out[WEIGHT] != 0.0 and wanted[0] in known:
+            return [out[FIRST_OUTPUT + known.index(name)] for name in wanted]
+    return None
+
+
 def problem(system, owner, depsgraph):
     """The Problem that the solvers of the owner reported, a blocking one first; or None."""
     outs = [carrier.evaluated_get(depsgraph).get(out_key(system, key)) for key, carrier in carriers(system, owner)]

@@ -147,10 +147,14 @@ INTERFACE = {
     "{bone} of {object} has no inverse kinematics": "{bone} de {object} no tiene cinemática inversa",
     "{bone} of {object} reaches for {target}": "{bone} de {object} alcanza {target}",
     "{object} has no bone {bone}": "{object} no tiene el hueso {bone}",
+    "{object} has no bone {bone}: the chain bends as without a pole":
+        "{object} no tiene el hueso {bone}: la cadena se dobla como sin polo",
     "{object} has no inverse kinematics": "{object} no tiene cinemática inversa",
     "{object} is mirrored by a negative scale: apply the scale":
         "{object} está reflejado por una escala negativa: aplica la escala",
     "{object} is not an armature": "{object} no es un esqueleto",
+    "{pole} is in no collection any more: the chain bends as without a pole":
+        "{pole} ya no está en ninguna colección: la cadena se dobla como sin polo",
     "{target} is in no collection any more: choose another target":
         "{target} ya no está en ninguna colección: elige otro objetivo",
     "{target} moves with the chain of {bone}: choose another one":
@@ -260,9 +264,14 @@ INTERFACE = {
     "Tools": "Herramientas",
     "Look for the frames on which chains do not come to their targets":
         "Busca los fotogramas en que las cadenas no llegan a sus objetivos",
-    "{chains} chains reach their targets on all {frames} frames":
-        "{chains} cadenas alcanzan sus objetivos en los {frames} fotogramas",
+    "{chains} chains reach their targets on all frames {range}":
+        "{chains} cadenas alcanzan sus objetivos en todos los fotogramas {range}",
+    "Muted chains are not checked": "Las cadenas silenciadas no se comprueban",
     "Reaches its target on all frames {range}": "Alcanza su objetivo en todos los fotogramas {range}",
+    "Not solved on frames {frames}: the panel says why (checked {range})":
+        "Sin resolver en los fotogramas {frames}: el panel dice por qué (comprobado {range})",
+    "The weights leave it to its animation on all frames {range}":
+        "Los pesos la dejan a su animación en todos los fotogramas {range}",
     "Out of reach on frames {frames}, at most {length} short (checked {range})":
         "Fuera de alcance en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
     "Too near on frames {frames}, at most {length} (checked {range})":
@@ -285,9 +294,14 @@ INTERFACE = {
     "The target is nearer than the chain can fold": "El objetivo está más cerca de lo que la cadena puede plegarse",
     "A joint limit is in the way": "Lo impide un límite de articulación",
     "The iterations were used up": "Se agotaron las iteraciones",
+    "Not Solved": "Sin resolver",
+    "The chain has no target, or cannot be solved": "La cadena no tiene objetivo, o no se puede resolver",
+    "Animation": "Animación",
+    "The weights leave the chain to its animation": "Los pesos dejan la cadena a su animación",
     "Checked": "Comprobado",
-    "First and last frame that were checked; empty before any check":
-        "Primer y último fotograma comprobados; vacío antes de cualquier comprobación",
+    "Frames that were checked; empty before any check":
+        "Fotogramas comprobados; vacío antes de cualquier comprobación",
+    "Frames from one that was checked to the next": "Fotogramas de uno comprobado al siguiente",
     "Frames on which the chain does not come to its target, such as 12-40, 77":
         "Fotogramas en que la cadena no llega a su objetivo, como 12-40, 77",
     "Short By": "Falta",
