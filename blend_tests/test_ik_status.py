@@ -150,3 +150,30 @@ class Poles(IkTestCase):
         entry.pole.hide_viewport = True
         self.assertSamePose(rig, before, frame=2)
         self.assertEqual(self.sentence(rig), "")
+
+
+class OfTheList(IkTestCase):
+    def test_second_entry_of_a_bone(self):
+        rig = self.arm(tentacle(4, 0.4))
+        self.reach("Bone 1", target=None)
+        second = self.reach("Bone 3", target=None)
+        self.assertEqual(self.sentence(rig, "Bone 3"), "")
+        second.name = "Bone 1"
+        bpy.context.view_layer.update()
+        icon, sentence = support.addon("ik.status").sentence(bpy.context, rig, rig.motus.ik.entries[1])
+        self.assertEqual((icon, sentence), ('ERROR', "Bone 1 has another chain in this list: choose another bone"))
+        self.assertEqual(self.sentence(rig, "Bone 1"), "")
+        second.name = "Bone 3"
+        self.assertEqual(self.sentence(rig, "Bone 3"), "")
+
+    def test_further_target_that_is_gone(self):
+        rig = self.arm()
+        entry = self.reach()
+        extra = entry.extra_targets.add()
+        extra.object = self.target((0.5, 0.5, 1.2), "Second")
+        entry.target_blend = 1.0
+        self.assertEqual(self.sentence(rig), "")
+        extra.object = None
+        self.assertEqual(self.sentence(rig), "Further target 1 is missing: the one before it counts instead")
+        entry.target_blend = 0.0
+        self.assertEqual(self.sentence(rig), "")

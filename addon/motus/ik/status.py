@@ -5,9 +5,10 @@ from typing import NamedTuple
 
 import bpy
 
-from ..core import dependencies, native, rigs, wiring
+from ..core import dependencies, native, wiring
+from ..core.presence import Presence
 from ..core.translations import tr
-from . import chains, reading
+from . import chains, reading, stations
 from .groups import OUTPUTS
 from .setup import system
 
@@ -35,10 +36,13 @@ def sentence(context, owner, entry):
     """(icon, sentence in the user's language) of why an entry does not reach, or of a pole or limits that do not count;
     the sentence is "" where all is well."""
     found = report(owner, entry.name, context.view_layer.depsgraph)
-    if found is None:
+    if found is None or _is_second(owner, entry):
         return 'ERROR', _unwired(owner, entry)
     if found.reason in reading.UNWANTED:
         return 'ERROR', _unwanted(entry, found.reason)
+    astray = _astray(context, owner, entry)
+    if astray:
+        return 'ERROR', astray
     unreached = "" if is_animated(entry) else _unreached(context, entry, found)
     return 'INFO', _without_pole(context, entry) or unreached or _unlimited(owner, entry)
 
@@ -53,7 +57,14 @@ def is_animated(entry):
     return entry.is_muted or entry.position_weight * entry.id_data.motus.ik.influence == 0.0
 
 
+def _is_second(owner, entry):
+    """Whether an earlier entry has the same bone: what is told of the bone is told of that one."""
+    return owner.motus.ik.entries.get(entry.name) != entry
+
+
 def _unwired(owner, entry):
+    if _is_second(owner, entry):
+        return tr("{bone} has another chain in this list: choose another bone").format(bone=entry.name)
     chain = chains.find(owner, entry)
     if chain is None:
         return tr("{object} has no bone {bone}").format(object=owner.name, bone=entry.name)
@@ -78,12 +89,26 @@ def _unwanted(entry, reason):
     return tr("A number of this chain is not finite")
 
 
+def _astray(context, owner, entry):
+    """Of a further target that is missing, so that the chain, though it is solved, is at the one before it."""
+    depsgraph = context.view_layer.depsgraph
+    now = owner.evaluated_get(depsgraph).motus.ik.entries.get(entry.name)
+    if now is None or now.is_muted or now.target_blend <= 0.0 or not now.extra_targets:
+        return ""
+    presence = Presence(depsgraph.view_layer, depsgraph.scene)
+    goals = [(now.target, now.target_bone), *((extra.object, extra.bone) for extra in now.extra_targets)]
+    places = [reading.world_matrix(goal, bone) if goal and not presence.is_deleted(goal) else None for goal, bone in goals]
+    missing = [number for number in stations.needed(now.target_blend, places)[0] if places[number] is None]
+    return tr("Further target {number} is missing: the one before it counts instead").format(
+        number=missing[0]) if missing else ""
+
+
 def _without_pole(context, entry):
     """Of a pole that is gone."""
     pole, bone = entry.pole, entry.pole_bone
     if pole is None:
         return ""
-    if rigs.is_deleted(pole, context.view_layer):
+    if Presence(context.view_layer).is_deleted(pole):
         return tr("{pole} is in no collection any more: the chain bends as without a pole").format(pole=pole.name)
     if bone and not (pole.pose and bone in pole.pose.bones):
         return tr("{object} has no bone {bone}: the chain bends as without a pole").format(object=pole.name, bone=bone)

@@ -6,7 +6,7 @@ import bpy
 
 from ..core import native, ui, wiring
 from ..core.translations import OWN_SENSE, tr
-from . import reasons
+from . import presets, reasons
 from .groups import OUTPUTS, shared_bone
 from .setup import system
 
@@ -159,6 +159,10 @@ class _Main:
     @classmethod
     def poll(cls, context):
         return context.object is not None and context.object.type == 'ARMATURE'
+
+    def draw_header_preset(self, context):
+        if _is_looking(context):
+            presets.PANEL.draw_panel_header(self.layout)
 
     def draw(self, context):
         draw_main(self.layout, context)

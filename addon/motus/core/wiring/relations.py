@@ -22,8 +22,10 @@ def have_changed(depsgraph):
     """Whether one of the objects that were updated hangs on something else than before."""
     changed = False
     for update in depsgraph.updates:
-        obj = update.id.original if update.is_updated_transform else None
-        if isinstance(obj, bpy.types.Object):
+        is_object = update.is_updated_transform and isinstance(update.id, bpy.types.Object)
+        # By its name: another handler may have removed it since, and to ask the copy for its original would crash.
+        obj = bpy.data.objects.get(update.id.name) if is_object else None
+        if obj:
             now = _hangs_on(obj)
             changed = changed or _known.get(obj.name, now) != now
             _known[obj.name] = now

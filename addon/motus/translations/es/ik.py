@@ -141,6 +141,10 @@ INTERFACE = {
         "{bone} tiene límites de articulación propios: solo cuentan con Usar cola",
     "{bone} has no parent whose tail could reach: switch Use Tail on":
         "{bone} no tiene un padre cuya cola pueda alcanzar: activa Usar cola",
+    "{bone} has another chain in this list: choose another bone":
+        "{bone} tiene ya otra cadena en esta lista: elija otro hueso",
+    "Further target {number} is missing: the one before it counts instead":
+        "Falta el otro objetivo {number}: en su lugar cuenta el anterior",
     "{bone} has no target: choose one": "{bone} no tiene objetivo: elige uno",
     "{bone} is driven by {system} of {other} already: shorten the chain":
         "{bone} ya lo mueve {system} de {other}: acorta la cadena",
