@@ -155,8 +155,8 @@ class Poles(IkTestCase):
 class OfTheList(IkTestCase):
     def test_second_entry_of_a_bone(self):
         rig = self.arm(tentacle(4, 0.4))
-        self.reach("Bone 1", target=None)
-        second = self.reach("Bone 3", target=None)
+        self.reach("Bone 1", target="")
+        second = self.reach("Bone 3", target="")
         self.assertEqual(self.sentence(rig, "Bone 3"), "")
         second.name = "Bone 1"
         bpy.context.view_layer.update()
