@@ -72,7 +72,7 @@ def _draw_entry(layout, context, rig, entry):
     if entry.target and entry.target.type == 'ARMATURE':
         column.prop_search(entry, "target_bone", entry.target.data, "bones")
     column.separator()
-    column.prop(entry, "weight", slider=True)
+    column.prop(entry, "weight", text="Weight", text_ctxt=OWN_SENSE, slider=True)
     column.prop(entry, "body_weight", slider=True)
     column.prop(entry, "head_weight", slider=True)
     eyes = column.column()

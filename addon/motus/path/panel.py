@@ -50,7 +50,7 @@ def draw_main(layout, context):
         add.curve = settings.curve.name if settings.curve else ""
         return
     ui.draw_problem(layout, context, system(), obj)
-    column.prop(settings, "spline")
+    column.prop(settings, "spline", text="Spline", text_ctxt=OWN_SENSE)
     column.prop(settings, "influence", slider=True)
     column.prop(settings, "extend")
     _draw_readouts(layout, context, obj)

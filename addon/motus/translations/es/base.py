@@ -210,7 +210,7 @@ INTERFACE = {
     "Frame": "Fotograma",
     "When to be there": "Cuándo estar allí",
     "Active Pin": "Ancla activa",
-    "Add a pin: a frame and the place to be at": "Añadir un ancla: un fotograma y el lugar donde estar",
+    "Add a pin: a frame and the place to be at": "Agregar un ancla: un fotograma y el lugar donde estar",
     "Be at a place of the path at a frame; without one, here and now":
         "Estar en un lugar de la trayectoria en un fotograma; sin indicarlos, aquí y ahora",
     "Remove a pin of the path": "Quitar un ancla de la trayectoria",
@@ -253,7 +253,7 @@ INTERFACE = {
     "Wire the object again, after its curve was given other data":
         "Volver a conectar el objeto después de dar otros datos a su curva",
     "Add a curve whose points, or placed objects, are the control points of one Bézier curve":
-        "Añadir una curva cuyos puntos, u objetos colocados, son los puntos de control de una sola curva Bézier",
+        "Agregar una curva cuyos puntos, u objetos colocados, son los puntos de control de una sola curva Bézier",
     "Degree": "Grado",
     "One less than the number of control points": "Uno menos que el número de puntos de control",
     "Name": "Nombre",
@@ -336,13 +336,15 @@ INTERFACE = {
 OWN_SENSE = {
     "Look At": "Mirar a",
     "Offset": "Desfase",
+    "Spline": "Spline",
+    "Weight": "Peso",
 }
 
 OPERATORS = {
-    "Add Follow Path Preset": "Añadir preajuste de seguir trayectoria",
-    "Add Pin": "Añadir ancla",
-    "Add Wagons": "Añadir vagones",
-    "Add to the Train": "Añadir al tren",
+    "Add Follow Path Preset": "Agregar preajuste de seguir trayectoria",
+    "Add Pin": "Agregar ancla",
+    "Add Wagons": "Agregar vagones",
+    "Add to the Train": "Agregar al tren",
     "Bake": "Capturar",
     "Bézier of Any Degree": "Bézier de cualquier grado",
     "Copy": "Copiar",

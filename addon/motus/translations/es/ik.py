@@ -315,10 +315,10 @@ INTERFACE = {
 }
 
 OPERATORS = {
-    "Add": "Añadir",
-    "Add Inverse Kinematics Preset": "Añadir preajuste de cinemática inversa",
-    "Add Target": "Añadir objetivo",
-    "Add with a Pole": "Añadir con polo",
+    "Add": "Agregar",
+    "Add Inverse Kinematics Preset": "Agregar preajuste de cinemática inversa",
+    "Add Target": "Agregar objetivo",
+    "Add with a Pole": "Agregar con polo",
     "Inverse Kinematics": "Cinemática inversa",
     "Remove All": "Quitar todo",
     "Remove Inverse Kinematics": "Quitar cinemática inversa",

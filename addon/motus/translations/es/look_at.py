@@ -99,9 +99,9 @@ INTERFACE = {
 }
 
 OPERATORS = {
-    "Add Look At Preset": "Añadir preajuste de mirar a",
+    "Add Look At Preset": "Agregar preajuste de mirar a",
     "Look At": "Mirar a",
     "Remove Look At": "Quitar mirar a",
-    "Add Eye": "Añadir ojo",
+    "Add Eye": "Agregar ojo",
     "Remove Eye": "Quitar ojo",
 }

@@ -62,7 +62,7 @@ INTERFACE = {
     "New index of the pin, instead of a direction": "Nuevo índice del ancla, en lugar de un sentido",
     "The pin is at the end of the list already": "El ancla ya está al final de la lista",
     "Add a pin like this one on the other side of the object, with a strength of its own":
-        "Añade un ancla como esta al otro lado del objeto, con una fuerza propia",
+        "Agrega un ancla como esta al otro lado del objeto, con una fuerza propia",
     "Across which of the object's axes": "A través de cuál de los ejes del objeto",
     "Give a pin that has lost its place the vertex nearest to it, or another one, as its root":
         "Da a un ancla que ha perdido su lugar el vértice más cercano, u otro, como raíz",
@@ -112,7 +112,7 @@ INTERFACE = {
 }
 
 OPERATORS = {
-    "Add Pull Pin": "Añadir ancla",
+    "Add Pull Pin": "Agregar ancla",
     "Apply Pins": "Aplicar anclas",
     "Bind Pin Again": "Volver a fijar el ancla",
     "Mirror Pin": "Reflejar ancla",

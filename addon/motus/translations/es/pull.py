@@ -10,7 +10,7 @@ INTERFACE = {
     "A thorn with a wide foot": "Una espina de pie ancho",
     "Accumulate": "Acumular",
     "Add a flat grid of so many vertices, centred on its origin":
-        "Añadir una cuadrícula plana de tantos vértices, centrada en su origen",
+        "Agregar una cuadrícula plana de tantos vértices, centrada en su origen",
     "All move alike": "Todos se mueven igual",
     "Along the X axis": "A lo largo del eje X",
     "Along the Y axis": "A lo largo del eje Y",
