@@ -87,17 +87,3 @@ class Renaming(IkTestCase):
         self.evaluated(rig)
         self.rename(other, {"Goal 0": "Lamp"})
         self.assertEqual(rig.motus.look_at.entries[0].target_bone, "Lamp")
-
-
-class Overlay(IkTestCase):
-    def test_a_rig_scaled_to_nothing(self):
-        rig = self.arm()
-        self.reach()
-        rig.scale = (0.0, 0.0, 0.0)
-        self.evaluated(rig)
-        overlay = support.addon("ik.overlay")
-        batches = overlay.overlay(bpy.context, rig)
-        self.assertEqual([batch.kind for batch in batches], ['LINES'])  # to the target
-        rig.scale = (1.0, 1.0, 1.0)
-        self.evaluated(rig)
-        self.assertIn('LINE_STRIP', [batch.kind for batch in overlay.overlay(bpy.context, rig)])

@@ -297,6 +297,17 @@ class Outputs(IkTestCase):
         entry.target_blend, entry.position_weight = 1.0, 0.0
         self.assertEqual(residuals(), [])
 
+    def test_overlay_of_a_rig_scaled_to_nothing(self):
+        rig = self.arm()
+        self.reach()
+        rig.scale = (0.0, 0.0, 0.0)
+        self.evaluated(rig)
+        overlay = support.addon("ik.overlay")
+        self.assertEqual([batch.kind for batch in overlay.overlay(bpy.context, rig)], ['LINES'])  # to the target
+        rig.scale = (1.0, 1.0, 1.0)
+        self.evaluated(rig)
+        self.assertIn('LINE_STRIP', [batch.kind for batch in overlay.overlay(bpy.context, rig)])
+
     def test_overlay_of_reach_has_no_stretch(self):
         rig = self.arm()
         self.target((0.0, 0.0, 4.0))
