@@ -20,6 +20,12 @@ def check_finite(operator, names):
             raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
 
 
+def check_no_tweak_mode(obj):
+    """Refuse an object whose actions Blender does not let be exchanged, and whose keys would go into a strip of the NLA."""
+    if obj.animation_data and obj.animation_data.use_tweak_mode:
+        raise Refused(tr("{object} is in the tweak mode of the NLA editor: leave it first").format(object=obj.name))
+
+
 def check_evaluated(obj, view_layer):
     """Refuse an object that Blender does not evaluate: of what it does over time nothing is known."""
     view_layer.update()

@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.refusals import Refused, check_finite
+from ..core.refusals import Refused, check_finite, check_no_tweak_mode
 from ..core.translations import tr
 from . import blend_keys, blend_trigger, placing, setup, status, targets
 from .properties import KEYWORDS, IkKeywords
@@ -147,6 +147,7 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
             targets.check_editable(rig)
             indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
             targets.check_removable(rig, indices)
+            check_no_tweak_mode(rig)
         except Refused as refusal:
             return refused(self, refusal)
         names = [rig.motus.ik.entries[index].name for index in indices]
@@ -226,6 +227,7 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
             if index >= len(entry.extra_targets):
                 raise Refused(tr("There is no such target"))
             targets.check_target_removable(rig, entry, index)
+            check_no_tweak_mode(rig)
         except Refused as refusal:
             return refused(self, refusal)
         with setup.at_once(rig):

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import wiring
+from ..core.refusals import check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
@@ -120,6 +121,7 @@ class MOTUS_OT_look_at_remove(bpy.types.Operator):
             targets.check_editable(rig)
             index = targets.entry_for(context, rig, self.bone)
             targets.check_removable(rig, index)
+            check_no_tweak_mode(rig)
         except targets.Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}

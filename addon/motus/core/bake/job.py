@@ -5,7 +5,7 @@ import math
 import bpy
 
 from .. import system, wiring
-from ..refusals import Refused, check_evaluated, check_posed
+from ..refusals import Refused, check_evaluated, check_no_tweak_mode, check_posed
 from ..translations import tr
 from . import keys
 from .sampling import Track, is_mirrored
@@ -123,14 +123,12 @@ def _check(tracks, view_layer):
     if not tracks:
         raise Refused(tr("The system drives nothing that could be baked"))
     for one in {track.id_data for track in tracks}:
-        animation = one.animation_data
         if one.library:
             problem = tr("{object} is linked from another file: make a library override of it first")
         elif one.motus.bake.is_baked:
             problem = tr("{object} is baked already: unbake it first")
-        elif animation and animation.use_tweak_mode:
-            problem = tr("{object} is in the tweak mode of the NLA editor: leave it first")
         else:
+            check_no_tweak_mode(one)
             check_evaluated(one, view_layer)
             continue
         raise Refused(problem.format(object=one.name))
