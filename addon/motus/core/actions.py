@@ -38,12 +38,25 @@ def players(id_data):
 def make_own(player):
     """Let nobody else play the action of animation data or of a strip: a copy where it is shared or linked."""
     action = player.action
-    if not action.library and action.users - action.use_fake_user <= 1:
+    if not _is_linked(action) and action.users - action.use_fake_user <= 1:
         return
     slot = player.action_slot.identifier if capabilities.has_slotted_actions() and player.action_slot else ""
-    player.action = action.copy()
+    # The copy of an override is an override again.
+    player.action = (action.override_library.reference if action.override_library else action).copy()
     if slot:
         player.action_slot = player.action.slots.get(slot)
+
+
+def make_local(id_data):
+    """Let a datablock play a copy of its action where that one is linked, and so cannot be keyed."""
+    animation = id_data.animation_data
+    if animation and animation.action and _is_linked(animation.action):
+        make_own(animation)
+
+
+def _is_linked(action):
+    """Whether its keys are a library's, which it overrides at most."""
+    return bool(action.library or action.override_library)
 
 
 def all_fcurves(action):

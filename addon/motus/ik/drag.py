@@ -3,6 +3,7 @@
 import bpy
 from mathutils import Vector
 
+from ..core import actions
 from ..core.drag import PointDrag
 from ..core.refusals import Refused, check_finite, check_posed
 from ..core.translations import tr
@@ -97,6 +98,7 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         if context.preferences.edit.use_keyframe_insert_available:
             options.add('INSERTKEY_AVAILABLE')
         for thing, path in zip(held.things, held.paths):
+            actions.make_local(thing.id_data)
             group = thing.name if isinstance(thing, bpy.types.PoseBone) else "Object Transforms"
             thing.keyframe_insert(path, options=options, group=group)
 
