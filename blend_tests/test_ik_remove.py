@@ -78,6 +78,85 @@ class Remove(IkTestCase):
         self.assertEqual([curve.data_path for curve in support.addon("core.actions").fcurves(rig)],
                          ["motus.ik.entries[0].softness"])
 
+    def keyed(self, name="softness"):
+        """Three chains, of which a setting is 0.1, 0.2 and 0.3 by keys."""
+        rig = self.arm(tentacle(6))
+        for index, bone in enumerate(("Bone 1", "Bone 3", "Bone 5")):
+            setattr(self.reach(bone), name, 0.1 * (index + 1))
+            rig.keyframe_insert(f"motus.ik.entries[{index}].{name}", frame=1)
+        return rig
+
+    @staticmethod
+    def push_down(rig, count=1):
+        """Let strips of the NLA play the rig's action, which it has no more."""
+        animation = rig.animation_data
+        action = animation.action
+        strips = [animation.nla_tracks.new().strips.new("Strip", 1, action) for _ in range(count)]
+        animation.action = None
+        return strips
+
+    @staticmethod
+    def curves_of(strip):
+        curves = support.addon("core.actions").curves_of(strip)
+        return {curve.data_path: round(curve.evaluate(1), 6) for curve in curves}
+
+    LEFT = {"motus.ik.entries[0].softness": 0.1, "motus.ik.entries[1].softness": 0.3}
+
+    def test_keys_in_strips_stay_with_their_chains(self):
+        rig = self.keyed()
+        strips = self.push_down(rig, 2)
+        rig.motus.ik.entries[2].keyframe_insert("softness", frame=1)
+        bpy.ops.motus.ik_remove(object="Rig", bone="Bone 3")
+        self.assertEqual([self.curves_of(strip) for strip in strips], [self.LEFT] * 2)
+        self.assertEqual(self.curves_of(rig.animation_data), {"motus.ik.entries[1].softness": 0.3})
+        evaluated = self.evaluated(rig, 5).motus.ik.entries
+        self.assertEqual([round(entry.softness, 6) for entry in evaluated], [0.1, 0.3])
+
+    def test_strips_of_another_rig_are_left_alone(self):
+        rig = self.keyed()
+        strip, = self.push_down(rig)
+        other = rig.copy()
+        self.scene.collection.objects.link(other)
+        before = self.curves_of(strip)
+        bpy.ops.motus.ik_remove(object="Rig", bone="Bone 3")
+        self.assertEqual(self.curves_of(strip), self.LEFT)
+        self.assertEqual(self.curves_of(other.animation_data.nla_tracks[0].strips[0]), before)
+
+    def test_linked_keys_are_left_alone(self):
+        rig = self.keyed()
+        library = str(self.folder / "library.blend")
+        bpy.data.libraries.write(library, {rig.animation_data.action}, fake_user=True)
+        with bpy.data.libraries.load(library, link=True) as (found, chosen):
+            chosen.actions = found.actions
+        linked, = chosen.actions
+        actions = support.addon("core.actions")
+        actions.assign(rig, linked, actions.slot_identifier(rig))
+        strip = rig.animation_data.nla_tracks.new().strips.new("Strip", 1, linked)
+        rig.animation_data.action_influence = 0.5
+        before = [curve.data_path for curves in actions.all_fcurves(linked) for curve in curves]
+        bpy.ops.motus.ik_remove(object="Rig", bone="Bone 3")
+        self.assertEqual([curve.data_path for curves in actions.all_fcurves(linked) for curve in curves], before)
+        self.assertEqual([self.curves_of(player) for player in (rig.animation_data, strip)], [self.LEFT] * 2)
+
+    def test_tweaked_strips(self):
+        rig = self.keyed()
+        strip, = self.push_down(rig)
+        rig.animation_data.nla_tracks.active = rig.animation_data.nla_tracks[0]
+        strip.select = True
+        rig.animation_data.use_tweak_mode = True
+        self.assertTrue(rig.animation_data.use_tweak_mode)
+        before = state(rig)
+        for operator, keywords in ((bpy.ops.motus.ik_remove, {}), (bpy.ops.motus.ik_remove, {"bone": "Bone 3"})):
+            self.assertRefused("tweak mode", operator, object="Rig", **keywords)
+        self.assertEqual(state(rig), before)
+
+    def test_nothing_is_left_in_strips(self):
+        rig = self.keyed()
+        rig.pose.bones["Hand"].keyframe_insert("rotation_quaternion", frame=1)
+        strip, = self.push_down(rig)
+        bpy.ops.motus.ik_remove(object="Rig")
+        self.assertEqual(list(self.curves_of(strip)), ['pose.bones["Hand"].rotation_quaternion'])
+
     def test_controls(self):
         self.arm()
         self.reach(target="", make_pole=True)

@@ -239,6 +239,21 @@ class Remove(LookAtTestCase):
         self.assertEqual([entry.weight for entry in rig.motus.look_at.entries], [0.75])
         self.assertEqual([curve.data_path for curve in self.curves(rig)], ["motus.look_at.entries[0].weight"])
 
+    def test_keys_in_strips_stay_with_their_heads(self):
+        bones = {"Body": ("", (0, 0, 0), (0, 0, 1)), "HeadA": ("Body", (0.2, 0, 1), (0.2, 0, 1.2)),
+                 "HeadB": ("Body", (-0.2, 0, 1), (-0.2, 0, 1.2))}
+        rig = build_rig(bones, "Two")
+        for name, weight in (("HeadA", 0.25), ("HeadB", 0.75)):
+            self.look("Two", bone=name, weight=weight).keyframe_insert("weight", frame=1)
+        animation = rig.animation_data
+        strip = animation.nla_tracks.new().strips.new("Strip", 1, animation.action)
+        animation.action = None
+        bpy.ops.motus.look_at_remove(object="Two", bone="HeadA")
+        self.go(2)
+        self.assertEqual([entry.weight for entry in rig.motus.look_at.entries], [0.75])
+        paths = [curve.data_path for curve in support.addon("core.actions").curves_of(strip)]
+        self.assertEqual(paths, ["motus.look_at.entries[0].weight"])
+
     @staticmethod
     def curves(rig):
         return support.addon("core.actions").fcurves(rig)

@@ -38,12 +38,25 @@ def players(id_data):
 def make_own(player):
     """Let nobody else play the action of animation data or of a strip: a copy where it is shared or linked."""
     action = player.action
-    if not action.library and action.users - action.use_fake_user <= 1:
+    if not _is_linked(action) and action.users - action.use_fake_user <= 1:
         return
     slot = player.action_slot.identifier if capabilities.has_slotted_actions() and player.action_slot else ""
-    player.action = action.copy()
+    # The copy of an override is an override again.
+    player.action = (action.override_library.reference if action.override_library else action).copy()
     if slot:
         player.action_slot = player.action.slots.get(slot)
+
+
+def make_local(id_data):
+    """Let a datablock play a copy of its action where that one is linked, and so cannot be keyed."""
+    animation = id_data.animation_data
+    if animation and animation.action and _is_linked(animation.action):
+        make_own(animation)
+
+
+def _is_linked(action):
+    """Whether its keys are a library's, which it overrides at most."""
+    return bool(action.library or action.override_library)
 
 
 def all_fcurves(action):
@@ -94,33 +107,39 @@ def assign_copy(id_data, name):
     return _ensure_channelbag(action, animation.action_slot)
 
 
+def own_curves(id_data, prefixes):
+    """Yields, of each action that is played for it, the F-curves, if any has a data path with one of these beginnings.
+
+    Where others play the action too, or it is linked, it plays a copy from then on.
+    """
+    for player in players(id_data):
+        if any(curve.data_path.startswith(prefixes) for curve in curves_of(player)):
+            make_own(player)
+            yield curves_of(player)
+
+
 def curves_and_drivers(id_data):
     """Its F-curves and its drivers."""
     animation = id_data.animation_data
     return [*fcurves(id_data), *(animation.drivers if animation else ())]
 
 
-def make_alone(id_data):
-    """Give it its action for itself where others use it too."""
-    action = id_data.animation_data.action
-    if action.users > 1:
-        assign_copy(id_data, action.name)
-
-
 def remove(id_data, prefixes):
-    """Remove keys and drivers of what has a data path with one of these beginnings, and what is then empty."""
+    """Remove keys and drivers of what has a data path with one of these beginnings, and what is then empty.
+
+    Of strips of the NLA the keys alone.
+    """
     animation = id_data.animation_data
     if animation is None:
         return
     for curve in [curve for curve in animation.drivers if curve.data_path.startswith(prefixes)]:
         animation.drivers.remove(curve)
-    if any(curve.data_path.startswith(prefixes) for curve in fcurves(id_data)):
-        make_alone(id_data)
-        curves = fcurves(id_data)
+    had_curves = bool(fcurves(id_data))
+    for curves in own_curves(id_data, prefixes):
         for curve in [curve for curve in curves if curve.data_path.startswith(prefixes)]:
             curves.remove(curve)
-        if not curves:
-            animation.action = None
+    if had_curves and not fcurves(id_data):
+        animation.action = None
     if not animation.action and not animation.drivers and not animation.nla_tracks:
         id_data.animation_data_clear()
 

@@ -14,10 +14,16 @@ def prefixes(path, entries, index):
 def forget(owner, path, entries, index):
     """Remove keys and drivers of an entry that is about to be removed from the list at `path` of the owner."""
     actions.remove(owner, prefixes(path, entries, index))
-    later = [(f"{path}[{place}].", f"{path}[{place - 1}].") for place in range(index + 1, len(entries))]
-    if any(curve.data_path.startswith(old) for curve in actions.fcurves(owner) for old, _ in later):
-        actions.make_alone(owner)
-    for old, new in later:
-        for curve in actions.curves_and_drivers(owner):
-            if curve.data_path.startswith(old):
-                curve.data_path = new + curve.data_path[len(old):]
+    later = {f"{path}[{place}].": f"{path}[{place - 1}]." for place in range(index + 1, len(entries))}
+    animation = owner.animation_data
+    for curves in (*actions.own_curves(owner, tuple(later)), animation.drivers if animation else ()):
+        for curve in curves:
+            _move(curve, later)
+
+
+def _move(curve, places):
+    """places: beginning of a data path -> what it is to be."""
+    for old, new in places.items():
+        if curve.data_path.startswith(old):
+            curve.data_path = new + curve.data_path[len(old):]
+            return

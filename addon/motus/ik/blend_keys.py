@@ -53,6 +53,7 @@ def switch(rig, entry, goal, start, end, interpolation):
     """Key the way from the present target to `goal` from one frame to another; later switches start from it."""
     number = present(rig, entry, start)
     check_other(entry, number, goal)
+    actions.make_local(rig)
     curve, last = curve_of(rig, entry), float(len(entry.extra_targets))
     with setup.at_once(rig):
         is_between = place_next(entry, number, goal)

@@ -1,15 +1,14 @@
 """The operator that drags a chain by any of its points."""
 
-import math
-
 import bpy
 from mathutils import Vector
 
+from ..core import actions
 from ..core.drag import PointDrag
+from ..core.refusals import Refused, check_finite, check_posed
 from ..core.translations import tr
 from . import grab, picking, status, targets
 from .operators import OfARig, in_a_mode_of_objects, refused
-from .targets import Refused
 
 REACHED = 1e-4
 """Share of the bone's length within which the point counts as brought there."""
@@ -38,13 +37,11 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
 
     def execute(self, context):
         try:
-            rig = targets.rig_for(context, self.object)
+            rig = self._rig(context)
             bone = targets.bone_for(context, rig, self.bone)
             if not self.properties.is_property_set("location"):
                 raise Refused(tr("Say where to: location is missing"))
-            targets.check_finite(self, ("factor",))
-            if not all(map(math.isfinite, self.location)):
-                raise Refused(tr("{keyword} is not a finite number").format(keyword="location"))
+            check_finite(self, ("factor", "location"))
             held = grab.grab(context, rig, bone, self.factor, self.chain_length)
         except Refused as refusal:
             return refused(self, refusal)
@@ -60,10 +57,15 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         if context.window is None or self.properties.is_property_set("location"):
             return self.execute(context)
         try:
-            self.object = targets.rig_for(context, self.object).name
+            self.object = self._rig(context).name
             return self._begin(context, event)
         except Refused as refusal:
             return self._refused(refusal)
+
+    def _rig(self, context):
+        rig = targets.rig_for(context, self.object)
+        check_posed(rig, context.view_layer)
+        return rig
 
     def _refused(self, refusal):
         return refused(self, refusal)
@@ -96,6 +98,7 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         if context.preferences.edit.use_keyframe_insert_available:
             options.add('INSERTKEY_AVAILABLE')
         for thing, path in zip(held.things, held.paths):
+            actions.make_local(thing.id_data)
             group = thing.name if isinstance(thing, bpy.types.PoseBone) else "Object Transforms"
             thing.keyframe_insert(path, options=options, group=group)
 

@@ -6,9 +6,10 @@ import time
 import bpy
 
 from ..core import actions
+from ..core.refusals import Refused, check_finite, check_posed
 from ..core.translations import tr
 from .operators import OfABone, in_a_mode_of_objects, refused
-from .targets import Refused
+from .targets import rig_with_ik
 
 SLICE = 0.05
 """Seconds of work between two redraws."""
@@ -65,10 +66,9 @@ def go_to(scene, frame):
 
 
 def active_rig(context, name):
-    """The rig of this name, or the active one, that has inverse kinematics."""
-    rig = bpy.data.objects.get(name) if name else context.object
-    if rig is None or not rig.motus.ik.is_active:
-        raise Refused(tr("Nothing here has inverse kinematics"))
+    """The rig of this name, or the active one, that has inverse kinematics and shows its pose."""
+    rig = rig_with_ik(context, name)
+    check_posed(rig, context.view_layer)
     return rig
 
 
@@ -146,6 +146,7 @@ class OverFrames(OfABone):
         context.window_manager.progress_begin(0, self.total)
 
     def _frames(self, scene):
+        check_finite(self, ("step",))
         if not self.use_range:
             return [scene.frame_current + scene.frame_subframe]
         for name in ("frame_start", "frame_end"):

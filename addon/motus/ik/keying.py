@@ -99,8 +99,8 @@ class KeyWriter:
 
     def cut(self, owner, path, frame):
         """Put a key on the F-curve of a number, which stays as it is; returns the key."""
-        curve = actions.find(owner, path)
         self._remember(owner)
+        curve = actions.find(owner, path)
         self.written.add((owner, path))
         frames = sorted([frame, *(points[0].co.x for points in around(curve, frame) if points)])
         self._done.append((owner, path, 0, (_keys(_between(curve, frames)), frames)))
@@ -124,17 +124,22 @@ class KeyWriter:
                 actions.fcurves(holder).remove(curve)
             else:
                 _put_back(curve, frames, kept)
-        for owner, (had_animation, had_action) in self._before.items():
-            action = owner.animation_data.action if owner.animation_data else None
-            if action and not had_action:
-                owner.animation_data.action = None
-                bpy.data.actions.remove(action)
+        for owner, (had_animation, action, slot) in self._before.items():
+            own = owner.animation_data.action if owner.animation_data else None
+            if own != action:
+                actions.assign(owner, action, slot)
+                bpy.data.actions.remove(own)
             if not had_animation:
                 owner.animation_data_clear()
 
     def _remember(self, owner):
+        """Before an object is keyed: what it plays, and if that is linked, a copy of it from now on."""
+        if owner in self._before:
+            return
         animation = owner.animation_data
-        self._before.setdefault(owner, (animation is not None, bool(animation and animation.action)))
+        action = animation.action if animation else None
+        self._before[owner] = animation is not None, action, actions.slot_identifier(owner)
+        actions.make_local(owner)
 
 
 def _between(curve, frames):

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from mathutils import Matrix, Vector
 
 from ..core.lazy import numpy as np
+from ..core.refusals import check_posed
 from ..core.translations import tr
 from . import check_results, controls, forward, groups, reading, targets, weights
 from .frame_walk import Kept, go_to
@@ -147,7 +148,7 @@ class _Wanted:
     """Where the controls of the chains have to stand, frame by frame."""
 
     def __init__(self, context, rig, chosen):
-        self._rig, self._chosen = rig, chosen
+        self._rig, self._chosen, self._view_layer = rig, chosen, context.view_layer
         self._texts = list(dict.fromkeys(chain.group.data[groups.PLAN] for chain in chosen))
         evaluated = rig.evaluated_get(context.view_layer.depsgraph).motus.ik.entries
         self._places = {}
@@ -164,6 +165,8 @@ class _Wanted:
             raise targets.Refused(tr("{target} is the control of several chains: give each one of its own").format(
                 target=control.label))
         controls.check_movable(control, channels)
+        if control.bone:
+            check_posed(control.object, self._view_layer)
         kind[chain.name] = control
         self._places[control] = [], Channels(control.thing, channels)
 

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import wiring
+from ..core.refusals import Refused, check_finite, check_no_tweak_mode
 from ..core.translations import tr
 from . import blend_keys, blend_trigger, placing, setup, status, targets
 from .properties import KEYWORDS, IkKeywords
@@ -14,18 +15,6 @@ def in_a_mode_of_objects(cls, context):
         return True
     cls.poll_message_set(tr("Go to Object Mode or Pose Mode first"))
     return False
-
-
-def rig_of(operator, context):
-    """The rig that the operator names, or the active one; None, reported, where it has no inverse kinematics."""
-    rig = bpy.data.objects.get(operator.object) if operator.object else context.object
-    if operator.object and rig is None:
-        operator.report({'ERROR'}, tr("There is no object {object}").format(object=operator.object))
-        return None
-    if rig is None or not rig.motus.ik.is_active:
-        operator.report({'ERROR'}, tr("Nothing here has inverse kinematics"))
-        return None
-    return rig
 
 
 def refused(operator, refusal):
@@ -76,7 +65,7 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
     def execute(self, context):
         try:
             rig, entry, chain = self._add(context)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             return refused(self, refusal)
         target = f"{entry.target.name}: {entry.target_bone}" if entry.target_bone else entry.target.name
         self.report({'INFO'}, tr("{bone} of {object} reaches for {target}").format(
@@ -91,7 +80,7 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         bone = targets.bone_for(context, rig, self.bone)
         targets.check_editable(rig)
         changes = {name: getattr(self, name) for name in KEYWORDS if self._is_given(name)}
-        targets.check_finite(self, changes)
+        check_finite(self, changes)
         before = rig.motus.ik.entries.get(bone)
         chain = targets.chain_for(rig, bone, *(
             changes.get(name, getattr(before or self, name)) for name in ("chain_length", "use_tail")))
@@ -153,14 +142,13 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
     poll = classmethod(in_a_mode_of_objects)
 
     def execute(self, context):
-        rig = rig_of(self, context)
-        if rig is None:
-            return {'CANCELLED'}
         try:
+            rig = targets.rig_with_ik(context, self.object)
             targets.check_editable(rig)
             indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
             targets.check_removable(rig, indices)
-        except targets.Refused as refusal:
+            check_no_tweak_mode(rig)
+        except Refused as refusal:
             return refused(self, refusal)
         names = [rig.motus.ik.entries[index].name for index in indices]
         setup.remove(rig, indices, self.remove_controls)
@@ -177,9 +165,10 @@ class MOTUS_OT_ik_refresh(OfARig, bpy.types.Operator):
     poll = classmethod(in_a_mode_of_objects)
 
     def execute(self, context):
-        rig = rig_of(self, context)
-        if rig is None:
-            return {'CANCELLED'}
+        try:
+            rig = targets.rig_with_ik(context, self.object)
+        except Refused as refusal:
+            return refused(self, refusal)
         wiring.refresh(setup.system(), rig)
         return {'FINISHED'}
 
@@ -199,17 +188,15 @@ class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
     poll = classmethod(in_a_mode_of_objects)
 
     def execute(self, context):
-        rig = rig_of(self, context)
-        if rig is None:
-            return {'CANCELLED'}
         try:
+            rig = targets.rig_with_ik(context, self.object)
             targets.check_editable(rig)
             entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
             goal = targets.goal_for(context, self.target, self.target_bone, rig)
             if goal:
                 changes = {"target": goal[0], "target_bone": goal[1]}
                 targets.check_no_loop(rig, entry.name, changes, goal)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             return refused(self, refusal)
         with setup.at_once(rig):
             extra = entry.extra_targets.add()
@@ -232,21 +219,16 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
     poll = classmethod(in_a_mode_of_objects)
 
     def execute(self, context):
-        rig = rig_of(self, context)
-        if rig is None:
-            return {'CANCELLED'}
         try:
+            rig = targets.rig_with_ik(context, self.object)
             targets.check_editable(rig)
             entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
-        except targets.Refused as refusal:
-            return refused(self, refusal)
-        index = entry.active_extra_target if self.index < 0 else self.index
-        if index >= len(entry.extra_targets):
-            self.report({'ERROR'}, tr("There is no such target"))
-            return {'CANCELLED'}
-        try:
+            index = entry.active_extra_target if self.index < 0 else self.index
+            if index >= len(entry.extra_targets):
+                raise Refused(tr("There is no such target"))
             targets.check_target_removable(rig, entry, index)
-        except targets.Refused as refusal:
+            check_no_tweak_mode(rig)
+        except Refused as refusal:
             return refused(self, refusal)
         with setup.at_once(rig):
             blend_keys.take_out(rig, entry, index + 1)

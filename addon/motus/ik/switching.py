@@ -6,7 +6,6 @@ import bpy
 
 from ..core.translations import tr
 from . import blend_keys, blend_trigger, targets
-from .frame_walk import active_rig
 from .operators import OfABone, in_a_mode_of_objects, refused
 from .targets import Refused
 
@@ -101,7 +100,7 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         column.prop(self, "trigger_end")
 
     def _switch(self, context):
-        rig = active_rig(context, self.object)
+        rig = targets.rig_with_ik(context, self.object)
         targets.check_editable(rig)
         entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
         goal = targets.goal_for(context, self.target, self.target_bone, rig)

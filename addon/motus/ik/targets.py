@@ -1,16 +1,11 @@
 """What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-import math
-
 import bpy
 
 from ..core import libraries
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import chains, setup
-
-
-class Refused(Exception):
-    """What was asked cannot be done; the sentence says why."""
 
 
 def named(name):
@@ -31,6 +26,14 @@ def rig_for(context, name):
     if found.type != 'ARMATURE':
         raise Refused(tr("{object} is not an armature").format(object=name))
     return found
+
+
+def rig_with_ik(context, name):
+    """The object by name, else the active one, where it has inverse kinematics."""
+    rig = named(name) if name else context.object
+    if rig is None or not rig.motus.ik.is_active:
+        raise Refused(tr("Nothing here has inverse kinematics"))
+    return rig
 
 
 def bone_for(context, rig, name):
@@ -130,15 +133,6 @@ def check_no_loop(rig, bone, changes, goal):
     if goal and setup.would_wait_for_itself(rig, bone, changes):
         name = f"{goal[0].name}: {goal[1]}" if goal[1] else goal[0].name
         raise Refused(tr("{target} moves with the chain of {bone}: choose another one").format(target=name, bone=bone))
-
-
-def check_finite(operator, names):
-    """Refuse keywords that were given something that is no number."""
-    for name in names:
-        value = getattr(operator, name)
-        parts = [value] if isinstance(value, float) else value if hasattr(value, "order") else ()
-        if not all(math.isfinite(part) for part in parts):
-            raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
 
 
 def check_editable(rig):

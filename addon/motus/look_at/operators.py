@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import wiring
+from ..core.refusals import check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
@@ -14,15 +15,6 @@ def in_a_mode_of_objects(cls, context):
         return True
     cls.poll_message_set(tr("Go to Object Mode or Pose Mode first"))
     return False
-
-
-def looking_rig(operator, context):
-    """The rig that the operator names, or the active one; None, reported, where nothing of it looks."""
-    rig = bpy.data.objects.get(operator.object) if operator.object else context.object
-    if rig is None or not rig.motus.look_at.is_active:
-        operator.report({'ERROR'}, tr("Nothing here looks at a target"))
-        return None
-    return rig
 
 
 class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
@@ -124,13 +116,12 @@ class MOTUS_OT_look_at_remove(bpy.types.Operator):
     poll = classmethod(in_a_mode_of_objects)
 
     def execute(self, context):
-        rig = looking_rig(self, context)
-        if rig is None:
-            return {'CANCELLED'}
         try:
+            rig = targets.looking_rig(context, self.object)
             targets.check_editable(rig)
             index = targets.entry_for(context, rig, self.bone)
             targets.check_removable(rig, index)
+            check_no_tweak_mode(rig)
         except targets.Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
@@ -152,8 +143,10 @@ class MOTUS_OT_look_at_refresh(bpy.types.Operator):
     poll = classmethod(in_a_mode_of_objects)
 
     def execute(self, context):
-        rig = looking_rig(self, context)
-        if rig is None:
+        try:
+            rig = targets.looking_rig(context, self.object)
+        except targets.Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         wiring.refresh(setup.system(), rig)
         return {'FINISHED'}
@@ -214,10 +207,8 @@ class MOTUS_OT_look_at_eye_remove(bpy.types.Operator):
 
 def change_eyes(operator, context, change):
     """Give an entry other eyes: those that `change` makes of the present ones."""
-    rig = looking_rig(operator, context)
-    if rig is None:
-        return {'CANCELLED'}
     try:
+        rig = targets.looking_rig(context, operator.object)
         targets.check_editable(rig)
         entry = rig.motus.look_at.entries[targets.entry_for(context, rig, operator.bone)]
         head, before = entry.name, [eye.name for eye in entry.eyes]

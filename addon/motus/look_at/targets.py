@@ -27,6 +27,14 @@ def rig_for(context, name):
     return found
 
 
+def looking_rig(context, name):
+    """The object by name, else the active one, where something of it looks at a target."""
+    rig = named(name) if name else context.object
+    if rig is None or not rig.motus.look_at.is_active:
+        raise Refused(tr("Nothing here looks at a target"))
+    return rig
+
+
 def named(name):
     """The object of this name."""
     found = bpy.data.objects.get(name)

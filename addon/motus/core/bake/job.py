@@ -5,13 +5,10 @@ import math
 import bpy
 
 from .. import system, wiring
+from ..refusals import Refused, check_evaluated, check_no_tweak_mode, check_posed
 from ..translations import tr
 from . import keys
 from .sampling import Track, is_mirrored
-
-
-class BakeError(Exception):
-    """A sentence that tells the user why nothing was done."""
 
 
 def owner_and_systems(thing, name=""):
@@ -24,8 +21,8 @@ def owner_and_systems(thing, name=""):
         if chosen:
             return owner, chosen
     if refusals:
-        raise BakeError(tr(refusals[0]))
-    raise BakeError(tr("{object} is not driven by Motus: add a system to it first").format(object=thing.name))
+        raise Refused(tr(refusals[0]))
+    raise Refused(tr("{object} is not driven by Motus: add a system to it first").format(object=thing.name))
 
 
 def _candidates(thing):
@@ -40,7 +37,7 @@ def _candidates(thing):
 def frame_range(start, end, step):
     """The frames from start to end inclusive; floats where the step is not whole."""
     if end < start:
-        raise BakeError(tr("The range is empty: the end frame comes before the start frame"))
+        raise Refused(tr("The range is empty: the end frame comes before the start frame"))
     count = int(math.floor((end - start) / step + 1e-6)) + 1
     return [start + step * index for index in range(count)]
 
@@ -72,7 +69,7 @@ def unbake(thing, name=""):
     systems = [one for one in system.registered.values() if system.of_owner(one, owner).is_baked]
     baked = [one for one in bpy.data.objects if _is_baked_with(owner, one)]
     if not baked or (name and name not in [one.name for one in systems]):
-        raise BakeError(tr("{object} is not baked").format(object=thing.name))
+        raise Refused(tr("{object} is not baked").format(object=thing.name))
     for one in baked:
         keys.restore(one)
     for one in systems:
@@ -113,7 +110,7 @@ def _tracks(owner, systems):
             channels.setdefault(member.thing, set()).update(member.channels)
     for thing, names in channels.items():
         if "location" in names and isinstance(thing, bpy.types.PoseBone) and thing.bone.use_connect:
-            raise BakeError(tr("{bone} is connected to its parent, so keyframes cannot move it: disconnect it first").format(
+            raise Refused(tr("{bone} is connected to its parent, so keyframes cannot move it: disconnect it first").format(
                 bone=thing.name))
         # The user's constraints act on top of the result or below it: all of it is baked, and they are switched off.
         # A mirrored thing loses its negative scale in the sinks.
@@ -124,20 +121,19 @@ def _tracks(owner, systems):
 
 def _check(tracks, view_layer):
     if not tracks:
-        raise BakeError(tr("The system drives nothing that could be baked"))
+        raise Refused(tr("The system drives nothing that could be baked"))
     for one in {track.id_data for track in tracks}:
-        animation = one.animation_data
         if one.library:
             problem = tr("{object} is linked from another file: make a library override of it first")
         elif one.motus.bake.is_baked:
             problem = tr("{object} is baked already: unbake it first")
-        elif animation and animation.use_tweak_mode:
-            problem = tr("{object} is in the tweak mode of the NLA editor: leave it first")
-        elif not one.evaluated_get(view_layer.depsgraph).is_evaluated:
-            problem = tr("{object} is not evaluated: show it in the viewport first")
         else:
+            check_no_tweak_mode(one)
+            check_evaluated(one, view_layer)
             continue
-        raise BakeError(problem.format(object=one.name))
+        raise Refused(problem.format(object=one.name))
+    for rig in {track.id_data for track in tracks if isinstance(track.thing, bpy.types.PoseBone)}:
+        check_posed(rig, view_layer)
 
 
 def _apply(owner, systems, tracks, frames):

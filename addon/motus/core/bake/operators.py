@@ -4,6 +4,7 @@ import time
 
 import bpy
 
+from ..refusals import Refused, check_finite
 from ..translations import tr
 from . import job
 
@@ -14,11 +15,11 @@ SLICE = 0.05
 def _named_object(context, name):
     if not name:
         if context.object is None:
-            raise job.BakeError(tr("Select an object, or name one"))
+            raise Refused(tr("Select an object, or name one"))
         return context.object
     found = context.scene.objects.get(name)
     if found is None:
-        raise job.BakeError(tr("There is no object {object} in the scene").format(object=name))
+        raise Refused(tr("There is no object {object} in the scene").format(object=name))
     return found
 
 
@@ -46,7 +47,7 @@ class MOTUS_OT_bake(bpy.types.Operator):
             self._start(context)
             for done in self._steps:
                 context.window_manager.progress_update(done)
-        except job.BakeError as error:
+        except Refused as error:
             return self._refuse(context, error)
         return self._finish(context)
 
@@ -56,7 +57,7 @@ class MOTUS_OT_bake(bpy.types.Operator):
         try:
             self._start(context)
             next(self._steps)
-        except job.BakeError as error:
+        except Refused as error:
             return self._refuse(context, error)
         self._timer = context.window_manager.event_timer_add(0.001, window=context.window)
         context.window_manager.modal_handler_add(self)
@@ -86,6 +87,7 @@ class MOTUS_OT_bake(bpy.types.Operator):
         for name in ("frame_start", "frame_end"):
             if not self.properties.is_property_set(name):
                 setattr(self, name, getattr(context.scene, name))
+        check_finite(self, ("step",))
         frames = job.frame_range(self.frame_start, self.frame_end, self.step)
         self._result = len(frames), len(job.objects_of(owner, systems))
         self._inexact = job.inexact(owner, systems)
@@ -134,7 +136,7 @@ class MOTUS_OT_unbake(bpy.types.Operator):
         try:
             thing = _named_object(context, self.object)
             baked = job.unbake(thing, self.system)
-        except job.BakeError as error:
+        except Refused as error:
             self.report({'ERROR'}, str(error))
             return {'CANCELLED'}
         self.report({'INFO'}, tr("Unbaked {objects} objects").format(objects=len(baked)))

@@ -113,6 +113,8 @@ INTERFACE = {
     "{object} is not baked": "{object} no está capturado",
     "{object} is not driven by Motus: add a system to it first": "Motus no mueve {object}: añádele antes un sistema",
     "{object} is not evaluated: show it in the viewport first": "{object} no se evalúa: muéstralo antes en la vista",
+    "{object} is in Rest Position: switch to Pose Position first":
+        "{object} está en posición de reposo: cambia antes a la posición de pose",
 
     # Follow Path: settings
     "Follow Path": "Seguir trayectoria",
