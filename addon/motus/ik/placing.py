@@ -5,6 +5,7 @@ import math
 import bpy
 from mathutils import Vector
 
+from ..core import libraries
 from . import reading
 
 CONTROL_KEY = "motus_ik_control"
@@ -131,6 +132,5 @@ def _empty(context, evaluated, name, shape):
     empty = bpy.data.objects.new(name, None)
     empty.empty_display_type = shape
     empty[CONTROL_KEY] = True
-    collections = evaluated.original.users_collection or (context.scene.collection,)
-    collections[0].objects.link(empty)
+    libraries.collection_for(context, evaluated.original).objects.link(empty)
     return empty
