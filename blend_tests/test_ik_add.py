@@ -2,7 +2,7 @@
 
 import bpy
 import support
-from ik_cases import IkTestCase
+from ik_cases import IkTestCase, turn
 
 
 class OfAnOverride(IkTestCase):
@@ -46,3 +46,44 @@ class OfAnOverride(IkTestCase):
         bpy.ops.motus.look_at_add(object="Rig", bone="Hand")
         target = rig.motus.look_at.entries[0].target
         self.assertEqual(target.users_collection, (self.scene.collection,))
+
+
+class OnAScaledRig(IkTestCase):
+    """Keep Rotation, where axes are no longer at right angles."""
+
+    def stand(self, rig, kind):
+        if kind == "mirrored":
+            rig.scale = (-1.0, 1.0, 1.0)
+        else:
+            rig.rotation_euler = (0.5, 0.6, 0.7)
+            rig.scale = (1.0, 2.0, 0.5)
+        if kind == "sheared":
+            parent = self.target((0.1, 0.2, 0.3), "Parent")
+            parent.scale, parent.rotation_euler = (1.0, 2.0, 0.5), (0.3, 0.4, 0.5)
+            rig.parent, rig.scale = parent, (1.0, 1.0, 1.0)
+
+    def given_target(self, rig, bone, use_tail):
+        """On the chain's tip, under a parent that shears it."""
+        parent = self.target((0.3, 0.2, 0.1), "Shearing")
+        parent.scale, parent.rotation_euler = (1.0, -0.5, 2.0), (0.2, 0.9, 0.4)
+        target = self.target((0.0, 0.0, 0.0))
+        target.parent, target.rotation_euler = parent, (0.4, 0.8, 1.2)
+        tip = self.tail(rig, bone) if use_tail else self.head(rig, bone)
+        target.location = self.evaluated(parent).matrix_world.inverted() @ tip
+        return target.name
+
+    def test_the_pose_is_kept(self):
+        for kind in ("scaled", "sheared", "mirrored"):
+            for bone, use_tail in (("Bone 1", True), ("Hand", False)):
+                for is_given in (False, True):
+                    with self.subTest(kind, bone=bone, is_given=is_given):
+                        support.empty_scene()
+                        self.scene = bpy.context.scene
+                        rig = self.arm()
+                        self.stand(rig, kind)
+                        for index, name in enumerate(("Bone 0", "Bone 1", "Hand")):
+                            turn(rig.pose.bones[name], (0.3, 0.2 + 0.1 * index, -0.4), 0.8)
+                        before = self.poses(rig)
+                        target = self.given_target(rig, bone, use_tail) if is_given else ""
+                        self.reach(bone, target=target, use_tail=use_tail, rotation_weight=1.0)
+                        self.assertSamePose(rig, before, 1e-5)

@@ -7,6 +7,7 @@ from mathutils import Vector
 
 from ..core import libraries
 from . import reading
+from .orientation import frame_of
 
 CONTROL_KEY = "motus_ik_control"
 """Custom property of the empties that are made along with an entry."""
@@ -79,7 +80,7 @@ def hinge_normal(evaluated, chain, angle):
 
 def effector_orientation(evaluated, chain):
     """World orientation of the bone that the entry is named after."""
-    return (evaluated.matrix_world @ evaluated.pose.bones[chain.effector].matrix).to_quaternion()
+    return frame_of(evaluated.matrix_world @ evaluated.pose.bones[chain.effector].matrix)
 
 
 def goal_matrix(context, target, bone):
@@ -89,8 +90,8 @@ def goal_matrix(context, target, bone):
 
 def rotation_offset(context, evaluated, chain, target, bone):
     """The turn, in the target's own space, that makes its orientation that of the chain's last bone now."""
-    orientation = goal_matrix(context, target, bone).to_quaternion()
-    return (orientation.inverted() @ effector_orientation(evaluated, chain)).to_euler('XYZ')
+    space = goal_matrix(context, target, bone).to_3x3()
+    return frame_of(space.inverted_safe() @ effector_orientation(evaluated, chain).to_matrix()).to_euler('XYZ')
 
 
 def pole_place(evaluated, chain, angle, bend):
