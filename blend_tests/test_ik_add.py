@@ -1,8 +1,12 @@
 """What is made along with a chain: controls that leave the pose as it is, wherever the rig stands."""
 
+import math
+import random
+
 import bpy
 import support
-from ik_cases import IkTestCase, turn
+from ik_cases import ARM, IkTestCase, rigid, tentacle, turn
+from mathutils import Quaternion, Vector
 
 
 class OfAnOverride(IkTestCase):
@@ -87,3 +91,87 @@ class OnAScaledRig(IkTestCase):
                         target = self.given_target(rig, bone, use_tail) if is_given else ""
                         self.reach(bone, target=target, use_tail=use_tail, rotation_weight=1.0)
                         self.assertSamePose(rig, before, 1e-5)
+
+
+class MadePole(IkTestCase):
+    """Nothing moves until the pole is moved."""
+
+    def setUp(self):
+        super().setUp()
+        self.random = random.Random(7)
+
+    def renew(self, joints):
+        support.empty_scene()
+        self.scene = bpy.context.scene
+        return self.arm(joints)
+
+    def bones_of(self, count, is_bent):
+        joints = [Vector((0.0, 0.0, 1.0))]
+        for index in range(count):
+            angle = 0.3 * index * is_bent
+            joints.append(joints[-1] + 0.3 * Vector((math.cos(angle), math.sin(angle), 0.05 * index * is_bent)))
+        return joints
+
+    def pose_at_random(self, rig, most=0.4):
+        for bone in rig.pose.bones:
+            bone.rotation_quaternion = Quaternion([self.random.uniform(-0.5, 0.5) for _ in range(3)], most)
+
+    def test_any_pose(self):
+        settings = ({}, {"use_limits": True}, {"bend": 'AWAY', "pole_angle": 0.7}, {"rotation_weight": 1.0},
+                    {"use_limits": True, "bend": 'AWAY', "pole_angle": 0.7})
+        for count in (1, 2, 3, 5):
+            for is_bent in (False, True):
+                for keywords in settings * 2:
+                    with self.subTest(count=count, is_bent=is_bent, **keywords):
+                        rig = self.renew(self.bones_of(count, is_bent))
+                        self.pose_at_random(rig)
+                        before = self.poses(rig)
+                        self.reach(f"Bone {count - 1}", target="", make_pole=True, chain_length=count, **keywords)
+                        self.assertSamePose(rig, before, 5e-6)
+
+    def test_between_straight_and_bent(self):
+        """The plane that the pose bends in counts the less, the straighter it is; at rest it is straight, or not."""
+        for joints in (((0.0, 0.0, 1.0), (0.5, 0.0, 1.0), (1.0, 0.0, 1.0)), ARM):
+            for degrees in (0.0, 2.0, 5.0, 7.0, 9.0, 12.0):
+                with self.subTest(joints=joints, degrees=degrees):
+                    rig = self.renew(joints)
+                    turn(rig.pose.bones["Bone 1"], (0.3, 0.1, 1.0), math.radians(degrees))
+                    before = self.poses(rig)
+                    self.reach(target="", make_pole=True)
+                    self.assertSamePose(rig, before, 5e-6)
+
+    def test_scaled_and_mirrored_rigs(self):
+        for scale in ((1.0, 2.0, 0.5), (-1.0, 1.0, 1.0)):
+            for keywords in ({}, {"use_limits": True}):
+                with self.subTest(scale=scale, **keywords):
+                    rig = self.renew(tentacle(4))
+                    rig.matrix_world = rigid((1.0, 2.0, 3.0), (1.0, 1.0, 0.0), 0.7, scale)
+                    self.pose_at_random(rig)
+                    before = self.poses(rig)
+                    self.reach("Bone 3", target="", make_pole=True, chain_length=4, **keywords)
+                    self.assertSamePose(rig, before, 5e-6)
+
+    def test_to_a_chain_that_stands_elsewhere(self):
+        """A pole that is made later leaves the solution that there is."""
+        for keywords in ({}, {"use_limits": True}, {"pole_angle": 0.5, "chain_length": 3}):
+            with self.subTest(**keywords):
+                rig = self.renew(self.bones_of(3, True))
+                self.pose_at_random(rig)
+                self.target((0.3, 0.35, 1.3))
+                self.reach("Bone 2", **{"chain_length": 3, **keywords})
+                before = self.poses(rig)
+                self.reach("Bone 2", make_pole=True)
+                self.assertSamePose(rig, before, 5e-6)
+
+    def test_real_limits(self):
+        for _ in range(5):
+            rig = self.renew(self.bones_of(3, True))
+            for bone in rig.pose.bones:
+                for axis in "xyz":
+                    setattr(bone, f"use_ik_limit_{axis}", True)
+                    setattr(bone, f"ik_min_{axis}", -0.5)
+                    setattr(bone, f"ik_max_{axis}", 0.5)
+            self.pose_at_random(rig)
+            before = self.poses(rig)
+            self.reach("Bone 2", target="", make_pole=True, chain_length=3, use_limits=True)
+            self.assertSamePose(rig, before, 5e-6)

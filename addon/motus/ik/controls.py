@@ -103,8 +103,8 @@ def world_matrix(control, depsgraph):
 def basis_for(control, depsgraph, matrix, offset=None):
     """Rotation and place relative to what the parents do, by which the control has those of a world matrix.
 
-    matrix: rigid. offset: Matrix of a turn in the control's own space after which it has that orientation. The control keeps
-    its own scale, whatever it does to axes that the offset has turned away from it.
+    matrix: rigid. offset: Matrix of a turn in the control's own space after which it has that orientation. The control
+    keeps its own scale.
     """
     local, scale = _in_parents(control, control.object.evaluated_get(depsgraph), matrix)
     own = Matrix.Diagonal(scale) @ (offset or Matrix.Identity(3))

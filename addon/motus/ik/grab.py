@@ -118,7 +118,7 @@ class _TargetGrab:
         self.things, self.paths = [control.thing], ["location"]
         self._before = tuple(control.thing.location)
         self.point = point_on(rig, self._depsgraph, bone, factor)
-        self._solver, self._chain = _solver(rig, evaluated, entry, self._depsgraph)
+        self._solver, self._chain = _solver(rig, entry, self._depsgraph)
         self._place = self._chain.bones.index(bone)
         self._along = Vector((0.0, rig.data.bones[bone].length * factor, 0.0))
         # Of the rest pose: what makes a step or a residual small.
@@ -170,15 +170,12 @@ class _TargetGrab:
         return target
 
 
-def _solver(rig, evaluated, entry, depsgraph):
-    for group in groups.groups(rig):
-        rows = forward.chain_rows(group).get(entry.name)
-        if rows:
-            solver = forward.Solver(evaluated, group, depsgraph)
-            if solver.settings[rows.index, solver.columns["is_on"]]:
-                return solver, rows
-    raise targets.Refused(tr("{bone} of {object} is not being solved: the panel says why").format(
-        bone=entry.name, object=rig.name))
+def _solver(rig, entry, depsgraph):
+    found = forward.solver_of(rig, entry.name, depsgraph)
+    if found is None or not found[0].settings[found[1].index, found[0].columns["is_on"]]:
+        raise targets.Refused(tr("{bone} of {object} is not being solved: the panel says why").format(
+            bone=entry.name, object=rig.name))
+    return found
 
 
 def _settings(plan, entry, has_limits):
