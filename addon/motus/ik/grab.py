@@ -9,6 +9,7 @@ from ..core.translations import tr
 from . import chains, controls, forward, groups, reading, targets
 from .keying import rotation_values
 
+TIP = slice(-3, None)  # of a row of IkPlan.REPORT
 SHORTEST = 1e-6  # of the bone: a point on its head is taken so far along it
 ROUNDS = 12
 NEAR = 1e-6  # of the chain's length
@@ -126,6 +127,7 @@ class _TargetGrab:
         self._start = self._solver.targets[self._chain.index, 12:15].copy()
         # What Blender evaluates and what is computed here differ by single precision.
         self._bias = np.array(self.point) - self._reached(self._start)
+        self._tip = self._solver.solve()[self._chain.index][TIP]
 
     def pull(self, place):
         """Move the target so that the point comes to a place in the world, as far as it can."""
@@ -150,8 +152,18 @@ class _TargetGrab:
         return np.array(self._solver.poses(self._chain)[self._place] @ self._along)
 
     def _seek(self, wanted):
-        """The target for which the point is nearest to a place: damped least squares, from the drag's displacement."""
-        target = self._start + (wanted + self._bias - np.array(self.point))
+        """The target for which the point is nearest to a place: sought from the drag's displacement of the target.
+
+        Where that does not come there, as of a target far out of reach, also from the same displacement of the tip.
+        """
+        moved = wanted + self._bias - np.array(self.point)
+        error, target = self._seek_from(self._start + moved, wanted)
+        if error > NEAR * self._length:
+            error, target = min((error, target), self._seek_from(self._tip + moved, wanted), key=lambda found: found[0])
+        return target
+
+    def _seek_from(self, target, wanted):
+        """(What is left, target), by damped least squares."""
         error = self._reached(target) - wanted
         damping = 1e-3
         for _ in range(ROUNDS):
@@ -167,7 +179,7 @@ class _TargetGrab:
                 target, error, damping = target + step, tried, damping / 10.0
             else:
                 damping *= 10.0
-        return target
+        return np.linalg.norm(error), target
 
 
 def _solver(rig, entry, depsgraph):
