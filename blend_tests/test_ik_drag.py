@@ -233,6 +233,28 @@ class WithIk(DragTestCase):
         held.restore()
         self.assertEqual(tuple(bpy.data.objects["Target"].location), start)
 
+    def test_back_from_a_target_far_out_of_reach(self):
+        for distance in (5.0, 50.0, 500.0):
+            for place in ((0.8, 0.2, 1.3), (0.5, -0.9, 0.8), (-0.8, 0.2, 1.3)):
+                with self.subTest(distance=distance, place=place):
+                    self.setUp()
+                    rig = self.arm()
+                    self.target((distance, 0.0, 0.0))
+                    self.reach()
+                    self.drag("Bone 1", 1.0, place)
+                    self.assertNear(self.tail(rig), place, 1e-5)
+
+    def test_small_pulls_at_a_target_out_of_reach(self):
+        rig = self.arm()
+        self.target((5.0, 0.0, 0.0))
+        self.reach()
+        before = self.tail(rig)
+        held = support.addon("ik.grab").grab(bpy.context, rig, "Bone 1", 1.0)
+        for way in ((-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.3, -0.4, 0.5)):
+            for size in (1e-4, 1e-3, 1e-2):
+                held.pull(held.point + size * Vector(way))
+                self.assertLessEqual((self.tail(rig) - before).length, 2.0 * size)
+
     def test_weight_0_turns_the_bones(self):
         rig = self.arm()
         self.reach(position_weight=0.0)

@@ -30,7 +30,7 @@ void IkAim::find_rotations(const IkPose& pose, const AimGoal& goal, const Line& 
     settings.tolerance = goal.tolerance;
     settings.max_iterations = goal.max_iterations;
     settings.plane = line.carried;
-    if (goal.pole || goal.pole_angle != 0.0) {
+    if (count > 1 && (goal.pole || goal.pole_angle != 0.0)) {  // one bone has no bend to turn
         const glm::dvec3 side = glm::cross(line.chord.normal, line.chord.along);
         settings.pole = pose.root() + report.reach * (0.5 * line.chord.along + side);
     }

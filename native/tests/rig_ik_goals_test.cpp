@@ -187,6 +187,21 @@ TEST_CASE("a matched target gives the FK pose back", "[rig_ik]") {
     }
 }
 
+TEST_CASE("one bone with limits does not roll towards a pole", "[rig_ik]") {
+    for (unsigned seed = 0; seed < 10; ++seed) {
+        RandomRig random(seed);
+        Solve solve = sample(seed, 1, true, 0.6);
+        solve.settings[0].use_limits = 1.0;
+        solve.limits.assign(1, JointLimits{});
+        solve.run();
+        const glm::dquat without = solve.rotations[0];
+        solve.poles[0] = root_of(solve, 0) + 3.0 * random.direction();
+        solve.settings[0].pole_angle = random.between(-3.0, 3.0);
+        solve.run();
+        CHECK(angle_between(solve.rotations[0], without) < 1e-7);
+    }
+}
+
 TEST_CASE("joint limits hold", "[rig_ik]") {
     for (unsigned seed = 0; seed < 10; ++seed) {
         Solve solve = sample(seed, 3, seed % 2 == 0, 0.6, 0.3);

@@ -1,4 +1,4 @@
-"""What a library override may not do with the data that it has from its library."""
+"""What linked data and library overrides do not let one do."""
 
 
 def count_from_library(owner, path):
@@ -10,3 +10,9 @@ def count_from_library(owner, path):
         return len(reference.path_resolve(path))
     except ValueError:  # the library has no such list, as with the list of an item that was added
         return 0
+
+
+def collection_for(context, obj):
+    """Where to put a new object beside another one: the first of its collections that can be changed, else the scene's."""
+    own = (one for one in obj.users_collection if not one.library and not one.override_library)
+    return next(own, context.scene.collection)

@@ -2,10 +2,13 @@
 
 from typing import Any, NamedTuple
 
+from mathutils import Matrix
+
 from ..core.bake.sampling import rotation_path
 from ..core.translations import tr
 from . import reading, stations
 from .groups import goals
+from .orientation import frame_of
 from .targets import Refused
 
 
@@ -97,15 +100,25 @@ def world_matrix(control, depsgraph):
     return reading.world_matrix(control.object.evaluated_get(depsgraph), control.bone).copy()
 
 
-def basis_for(control, depsgraph, matrix):
-    """Transform relative to what the parents do, for which the control stands at a world matrix."""
-    evaluated = control.object.evaluated_get(depsgraph)
+def basis_for(control, depsgraph, matrix, offset=None):
+    """Rotation and place relative to what the parents do, by which the control has those of a world matrix.
+
+    matrix: rigid. offset: Matrix of a turn in the control's own space after which it has that orientation. The control
+    keeps its own scale.
+    """
+    local, scale = _in_parents(control, control.object.evaluated_get(depsgraph), matrix)
+    own = Matrix.Diagonal(scale) @ (offset or Matrix.Identity(3))
+    return Matrix.LocRotScale(local.translation, frame_of(local) @ frame_of(own).inverted(), None)
+
+
+def _in_parents(control, evaluated, matrix):
+    """A world matrix as the control's parents see it, and the control's own scale."""
     if not control.bone:
         parents = evaluated.matrix_world @ evaluated.matrix_basis.inverted_safe()
-        return parents.inverted_safe() @ matrix
+        return parents.inverted_safe() @ matrix, evaluated.scale * evaluated.delta_scale
     bone = evaluated.pose.bones[control.bone]
     return evaluated.convert_space(pose_bone=bone, matrix=evaluated.matrix_world.inverted_safe() @ matrix,
-                                   from_space='POSE', to_space='LOCAL')
+                                   from_space='POSE', to_space='LOCAL'), bone.scale
 
 
 def moves_with(control, other):

@@ -38,16 +38,25 @@ def chain_rows(group):
     return found
 
 
+def solver_of(rig, name, depsgraph):
+    """(Solver, ChainRows) of an entry; None where it is solved by no group."""
+    for group in groups.groups(rig):
+        rows = chain_rows(group).get(name)
+        if rows:
+            return Solver(rig.evaluated_get(depsgraph), group, depsgraph), rows
+    return None
+
+
 class Solver:
-    """One group's solution for other targets, weights or lengths than the evaluated ones."""
+    """One group's solution for other targets, poles, weights or lengths than the evaluated ones."""
 
     def __init__(self, evaluated, group, depsgraph):
         found = reading.gather(evaluated, group.data[groups.PLAN], depsgraph)
         # The arrays hold only until the next rig is read.
         self._posed = found.posed._replace(poses=found.posed.poses.copy())
         self._basis = rigs.basis(evaluated, found.wired.still).copy()
-        self._plan, self._own, self._limits, self._poles = found.wired.plan, found.bones, found.limits, found.poles
-        self.settings, self.targets = np.array(found.settings), np.array(found.targets)
+        self._plan, self._own, self._limits = found.wired.plan, found.bones, found.limits
+        self.settings, self.targets, self.poles = map(np.array, (found.settings, found.targets, found.poles))
         self.columns = {name: column for column, name in enumerate(self._plan.SETTINGS)}
         self.world = Matrix(found.posed.world.reshape(4, 4).T.tolist())
         self._rows = {name: row for row, name in enumerate(found.wired.still.names)}
@@ -56,10 +65,14 @@ class Solver:
         self.scales = np.ones((len(self._plan.rows), 3))
 
     def solve(self):
-        """Solve with settings and targets as they are now."""
+        """Solve with settings, targets and poles as they are now."""
         return self._plan.solve(
-            self._own, *self._posed, self.settings, self.targets, self._poles, limits=self._limits,
+            self._own, *self._posed, self.settings, self.targets, self.poles, limits=self._limits,
             rotations=self.rotations, scales=self.scales)
+
+    def match(self):
+        """(C, 16) targets and (C, 3) poles for which the solution is the animated pose."""
+        return self._plan.match(self._own, *self._posed, self.settings)
 
     def poses(self, chain):
         """World matrices of a chain's bones, by ChainRows, as it was solved last."""

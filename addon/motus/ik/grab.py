@@ -9,6 +9,7 @@ from ..core.translations import tr
 from . import chains, controls, forward, groups, reading, targets
 from .keying import rotation_values
 
+TIP = slice(-3, None)  # of a row of IkPlan.REPORT
 SHORTEST = 1e-6  # of the bone: a point on its head is taken so far along it
 ROUNDS = 12
 NEAR = 1e-6  # of the chain's length
@@ -118,7 +119,7 @@ class _TargetGrab:
         self.things, self.paths = [control.thing], ["location"]
         self._before = tuple(control.thing.location)
         self.point = point_on(rig, self._depsgraph, bone, factor)
-        self._solver, self._chain = _solver(rig, evaluated, entry, self._depsgraph)
+        self._solver, self._chain = _solver(rig, entry, self._depsgraph)
         self._place = self._chain.bones.index(bone)
         self._along = Vector((0.0, rig.data.bones[bone].length * factor, 0.0))
         # Of the rest pose: what makes a step or a residual small.
@@ -126,6 +127,7 @@ class _TargetGrab:
         self._start = self._solver.targets[self._chain.index, 12:15].copy()
         # What Blender evaluates and what is computed here differ by single precision.
         self._bias = np.array(self.point) - self._reached(self._start)
+        self._tip = self._solver.solve()[self._chain.index][TIP]
 
     def pull(self, place):
         """Move the target so that the point comes to a place in the world, as far as it can."""
@@ -150,8 +152,18 @@ class _TargetGrab:
         return np.array(self._solver.poses(self._chain)[self._place] @ self._along)
 
     def _seek(self, wanted):
-        """The target for which the point is nearest to a place: damped least squares, from the drag's displacement."""
-        target = self._start + (wanted + self._bias - np.array(self.point))
+        """The target for which the point is nearest to a place: sought from the drag's displacement of the target.
+
+        Where that does not come there, as of a target far out of reach, also from the same displacement of the tip.
+        """
+        moved = wanted + self._bias - np.array(self.point)
+        error, target = self._seek_from(self._start + moved, wanted)
+        if error > NEAR * self._length:
+            error, target = min((error, target), self._seek_from(self._tip + moved, wanted), key=lambda found: found[0])
+        return target
+
+    def _seek_from(self, target, wanted):
+        """(What is left, target), by damped least squares."""
         error = self._reached(target) - wanted
         damping = 1e-3
         for _ in range(ROUNDS):
@@ -167,18 +179,15 @@ class _TargetGrab:
                 target, error, damping = target + step, tried, damping / 10.0
             else:
                 damping *= 10.0
-        return target
+        return np.linalg.norm(error), target
 
 
-def _solver(rig, evaluated, entry, depsgraph):
-    for group in groups.groups(rig):
-        rows = forward.chain_rows(group).get(entry.name)
-        if rows:
-            solver = forward.Solver(evaluated, group, depsgraph)
-            if solver.settings[rows.index, solver.columns["is_on"]]:
-                return solver, rows
-    raise targets.Refused(tr("{bone} of {object} is not being solved: the panel says why").format(
-        bone=entry.name, object=rig.name))
+def _solver(rig, entry, depsgraph):
+    found = forward.solver_of(rig, entry.name, depsgraph)
+    if found is None or not found[0].settings[found[1].index, found[0].columns["is_on"]]:
+        raise targets.Refused(tr("{bone} of {object} is not being solved: the panel says why").format(
+            bone=entry.name, object=rig.name))
+    return found
 
 
 def _settings(plan, entry, has_limits):

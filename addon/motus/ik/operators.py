@@ -99,14 +99,20 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
             changes["rotation_offset"] = placing.rotation_offset(context, evaluated, chain, *target)
         if target is None:
             target = (placing.new_target(context, evaluated, chain), "")
-        if self.make_pole and pole is None:
-            hinge, bend = (changes.get(name, getattr(before or self, name)) for name in ("hinge_angle", "bend"))
-            pole = (placing.new_pole(context, evaluated, chain, hinge, bend), "")
         changes["target"], changes["target_bone"] = target
         changes["pole"], changes["pole_bone"] = pole or (None, "")
+        turned = before.pole_angle if before else 0.0
         with setup.at_once(rig):
-            setup.add(rig, bone, changes)
-        return rig, rig.motus.ik.entries[bone], chain
+            entry = setup.add(rig, bone, changes)
+        if self.make_pole and pole is None:
+            self._make_pole(context, rig, entry, turned)
+        return rig, entry, chain
+
+    @staticmethod
+    def _make_pole(context, rig, entry, turned):
+        context.view_layer.update()
+        with setup.at_once(rig):
+            entry.pole = placing.new_pole(context, rig, entry, turned)
 
     def _is_given(self, name):
         return self.properties.is_property_set(name)

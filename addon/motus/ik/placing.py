@@ -5,13 +5,16 @@ import math
 import bpy
 from mathutils import Vector
 
-from . import reading
+from ..core import libraries
+from . import chains, forward, reading
+from .orientation import frame_of
 
 CONTROL_KEY = "motus_ik_control"
 """Custom property of the empties that are made along with an entry."""
 
 BENT = math.radians(0.5)  # a rest pose that is bent by less counts as straight
-POLE_DISTANCE = 1.0  # of the chain's length, from the line between root and tip
+ROUNDS = 20  # of turning a pole back
+STILL = 1e-7  # half an angle, rad
 TARGET_SIZE, POLE_SIZE = 0.08, 0.05  # of the chain's length
 DEFAULT_LENGTH = 1.0  # m, of a chain without length
 
@@ -78,7 +81,7 @@ def hinge_normal(evaluated, chain, angle):
 
 def effector_orientation(evaluated, chain):
     """World orientation of the bone that the entry is named after."""
-    return (evaluated.matrix_world @ evaluated.pose.bones[chain.effector].matrix).to_quaternion()
+    return frame_of(evaluated.matrix_world @ evaluated.pose.bones[chain.effector].matrix)
 
 
 def goal_matrix(context, target, bone):
@@ -88,24 +91,54 @@ def goal_matrix(context, target, bone):
 
 def rotation_offset(context, evaluated, chain, target, bone):
     """The turn, in the target's own space, that makes its orientation that of the chain's last bone now."""
-    orientation = goal_matrix(context, target, bone).to_quaternion()
-    return (orientation.inverted() @ effector_orientation(evaluated, chain)).to_euler('XYZ')
+    space = goal_matrix(context, target, bone).to_3x3()
+    return frame_of(space.inverted_safe() @ effector_orientation(evaluated, chain).to_matrix()).to_euler('XYZ')
 
 
-def pole_place(evaluated, chain, angle, bend):
-    """Where a pole leaves the pose as it is. angle: the Bend Axis, for a pose that is straight."""
-    joints = posed_joints(evaluated, chain)
-    along = joints[-1] - joints[0]
-    normal = bend_normal(joints) or hinge_normal(evaluated, chain, angle)
-    if along.length == 0.0:  # folded onto itself
-        side = max((joint - joints[0] for joint in joints[1:]), key=lambda link: link.length)
-    else:
-        side = normal.cross(along)
-    sign = 1.0 if bend == 'TOWARDS' else -1.0
-    distance = POLE_DISTANCE * (length(joints) or DEFAULT_LENGTH)
-    middle = max(joints[1:-1] or [joints[0] + along / 2.0], key=lambda joint: (joint - joints[0]).cross(along).length)
-    foot = joints[0] + (middle - joints[0]).project(along) if along.length else joints[0]
-    return foot + sign * distance * side.normalized()
+def pole_place(rig, entry, depsgraph, turned):
+    """Where a pole leaves a chain as it stands without one. turned: the Pole Angle that it stands turned by, rad."""
+    evaluated = rig.evaluated_get(depsgraph)
+    chain = chains.find(rig, entry)
+    root = evaluated.matrix_world @ evaluated.pose.bones[chain.bones[0]].head
+    found = forward.solver_of(rig, entry.name, depsgraph)
+    pole = _pole_of_solution(*found, entry, root, turned) if found else root
+    return Vector(pole) if all(map(math.isfinite, pole)) else root  # of a rig that is scaled to nothing
+
+
+def _pole_of_solution(solver, rows, entry, root, turned):
+    def put(**values):
+        for name, value in values.items():
+            solver.settings[rows.index, solver.columns[name]] = value
+
+    put(is_on=1.0, position_weight=1.0, pole_angle=entry.pole_angle - turned)
+    put(bend=-1.0 if entry.bend == 'AWAY' else 1.0)  # read only of chains that have a pole
+    pole = Vector(solver.match()[1][rows.index].tolist())
+    put(pole_angle=turned)
+    wanted = _frame_of_first(solver, rows, (math.nan,) * 3)
+    put(pole_angle=entry.pole_angle)
+    return min(_poles_from(pole, solver, rows, root, wanted))[1]
+
+
+def _poles_from(pole, solver, rows, root, wanted):
+    """(How far the chain comes to stand turned, pole), from a first pole on.
+
+    That is it for a target at the animated pose's tip. Elsewhere, and within limits, the chain comes to it turned: so much
+    the pole is turned back.
+    """
+    for _ in range(ROUNDS):
+        turn = _frame_of_first(solver, rows, pole) @ wanted.inverted()
+        away = Vector(turn[1:]).length
+        yield away, tuple(pole)
+        if away < STILL:
+            break
+        pole = root + turn.inverted() @ (pole - root)
+
+
+def _frame_of_first(solver, rows, pole):
+    """World orientation of the chain's first bone in the solution with a pole."""
+    solver.poles[rows.index] = pole
+    solver.solve()
+    return frame_of(solver.poses(rows)[int(solver.settings[rows.index, solver.columns["left_out"]])])
 
 
 def new_target(context, evaluated, chain):
@@ -119,11 +152,13 @@ def new_target(context, evaluated, chain):
     return empty
 
 
-def new_pole(context, evaluated, chain, angle, bend):
-    """An empty at the side that the chain bends to."""
-    empty = _empty(context, evaluated, f"{evaluated.name} {chain.effector} Pole", 'SPHERE')
-    empty.empty_display_size = POLE_SIZE * (length(posed_joints(evaluated, chain)) or DEFAULT_LENGTH)
-    empty.location = pole_place(evaluated, chain, angle, bend)
+def new_pole(context, rig, entry, turned):
+    """An empty at the side that the chain bends to. turned: as for pole_place()."""
+    evaluated = rig.evaluated_get(context.view_layer.depsgraph)
+    empty = _empty(context, evaluated, f"{rig.name} {entry.name} Pole", 'SPHERE')
+    joints = posed_joints(evaluated, chains.find(rig, entry))
+    empty.empty_display_size = POLE_SIZE * (length(joints) or DEFAULT_LENGTH)
+    empty.location = pole_place(rig, entry, context.view_layer.depsgraph, turned)
     return empty
 
 
@@ -131,6 +166,5 @@ def _empty(context, evaluated, name, shape):
     empty = bpy.data.objects.new(name, None)
     empty.empty_display_type = shape
     empty[CONTROL_KEY] = True
-    collections = evaluated.original.users_collection or (context.scene.collection,)
-    collections[0].objects.link(empty)
+    libraries.collection_for(context, evaluated.original).objects.link(empty)
     return empty

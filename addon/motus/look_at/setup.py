@@ -4,7 +4,7 @@ from contextlib import contextmanager
 
 import bpy
 
-from ..core import actions, entry_keys, wiring
+from ..core import actions, entry_keys, libraries, wiring
 from ..core.system import registered
 
 PREFIX = "motus.look_at."
@@ -73,6 +73,5 @@ def new_target(context, rig, head, forward):
     empty.empty_display_type = 'SPHERE'
     empty.empty_display_size = TARGET_SIZE * size
     empty.location = pose.translation + DISTANCE * size * along.normalized()
-    collections = rig.users_collection or (context.scene.collection,)
-    collections[0].objects.link(empty)
+    libraries.collection_for(context, rig).objects.link(empty)
     return empty
