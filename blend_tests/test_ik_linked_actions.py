@@ -96,7 +96,7 @@ class Matching(LinkedActionTestCase):
         count = len(bpy.data.actions)
         for job in (jobs.match_fk, jobs.match_ik):
             steps = job(bpy.context, self.rigged, "", list(range(1, 31)), True, {})
-            for _ in range(31):
+            for _ in range(32):  # how many steps there are, then the frames, then into the writing
                 next(steps)
             self.assertGreater(len(bpy.data.actions), count)
             steps.close()
