@@ -5,6 +5,7 @@
 - A file was loaded, or a library again, and Blender has not kept what was wired on an override (see overrides).
 - An object was given another parent, constraint or driver, by which entries may come to wait for each other.
 - The bones of an armature, the owner's or one that it reads, were renamed, removed, or given other parents.
+- A rig was joined into another one: its sinks come along, but not its settings. They are removed.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 
 Solvers and Blender's handlers notice; the wiring is done when Blender has finished the evaluation, which it then does once
@@ -18,7 +19,7 @@ from bpy.app.handlers import persistent
 
 from .. import native, presence
 from ..system import of_owner, registered
-from . import geometry_sink, outbox, overrides, proxy_sink, relations
+from . import anchor, geometry_sink, outbox, overrides, proxy_sink, relations, sinks
 
 log = logging.getLogger(__name__)
 
@@ -27,6 +28,8 @@ _driver_counts = {}
 """(system, owner) -> how many drivers the owner had when it was last looked through."""
 _object_count = [-1]
 """How many objects the file had when they were last looked through."""
+_bone_counts = {}
+"""armature -> how many bones it had when the rigs with it were last looked through."""
 _watched = set()
 """(system, owner) whose points are moved."""
 _unsettled = set()
@@ -171,9 +174,36 @@ def _heal_edited(depsgraph):
     from . import attaching
     edited = [update.id.original for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
     edited = {armature for armature in edited if not armature.is_editmode}
+    _heal_joined({armature for armature in edited if _bone_counts.get(armature.name) != len(armature.bones)})
     for system, owner in _attached() if edited else ():
         if system.groups is not None and not edited.isdisjoint(_armatures(system, owner)):
             attaching.refresh_edited(system, owner)
+
+
+def _heal_joined(grown):
+    _bone_counts.update((armature.name, len(armature.bones)) for armature in grown)
+    for obj in bpy.data.objects if grown else ():
+        if obj.data not in grown or obj.library or obj.override_library:
+            continue
+        has_settings = obj.is_property_set("motus")
+        for system in registered.values():
+            is_wired = has_settings and of_owner(system, obj).is_active
+            if system.groups is not None and not is_wired and sinks.has_sinks(system, obj):
+                joined = [rig for rig in sinks.makers(system, obj) if not rig.users_collection]
+                sinks.release(system, obj)
+                for rig in joined:
+                    _discard(rig)
+        if not has_settings:
+            obj.property_unset("motus")
+
+
+def _discard(rig):
+    """Remove a rig that was joined into another one, but is kept alive by its hubs and proxies, and they by it."""
+    for system in registered.values():
+        for hub in [hub for _, hub in outbox.hubs(system, rig) if outbox.is_own_hub(hub, rig)]:
+            bpy.data.meshes.remove(hub.data)
+        anchor.release(of_owner(system, rig))
+    bpy.data.objects.remove(rig)
 
 
 def _armatures(system, owner):
@@ -187,6 +217,7 @@ def _armatures(system, owner):
 def _forget(*_):
     _asked.clear()
     _driver_counts.clear()
+    _bone_counts.clear()
     _watched.clear()
     _unsettled.clear()
     _given_up.clear()

@@ -83,11 +83,19 @@ def renamed_bones(system, owner):
 def release(system, obj):
     """Free one object of all sinks of the system, whoever drives it. An owner of its own is detached instead."""
     found = list(on_object(system, obj))
+    # One that was joined into the object has left the driver of its solver there.
+    drivers.remove_under(obj, f'["{outbox.out_key(system)}')
     remove([(thing, constraint) for thing, constraint, _, _ in found])
     of_owner(system, obj).leader = None
     for mesh in {carrier for _, _, carrier, _ in found}:
         if isinstance(mesh, bpy.types.Mesh) and mesh.get(outbox.OWNER_KEY) is None and not _is_read(system, mesh):
             bpy.data.meshes.remove(mesh)
+
+
+def makers(system, obj):
+    """Owners of the hubs and proxies that the sinks on an object hang on."""
+    found = {(proxy_sink.proxy_of(constraint) or carrier) for _, constraint, carrier, _ in on_object(system, obj)}
+    return {one.get(proxy_sink.KEY) or one.get(outbox.OWNER_KEY) for one in found} - {None}
 
 
 def remove(found):
