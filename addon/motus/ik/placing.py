@@ -122,8 +122,8 @@ def _pole_of_solution(solver, rows, entry, root, turned):
 def _poles_from(pole, solver, rows, root, wanted):
     """(How far the chain comes to stand turned, pole), from a first pole on.
 
-    That is it for a target at the animated pose's tip. Elsewhere, and within limits, the chain comes to it turned: so much
-    the pole is turned back.
+    The first one is right for a target at the animated pose's tip. Elsewhere, and within limits, the chain comes to it
+    turned: so much the pole is turned back.
     """
     for _ in range(ROUNDS):
         turn = _frame_of_first(solver, rows, pole) @ wanted.inverted()
