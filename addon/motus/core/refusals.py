@@ -1,14 +1,42 @@
 """What operators refuse, whichever system is theirs: a sentence says why."""
 
-import math
-
 import bpy
 
 from .translations import tr
 
+INFINITE = 3.4e38
+"""What Blender makes of an infinite number lies above."""
+
 
 class Refused(Exception):
     """What was asked cannot be done; the sentence says why."""
+
+
+def named(name):
+    """The object of this name."""
+    found = bpy.data.objects.get(name)
+    if found is None:
+        raise Refused(tr("There is no object {object}").format(object=name))
+    return found
+
+
+def check_bone(rig, name):
+    """Refuse a bone that the rig has not."""
+    if rig.pose is None or name not in rig.pose.bones:
+        raise Refused(tr("{object} has no bone {bone}").format(object=rig.name, bone=name))
+
+
+def check_local(obj):
+    """Refuse an object that is another file's."""
+    if obj.library:
+        raise Refused(
+            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
+
+
+def check_unbaked(owner, settings):
+    """Refuse an owner whose set-up must not be changed. settings: of the system."""
+    if settings.is_baked or owner.motus.bake.is_baked:
+        raise Refused(tr("{object} is baked: unbake it first").format(object=owner.name))
 
 
 def check_finite(operator, names):
@@ -16,7 +44,7 @@ def check_finite(operator, names):
     for name in names:
         value = getattr(operator, name)
         parts = value if hasattr(value, "__len__") else (value,)
-        if not all(math.isfinite(part) for part in parts if isinstance(part, float)):
+        if not all(abs(part) < INFINITE for part in parts if isinstance(part, float)):
             raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
 
 

@@ -1,10 +1,10 @@
 """Blend keyed from one target to the next over time: plain functions behind the switching operator."""
 
 from ..core import actions
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import chains, controls, setup, stations
 from .keying import SAME_FRAME, KeyWriter
-from .targets import Refused
 
 LARGEST_STEP = 0.5
 """Blend values within this of a number of a target belong to it."""

@@ -7,10 +7,10 @@ import itertools
 import re
 
 from ..core import dependencies, wiring
+from ..core.refusals import Refused
 from ..core.system import of_owner, registered
 from ..core.translations import tr
 from . import blend_keys, chains, setup
-from .targets import Refused
 
 LONGEST_EXPRESSION = 255
 TERMS = {

@@ -5,7 +5,7 @@ from mathutils import Vector
 
 from ..core import actions
 from ..core.drag import PointDrag
-from ..core.refusals import Refused, check_finite, check_posed
+from ..core.refusals import Refused, check_finite, check_posed, named
 from ..core.translations import tr
 from . import grab, picking, status, targets
 from .operators import OfARig, in_a_mode_of_objects, refused
@@ -75,11 +75,11 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
             tr("Press the left mouse button on a bone and drag it; Esc or the right button cancels"))
 
     def _hold(self, context, region, view, mouse):
-        picked = picking.pick(context, targets.named(self.object), region, view, mouse)
+        picked = picking.pick(context, named(self.object), region, view, mouse)
         if picked is None:
             return None
         self.bone, self.factor = picked.bone, picked.factor
-        self._held = grab.grab(context, targets.named(self.object), picked.bone, picked.factor, self.chain_length)
+        self._held = grab.grab(context, named(self.object), picked.bone, picked.factor, self.chain_length)
         return self._held.point, picked.place
 
     def _move(self, place):

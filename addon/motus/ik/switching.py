@@ -4,10 +4,10 @@ import math
 
 import bpy
 
+from ..core.refusals import Refused, named
 from ..core.translations import tr
 from . import blend_keys, blend_trigger, targets
 from .operators import OfABone, in_a_mode_of_objects, refused
-from .targets import Refused
 
 LASTS = 12
 """Frames of a switch whose end is not given."""
@@ -127,7 +127,7 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         values = self.trigger_start, self.trigger_end
         if not all(map(math.isfinite, values)) or values[0] == values[1]:
             raise Refused(tr("The trigger's two values have to be different"))
-        owner = targets.named(self.trigger_object)
+        owner = named(self.trigger_object)
         if self.trigger_data_path:
             source = blend_trigger.property_source(owner, self.trigger_data_path)
         else:

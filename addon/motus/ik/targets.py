@@ -1,19 +1,9 @@
 """What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-import bpy
-
 from ..core import libraries
-from ..core.refusals import Refused
+from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import chains, setup
-
-
-def named(name):
-    """The object of this name."""
-    found = bpy.data.objects.get(name)
-    if found is None:
-        raise Refused(tr("There is no object {object}").format(object=name))
-    return found
 
 
 def rig_for(context, name):
@@ -52,12 +42,6 @@ def active_bone(context, rig):
     # In Object Mode there is no active pose bone, but the armature remembers.
     active = rig.data.bones.active
     return active.name if active and context.object == rig else ""
-
-
-def check_bone(rig, name):
-    """Refuse a bone that the rig has not."""
-    if rig.pose is None or name not in rig.pose.bones:
-        raise Refused(tr("{object} has no bone {bone}").format(object=rig.name, bone=name))
 
 
 def entry_for(rig, name):
@@ -137,11 +121,8 @@ def check_no_loop(rig, bone, changes, goal):
 
 def check_editable(rig):
     """Refuse a rig whose set-up must not be changed."""
-    if rig.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=rig.name))
-    if rig.motus.ik.is_baked or rig.motus.bake.is_baked:
-        raise Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
+    check_local(rig)
+    check_unbaked(rig, rig.motus.ik)
 
 
 def warnings(rig, chain, chain_length):

@@ -1,9 +1,9 @@
 """Switching chains between their animated pose and the solution over a range of frames."""
 
 from ..core import actions
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import chains
-from .targets import Refused
 
 
 def check(rig, entries):

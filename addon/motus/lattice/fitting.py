@@ -5,9 +5,9 @@ from mathutils import Matrix
 
 from ..core import native
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import shapes
-from .targets import Refused
 
 FLAT = 1e-6
 """Share of the largest side below which a side counts as nothing."""

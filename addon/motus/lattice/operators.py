@@ -3,10 +3,10 @@
 import bpy
 
 from ..core import native
+from ..core.refusals import Refused, check_finite, named
 from ..core.translations import tr
 from . import fitting, pulling, removal, targets
 from .properties import FitKeywords
-from .targets import Refused
 
 KEYWORDS = tuple(FitKeywords.__annotations__)
 
@@ -50,7 +50,7 @@ class MOTUS_OT_lattice_fit(FitKeywords, bpy.types.Operator):
         return {'FINISHED'}
 
     def _fit(self, context):
-        targets.check_finite(self, ("margin",))
+        check_finite(self, ("margin",))
         is_editing = context.mode == 'EDIT_MESH'
         if is_editing and not self.objects:
             vertices = targets.selected_vertices(context)
@@ -123,7 +123,7 @@ class MOTUS_OT_lattice_reset(bpy.types.Operator):
 
     def execute(self, context):
         try:
-            lattice = targets.named(self.object) if self.object else context.object
+            lattice = named(self.object) if self.object else context.object
             if lattice is None or lattice.type != 'LATTICE':
                 raise Refused(tr("Select a lattice"))
             pulling.check_pullable(lattice)

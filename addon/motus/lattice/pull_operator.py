@@ -5,9 +5,9 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
 from ..core.drag import PointDrag
+from ..core.refusals import Refused, check_finite, named
 from ..core.translations import tr
-from . import picking, pulling, removal, targets
-from .targets import Refused
+from . import picking, pulling, removal
 
 REACHED = 1e-3
 """Share of the displacement within which the point counts as brought there."""
@@ -58,7 +58,7 @@ class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
         return {'FINISHED'}
 
     def _held_by_name(self, context):
-        targets.check_finite(self, ("displacement", "location"))
+        check_finite(self, ("displacement", "location"))
         if not self.properties.is_property_set("displacement"):
             raise Refused(tr("Say how far: displacement is missing"))
         objects = self._objects(context)
@@ -76,7 +76,7 @@ class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
 
     def _objects(self, context):
         """What is deformed by the lattice that is to be pulled."""
-        obj = targets.named(self.object) if self.object else context.object
+        obj = named(self.object) if self.object else context.object
         if obj is None:
             raise Refused(tr("Select an object that a lattice deforms"))
         if obj.type != 'LATTICE' or any(one.type == 'LATTICE' for one in obj.modifiers):

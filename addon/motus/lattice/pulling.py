@@ -5,9 +5,10 @@ from itertools import combinations
 
 from ..core import native
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import shapes
-from .targets import Refused, check_scale
+from .targets import check_scale
 
 ROUNDS = 6
 """Corrections where modifiers after the lattice make more than a weighted sum of it."""

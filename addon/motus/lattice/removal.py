@@ -2,9 +2,9 @@
 
 import bpy
 
+from ..core.refusals import Refused, check_local
 from ..core.translations import tr
 from . import shapes
-from .targets import Refused, check_editable
 
 
 def fitted(modifier):
@@ -34,7 +34,7 @@ def uses_for(objects):
 def check_removable(uses, is_applied):
     """Refuse, before anything is changed, where one of the modifiers cannot go."""
     for obj, name in uses:
-        check_editable(obj)
+        check_local(obj)
         if is_applied:
             _check_applicable(obj, name)
 

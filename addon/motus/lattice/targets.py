@@ -5,22 +5,11 @@ import math
 import bpy
 
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused, check_local, named
 from ..core.translations import tr
 
 KINDS = {'MESH', 'CURVE', 'SURFACE', 'FONT', 'LATTICE'}
 """Types of objects that Blender's Lattice modifier deforms."""
-
-
-class Refused(Exception):
-    """What was asked cannot be done; the sentence says why."""
-
-
-def named(name):
-    """The object of this name."""
-    found = bpy.data.objects.get(name)
-    if found is None:
-        raise Refused(tr("There is no object {object}").format(object=name))
-    return found
 
 
 def objects_for(context, names):
@@ -35,19 +24,12 @@ def objects_for(context, names):
     return [found for found in selected if found.type in KINDS]
 
 
-def check_editable(obj):
-    """Refuse an object whose modifiers must not be changed."""
-    if obj.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
-
-
 def check_fittable(obj):
     """Refuse an object that no lattice can deform."""
     if obj.type not in KINDS:
         raise Refused(tr("{object} has no shape that a lattice deforms: meshes, curves, surfaces, texts and lattices "
                          "have").format(object=obj.name))
-    check_editable(obj)
+    check_local(obj)
     check_scale(obj)
 
 
@@ -67,14 +49,6 @@ def check_grouped(obj):
     if obj.data.library:
         raise Refused(tr("The mesh of {object} is linked from another file: make it local first").format(
             object=obj.name))
-
-
-def check_finite(operator, names):
-    """Refuse keywords that were given something that is no number."""
-    for name in names:
-        value = getattr(operator, name)
-        if not all(map(math.isfinite, value if hasattr(value, "__len__") else (value,))):
-            raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
 
 
 def selected_vertices(context):

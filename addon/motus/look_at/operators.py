@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.refusals import check_no_tweak_mode
+from ..core.refusals import Refused, check_bone, check_finite, check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
@@ -48,7 +48,7 @@ class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
     def execute(self, context):
         try:
             rig, head, target = self._add(context)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
@@ -61,7 +61,7 @@ class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
         head = targets.head_for(context, rig, self.bone)
         targets.check_editable(rig)
         changes = {name: getattr(self, name) for name in KEYWORDS if self._is_given(name)}
-        targets.check_finite(self, changes)
+        check_finite(self, changes)
         before = rig.motus.look_at.entries.get(head)
         eyes = self._eyes(rig, head, before)
         length = before.body_length if before and not self._is_given("body_length") else targets.spine_for(
@@ -122,7 +122,7 @@ class MOTUS_OT_look_at_remove(bpy.types.Operator):
             index = targets.entry_for(context, rig, self.bone)
             targets.check_removable(rig, index)
             check_no_tweak_mode(rig)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         head = rig.motus.look_at.entries[index].name
@@ -145,7 +145,7 @@ class MOTUS_OT_look_at_refresh(bpy.types.Operator):
     def execute(self, context):
         try:
             rig = targets.looking_rig(context, self.object)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         wiring.refresh(setup.system(), rig)
@@ -178,7 +178,7 @@ class MOTUS_OT_look_at_eye_add(bpy.types.Operator):
         chosen = {bone.name for bone in context.selected_pose_bones or ()} - set(eyes)
         found = [bone.name for bone in below if bone.name in chosen]
         if not found:
-            raise targets.Refused(tr("Select the bones of the eyes in Pose Mode"))
+            raise Refused(tr("Select the bones of the eyes in Pose Mode"))
         return [*eyes, *found]
 
 
@@ -201,7 +201,7 @@ class MOTUS_OT_look_at_eye_remove(bpy.types.Operator):
 
     def _removed(self, _context, _rig, entry, eyes):
         if self.eye not in eyes:
-            raise targets.Refused(tr("{bone} is no eye of {head}").format(bone=self.eye, head=entry.name))
+            raise Refused(tr("{bone} is no eye of {head}").format(bone=self.eye, head=entry.name))
         return [eye for eye in eyes if eye != self.eye]
 
 
@@ -215,10 +215,10 @@ def change_eyes(operator, context, change):
         wanted = change(context, rig, entry, before)
         added = [eye for eye in wanted if eye not in before]
         if added:
-            targets.check_bone(rig, head)
+            check_bone(rig, head)
             targets.check_eyes(rig, head, wanted)
             targets.check_free(rig, head, added)
-    except targets.Refused as refusal:
+    except Refused as refusal:
         operator.report({'ERROR'}, str(refusal))
         return {'CANCELLED'}
     setup.add(rig, head, {}, wanted)

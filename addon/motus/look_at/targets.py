@@ -1,18 +1,11 @@
 """Which rig, head and target an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-import math
-
-import bpy
-
 from ..core import dependencies, libraries
+from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.system import registered
 from ..core.translations import tr
 from . import anatomy
 from .properties import ANY_BODY_LENGTH
-
-
-class Refused(Exception):
-    """What was asked cannot be done; the sentence says why."""
 
 
 def rig_for(context, name):
@@ -33,14 +26,6 @@ def looking_rig(context, name):
     if rig is None or not rig.motus.look_at.is_active:
         raise Refused(tr("Nothing here looks at a target"))
     return rig
-
-
-def named(name):
-    """The object of this name."""
-    found = bpy.data.objects.get(name)
-    if found is None:
-        raise Refused(tr("There is no object {object}").format(object=name))
-    return found
 
 
 def head_for(context, rig, name):
@@ -70,12 +55,6 @@ def entry_for(context, rig, name):
     if index < 0:
         raise Refused(tr("{bone} of {object} looks at nothing").format(bone=name, object=rig.name))
     return index
-
-
-def check_bone(rig, name):
-    """Refuse a bone that the rig has not."""
-    if name not in rig.pose.bones:
-        raise Refused(tr("{object} has no bone {bone}").format(object=rig.name, bone=name))
 
 
 def target_for(context, operator, rig):
@@ -140,14 +119,6 @@ def check_loop(rig, head, driven, target, target_bone):
             target=f"{target.name}: {target_bone}" if target_bone else target.name, head=head))
 
 
-def check_finite(operator, names):
-    """Refuse keywords that were given something that is no number."""
-    for name in names:
-        value = getattr(operator, name)
-        if isinstance(value, float) and not math.isfinite(value):
-            raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
-
-
 def check_removable(rig, index):
     """Refuse to remove a head that an override has from its library."""
     if index < libraries.count_from_library(rig, "motus.look_at.entries"):
@@ -157,8 +128,5 @@ def check_removable(rig, index):
 
 def check_editable(rig):
     """Refuse a rig whose set-up must not be changed."""
-    if rig.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=rig.name))
-    if rig.motus.look_at.is_baked or rig.motus.bake.is_baked:
-        raise Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
+    check_local(rig)
+    check_unbaked(rig, rig.motus.look_at)

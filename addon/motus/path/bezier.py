@@ -4,6 +4,7 @@ import bpy
 from mathutils import Vector
 
 from ..core.curves import CONTROL_POLYGON_KEY, MAX_DEGREE
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import targets
 from .operators import in_object_mode
@@ -31,7 +32,7 @@ class MOTUS_OT_path_new_bezier(bpy.types.Operator):
     def execute(self, context):
         try:
             hooks = targets.named_list(self.objects)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         if hooks and not 2 <= len(hooks) <= MAX_DEGREE + 1:

@@ -5,6 +5,7 @@ import math
 import bpy
 from mathutils import Vector
 
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import targets
 
@@ -46,7 +47,7 @@ class MOTUS_OT_path_edit_views(bpy.types.Operator):
         try:
             owners = [context.object] if context.object else []
             curve = targets.curve_for(context, self.curve, *owners)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         context.view_layer.update()

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import wiring
+from ..core.refusals import Refused, check_finite, named
 from ..core.translations import tr
 from . import properties, setup, targets
 from .operators import follower_of
@@ -29,8 +30,8 @@ class MOTUS_OT_path_pin_add(bpy.types.Operator):
             return {'CANCELLED'}
         settings = obj.motus.path
         try:
-            targets.check_finite(self, ("frame", "fraction", "distance"))
-        except targets.Refused as refusal:
+            check_finite(self, ("frame", "fraction", "distance"))
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         for name, present in _here_and_now(context, obj).items():
@@ -93,12 +94,12 @@ class MOTUS_OT_path_wagon_add(bpy.types.Operator):
             return {'CANCELLED'}
         settings = obj.motus.path
         try:
-            targets.check_finite(self, ("gap",))
-            wagons = [targets.named(self.wagon)] if self.wagon else [
+            check_finite(self, ("gap",))
+            wagons = [named(self.wagon)] if self.wagon else [
                 found for found in targets.selected_followers(context) if found != obj]
             for wagon in wagons:
                 targets.check_wagon(wagon, settings.curve)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         if not wagons:

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import wiring
+from ..core.refusals import Refused, check_finite, named
 from ..core.translations import tr
 from . import members, setup, targets
 from .properties import KEYWORDS, FollowKeywords
@@ -56,7 +57,7 @@ class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
     def execute(self, context):
         try:
             owners = self._add(context)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         if len(owners) == 1:
@@ -67,12 +68,12 @@ class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
         return {'FINISHED'}
 
     def _add(self, context):
-        owners = [targets.named(self.object)] if self.object else targets.selected_followers(context)
+        owners = [named(self.object)] if self.object else targets.selected_followers(context)
         if not owners:
-            raise targets.Refused(tr("Select the object that shall follow"))
+            raise Refused(tr("Select the object that shall follow"))
         curve = targets.curve_for(context, self.curve, *owners)
         keywords = given_keywords(self)
-        targets.check_finite(self, keywords)
+        check_finite(self, keywords)
         for owner in owners:
             targets.check_free(owner, curve)
             targets.check_settings(owner, curve, keywords)
@@ -95,9 +96,9 @@ class MOTUS_OT_path_follow_remove(bpy.types.Operator):
 
     def execute(self, context):
         try:
-            objects = [targets.named(self.object)] if self.object else targets.selected_followers(context)
+            objects = [named(self.object)] if self.object else targets.selected_followers(context)
             removed = [obj.name for obj in objects if _remove(obj)]
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         if not removed:

@@ -3,21 +3,10 @@
 import bpy
 
 from ..core import curves
+from ..core.refusals import Refused, check_local, check_unbaked, named
 from ..core.translations import tr
-from . import members, motion, solve
+from . import members, solve
 from .properties import EASE_TOLERANCE, KEYWORDS
-
-
-class Refused(Exception):
-    """What was asked cannot be done; the sentence says why."""
-
-
-def named(name):
-    """The object of this name."""
-    found = bpy.data.objects.get(name)
-    if found is None:
-        raise Refused(tr("There is no object {object}").format(object=name))
-    return found
 
 
 def named_list(names):
@@ -64,14 +53,6 @@ def check_free(obj, curve, leader=None):
             object=obj.name, leader=other.name))
 
 
-def check_finite(operator, names):
-    """Refuse keywords that were given something that is no number."""
-    for name in names:
-        value = getattr(operator, name)
-        if isinstance(value, float) and not motion.is_finite(value):
-            raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
-
-
 def check_settings(obj, curve, keywords):
     """Refuse settings that cannot work, as they would be after a change by these keywords."""
     if keywords.get("ease_in", 0.0) + keywords.get("ease_out", 0.0) > 1.0 + EASE_TOLERANCE:
@@ -89,11 +70,8 @@ def check_settings(obj, curve, keywords):
 
 def check_editable(obj):
     """Refuse an object whose set-up must not be changed."""
-    if obj.library:
-        raise Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=obj.name))
-    if obj.motus.path.is_baked or obj.motus.bake.is_baked:
-        raise Refused(tr("{object} is baked: unbake it first").format(object=obj.name))
+    check_local(obj)
+    check_unbaked(obj, obj.motus.path)
 
 
 def check_wagon(obj, curve, leader=None):

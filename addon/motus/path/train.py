@@ -3,6 +3,7 @@
 import bpy
 from mathutils import Vector
 
+from ..core.refusals import Refused, check_finite
 from ..core.translations import tr
 from . import setup, targets
 from .operators import given_keywords, in_object_mode, report_problems
@@ -33,7 +34,7 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
     def execute(self, context):
         try:
             train = self._add(context)
-        except targets.Refused as refusal:
+        except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}
         self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(train), curve=self.curve))
@@ -43,13 +44,13 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
     def _add(self, context):
         train = targets.named_list(self.objects) if self.objects else targets.selected_followers(context)
         if len(train) < 2:
-            raise targets.Refused(tr("A train needs two objects at least"))
+            raise Refused(tr("A train needs two objects at least"))
         if len(set(train)) < len(train):
-            raise targets.Refused(tr("An object can be in the train only once"))
+            raise Refused(tr("An object can be in the train only once"))
         leader, *wagons = train
         curve = targets.curve_for(context, self.curve, leader)
         keywords = given_keywords(self)
-        targets.check_finite(self, (*keywords, "gap"))
+        check_finite(self, (*keywords, "gap"))
         targets.check_settings(leader, curve, keywords)
         targets.check_free(leader, curve)
         for wagon in wagons:

@@ -3,10 +3,10 @@
 import bpy
 
 from ..core import viewports
+from ..core.refusals import Refused
 from . import hover, status
 from .adjusting import MOVES, notched
 from .brush import Brush
-from .meshes import Refused
 from .pulling import Pulling
 
 NUMBERS = (('RADIUS', "Radius", "How far it reaches"), ('STRENGTH', "Strength", "How far one dab moves the root"))

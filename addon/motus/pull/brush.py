@@ -4,9 +4,9 @@ import math
 from dataclasses import dataclass
 
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import falloff_curve
-from .meshes import Refused
 from .properties import KEYWORDS, is_finite
 
 FINITE = ("radius", "strength", "scale_factor", "minimum", "maximum")

@@ -10,10 +10,10 @@ import bpy
 
 from ..core import native
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.viewports import View
 from . import cursor_shape, drawing, hover, inset, stage, status
 from .brush import Brush
-from .meshes import Refused
 
 log = logging.getLogger(__name__)
 

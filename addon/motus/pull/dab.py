@@ -8,6 +8,7 @@ from mathutils import Vector
 
 from ..core import native
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import meshes
 from .brush import AXIS_INDEX, Space
@@ -42,7 +43,7 @@ class Session:
 
     def __init__(self, context, obj, brush):
         if native.module is None:
-            raise meshes.Refused(native.status.sentence)
+            raise Refused(native.status.sentence)
         self.brush = brush
         self.mesh = meshes.open_mesh(obj)
         self.object_name = obj.name
@@ -151,12 +152,12 @@ class Session:
             local = space.inverse @ local if brush.unit == 'WORLD' else local
         elif brush.direction == 'VIEW':
             if view is None:
-                raise meshes.Refused(tr("There is no view to pull towards: choose another direction"))
+                raise Refused(tr("There is no view to pull towards: choose another direction"))
             local = space.inverse @ np.asarray(view, float)
         else:
             local = self._surface.normal(vertex, self._start)
             if not local.any():
-                raise meshes.Refused(tr("Vertex {index} has no normal: choose another direction").format(index=vertex))
+                raise Refused(tr("Vertex {index} has no normal: choose another direction").format(index=vertex))
             if brush.unit == 'WORLD':
                 local = space.inverse @ space.normal_to_world(local)
         local = local / np.linalg.norm(self.metric @ local)
@@ -386,7 +387,7 @@ def _refuse_strange(positions):
             return
     strange = ~np.isfinite(positions).all(axis=1)
     if strange.any():
-        raise meshes.Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(
+        raise Refused(tr("Vertex {index} is at no place: its coordinates are not finite").format(
             index=int(strange.argmax())))
 
 

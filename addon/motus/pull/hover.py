@@ -6,10 +6,10 @@ What is kept is dropped as soon as anything else than a stroke changes the objec
 import bpy
 from bpy.app.handlers import persistent
 
+from ..core.refusals import Refused
 from . import stage
 from .brush import Brush
 from .dab import Session
-from .meshes import Refused
 
 TOOL = "motus.pick_pull"
 MODES = {'OBJECT', 'EDIT_MESH', 'SCULPT'}

@@ -1,10 +1,8 @@
 """Keywords of operators that pull: which object they mean, and which brush."""
 
-import bpy
-
+from ..core.refusals import Refused, named
 from ..core.translations import tr
 from .brush import Brush
-from .meshes import Refused
 from .properties import KEYWORDS, is_finite
 
 
@@ -14,10 +12,7 @@ def object_of(operator, context):
         if context.object is None:
             raise Refused(tr("Select a mesh"))
         return context.object
-    found = bpy.data.objects.get(operator.object)
-    if found is None:
-        raise Refused(tr("There is no object {object}").format(object=operator.object))
-    return found
+    return named(operator.object)
 
 
 def brush_of(operator, context):

@@ -1,14 +1,11 @@
 """The mesh that is pulled, in Object, Edit and Sculpt Mode: whether it may be edited, and where its vertices are."""
 
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import mesh_arrays as arrays
 
 MODES = ('OBJECT', 'EDIT', 'SCULPT')
-
-
-class Refused(Exception):
-    """What was asked cannot be done; the sentence says why."""
 
 
 def problem(obj):

@@ -3,11 +3,11 @@
 import bpy
 
 from ..core import viewports
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import hover, status
 from .adjusting import MOVES
 from .entry import CONFIRMING
-from .meshes import Refused
 from .properties import KEYWORDS
 from .pulling import Pulling
 

@@ -3,11 +3,11 @@
 import bpy
 
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import history, keywords, modal, properties
 from .dab import Session
 from .history import Done
-from .meshes import Refused
 from .properties import BrushKeywords
 
 

@@ -3,13 +3,13 @@
 import bpy
 
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import mesh_arrays as arrays
 from . import pins_keys as keys
 from . import pins_setup as setup
 from . import pins_solve as solve
 from . import pins_table as table
-from .meshes import Refused
 from .pins_operators import PinOperator, object_keyword
 
 TARGETS = (

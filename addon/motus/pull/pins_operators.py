@@ -3,12 +3,12 @@
 import bpy
 
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused, check_finite
 from ..core.translations import tr
 from . import history, keywords
 from . import mesh_arrays as arrays
 from . import pins_setup as setup
 from . import pins_targets as targets
-from .meshes import Refused
 from .properties import CURVE_SAMPLES, BrushKeywords
 
 AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
@@ -91,7 +91,7 @@ class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
         options={'SKIP_SAVE'})
 
     def change(self, context, obj):
-        targets.check_finite(self, ("location", "displacement", "strength"))
+        check_finite(self, ("location", "displacement", "strength"))
         if self.from_last:
             vertex, values = self._from_last(context, obj)
         else:
@@ -170,7 +170,7 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
 
     def change(self, context, obj):
-        targets.check_finite(self, ("location",))
+        check_finite(self, ("location",))
         pin = obj.motus.pull.pins[setup.pin_at(obj, self.index)]
         positions = arrays.positions(obj.data)
         place = self.location if self.properties.is_property_set("location") else pin.place

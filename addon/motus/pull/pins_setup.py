@@ -4,12 +4,12 @@ import bpy
 
 from ..core import libraries, wiring
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from ..core.wiring import readers
 from . import mesh_arrays as arrays
 from . import pins_binding as binding
 from . import pins_keys as keys
-from .meshes import Refused
 
 
 

@@ -1,23 +1,16 @@
 """Where a new pin has its root and what its settings are: from keywords, from the last pull, or from another pin."""
 
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.translations import tr
 from . import mesh_arrays as arrays
 from . import meshes
 from .brush import AXIS_INDEX, Brush, Space, unit
-from .meshes import Refused
 from .properties import KEYWORDS
 
 PULL_SETTINGS = ("radius", "falloff", "scale_factor", "distance", "mirror", "vertex_group")
 LIMITS = ("use_minimum", "minimum", "use_maximum", "maximum", "clamp_axis")
 AXIS_NAMES = tuple(AXIS_INDEX)
-
-
-def check_finite(operator, names):
-    """Refuse keywords that were given something that is no number."""
-    for name in names:
-        if not np.isfinite(np.array(getattr(operator, name), float)).all():
-            raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
 
 
 def checked(obj, positions, vertex):

@@ -5,7 +5,7 @@ import math
 import bpy
 
 from .. import system, wiring
-from ..refusals import Refused, check_evaluated, check_no_tweak_mode, check_posed
+from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
 from . import keys
 from .sampling import Track, is_mirrored
@@ -123,15 +123,11 @@ def _check(tracks, view_layer):
     if not tracks:
         raise Refused(tr("The system drives nothing that could be baked"))
     for one in {track.id_data for track in tracks}:
-        if one.library:
-            problem = tr("{object} is linked from another file: make a library override of it first")
-        elif one.motus.bake.is_baked:
-            problem = tr("{object} is baked already: unbake it first")
-        else:
-            check_no_tweak_mode(one)
-            check_evaluated(one, view_layer)
-            continue
-        raise Refused(problem.format(object=one.name))
+        check_local(one)
+        if one.motus.bake.is_baked:
+            raise Refused(tr("{object} is baked already: unbake it first").format(object=one.name))
+        check_no_tweak_mode(one)
+        check_evaluated(one, view_layer)
     for rig in {track.id_data for track in tracks if isinstance(track.thing, bpy.types.PoseBone)}:
         check_posed(rig, view_layer)
 
