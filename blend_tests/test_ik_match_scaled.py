@@ -28,15 +28,15 @@ class Scaled(MatchTestCase):
     def test_controls_to_the_animated_pose(self):
         for name, scale in PARENTS.items():
             for own in OWN:
-                for mode in ('XYZ', 'QUATERNION'):
-                    with self.subTest(name, own=own, mode=mode):
+                for mode, keeps in (('XYZ', False), ('QUATERNION', False), ('XYZ', True)):
+                    with self.subTest(name, own=own, mode=mode, keeps=keeps):
                         support.empty_scene()
                         self.scene = bpy.context.scene
                         self.scene.frame_end = 30
                         rig = self.animated_arm()
                         recorded = self.recorded(rig, (1, 12, 25))
                         target = self.place_target(scale, own, mode)
-                        self.reach(rotation_weight=1.0, keep_rotation=False)
+                        self.reach(rotation_weight=1.0, keep_rotation=keeps)
                         self.match(frame_start=1, frame_end=30)
                         self.assertRecorded(rig, recorded, 1e-5)
                         self.assertNear(target.scale, own, 0.0)

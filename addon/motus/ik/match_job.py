@@ -209,17 +209,15 @@ class _Wanted:
             raise targets.Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
                 bone=chain.name, frame=check_results.text(frame)))
         matrix = Matrix(goal.reshape(4, 4).T.tolist())
-        # The offset is applied to the target's orientation, in the target's own space.
-        turn = matrix.to_quaternion() @ entry.rotation_offset.to_quaternion().inverted()
-        self._places[target][0].append(Matrix.LocRotScale(matrix.translation, turn, None))
+        self._places[target][0].append((matrix, entry.rotation_offset.to_matrix()))
         if chain.name in self._poles:
-            self._places[self._poles[chain.name]][0].append(Matrix.Translation(Vector(pole.tolist())))
+            self._places[self._poles[chain.name]][0].append((Matrix.Translation(Vector(pole.tolist())), None))
 
     def place(self, depsgraph, controls_now, index):
         """Note what the channels of these controls have to be at the frame that is evaluated."""
         for control in controls_now:
             matrices, channels = self._places[control]
-            channels.add(controls.basis_for(control, depsgraph, matrices[index]))
+            channels.add(controls.basis_for(control, depsgraph, *matrices[index]))
 
     def write(self, writer, controls_now, frames):
         """Key these controls."""
