@@ -1,7 +1,6 @@
 """Systems of different kinds that wait for each other: a follower on a curve that follows, and a toy around both."""
 
 import bpy
-import support
 import toy_system
 from mathutils import Vector
 from wiring_cases import WiringTestCase, build_followers, build_object, frame_set

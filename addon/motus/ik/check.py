@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.refusals import Refused, check_local
 from ..core.translations import tr
 from . import check_results, controls, status, targets
 from .frame_walk import Kept, OverFrames, active_rig, go_to
@@ -44,11 +45,9 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
 
     def steps(self, context, frames):
         rig = active_rig(context, self.object)
-        if rig.library:
-            raise targets.Refused(
-                tr("{object} is linked from another file: make a library override of it first").format(object=rig.name))
+        check_local(rig)
         if rig.motus.ik.is_baked:
-            raise targets.Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
+            raise Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
         entries = rig.motus.ik.entries
         self._chosen = [entries[targets.entry_for(rig, self.bone)]] if self.bone else list(entries)
         self._range = check_results.ranges(frames, self.step)

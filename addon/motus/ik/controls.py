@@ -5,11 +5,11 @@ from typing import Any, NamedTuple
 from mathutils import Matrix
 
 from ..core.bake.sampling import rotation_path
+from ..core.refusals import Refused, check_no_tweak_mode
 from ..core.translations import tr
 from . import reading, stations
 from .groups import goals
 from .orientation import frame_of
-from .targets import Refused
 
 
 class Control(NamedTuple):
@@ -81,12 +81,6 @@ def check_undriven(thing, channels, label):
     paths = {thing.path_from_id(name) for name in channel_names(thing, channels)}
     if animation and any(curve.data_path in paths and not curve.mute for curve in animation.drivers):
         raise Refused(tr("{target} is moved by a driver").format(target=label))
-
-
-def check_no_tweak_mode(obj):
-    """Refuse an object whose keys would go into a strip of the NLA editor."""
-    if obj.animation_data and obj.animation_data.use_tweak_mode:
-        raise Refused(tr("{object} is in the tweak mode of the NLA editor: leave it first").format(object=obj.name))
 
 
 def channel_names(thing, channels):

@@ -5,8 +5,9 @@ from mathutils import Matrix, Quaternion, Vector
 from ..core import native, rigs
 from ..core.bake.sampling import rotation_path
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused, check_bone, check_local
 from ..core.translations import tr
-from . import chains, controls, forward, groups, reading, targets
+from . import chains, controls, forward, groups, reading
 from .keying import rotation_values
 
 TIP = slice(-3, None)  # of a row of IkPlan.REPORT
@@ -19,10 +20,8 @@ LONGEST_STEP = 0.5  # of the chain's length
 
 def grab(context, rig, bone, factor, chain_length=0):
     """What pull() moves: the chain of a bone. factor: place along the bone, 0 to 1. Refuses with a sentence."""
-    targets.check_bone(rig, bone)
-    if rig.library:
-        raise targets.Refused(
-            tr("{object} is linked from another file: make a library override of it first").format(object=rig.name))
+    check_bone(rig, bone)
+    check_local(rig)
     context.view_layer.update()
     settings = rig.motus.ik
     index = chains.entry_with(rig, bone) if settings.is_active and not settings.is_baked else -1
@@ -41,7 +40,7 @@ def free_chain(rig, bone, chain_length):
     taken = chains.driven_elsewhere(rig, "") if not rig.motus.bake.is_baked else {}
     if bone in taken:
         label, entry = taken[bone]
-        raise targets.Refused(tr("{bone} is driven by {system} of {other}").format(
+        raise Refused(tr("{bone} is driven by {system} of {other}").format(
             bone=bone, system=tr(label), other=entry))
     last = rig.data.bones[bone]
     found = [bone]
@@ -112,7 +111,7 @@ class _TargetGrab:
         evaluated = rig.evaluated_get(self._depsgraph)
         control = controls.station(entry, evaluated.motus.ik.entries[entry.name].target_blend)
         if control is None:
-            raise targets.Refused(
+            raise Refused(
                 tr("{bone} is between two targets: drag it where Blend stands on one of them").format(bone=entry.name))
         controls.check_movable(control, ("location",))
         self._control = control
@@ -185,7 +184,7 @@ class _TargetGrab:
 def _solver(rig, entry, depsgraph):
     found = forward.solver_of(rig, entry.name, depsgraph)
     if found is None or not found[0].settings[found[1].index, found[0].columns["is_on"]]:
-        raise targets.Refused(tr("{bone} of {object} is not being solved: the panel says why").format(
+        raise Refused(tr("{bone} of {object} is not being solved: the panel says why").format(
             bone=entry.name, object=rig.name))
     return found
 

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from mathutils import Matrix, Vector
 
 from ..core.lazy import numpy as np
-from ..core.refusals import check_posed
+from ..core.refusals import Refused, check_no_tweak_mode, check_posed
 from ..core.translations import tr
 from . import check_results, controls, forward, groups, reading, targets, weights
 from .frame_walk import Kept, go_to
@@ -34,13 +34,13 @@ class _Chain(NamedTuple):
 def _chosen(rig, bone):
     """The _Chains of one entry, or of all."""
     targets.check_editable(rig)
-    controls.check_no_tweak_mode(rig)
+    check_no_tweak_mode(rig)
     name = rig.motus.ik.entries[targets.entry_for(rig, bone)].name if bone else ""
     known = {found.entry.name: found for found in groups.survey(rig)}
     result = [_Chain(one, known[one], group, rows) for group in groups.groups(rig)
               for one, rows in forward.chain_rows(group).items() if name in ("", one)]
     if not result:
-        raise targets.Refused(tr("No chain of {object} is being solved").format(object=rig.name))
+        raise Refused(tr("No chain of {object} is being solved").format(object=rig.name))
     return result
 
 
@@ -49,7 +49,7 @@ def match_fk(context, rig, bone, frames, switch, outcome):
     chosen = _chosen(rig, bone)
     for chain in chosen:
         if chain.found.entry.target is None:
-            raise targets.Refused(tr("{bone} has no target: choose one").format(bone=chain.name))
+            raise Refused(tr("{bone} has no target: choose one").format(bone=chain.name))
     entries = [chain.found.entry for chain in chosen]
     if switch:
         weights.check(rig, entries)
@@ -162,7 +162,7 @@ class _Wanted:
 
     def _add(self, kind, chain, control, channels):
         if control in self._places:
-            raise targets.Refused(tr("{target} is the control of several chains: give each one of its own").format(
+            raise Refused(tr("{target} is the control of several chains: give each one of its own").format(
                 target=control.label))
         controls.check_movable(control, channels)
         if control.bone:
@@ -172,7 +172,7 @@ class _Wanted:
 
     @staticmethod
     def _under_way(chain):
-        raise targets.Refused(tr("{bone} passes from one target to another in this range: match the frames before or "
+        raise Refused(tr("{bone} passes from one target to another in this range: match the frames before or "
                                  "after that").format(bone=chain.name))
 
     def passes(self):
@@ -206,7 +206,7 @@ class _Wanted:
         if controls.station(chain.found.entry, entry.target_blend) != target:
             self._under_way(chain)
         if not np.isfinite(pole).all():
-            raise targets.Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
+            raise Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
                 bone=chain.name, frame=check_results.text(frame)))
         matrix = Matrix(goal.reshape(4, 4).T.tolist())
         self._places[target][0].append((matrix, entry.rotation_offset.to_matrix()))

@@ -4,7 +4,7 @@ import bpy
 
 from ..core import viewports
 from ..core.refusals import Refused
-from . import hover, status
+from . import hover
 from .adjusting import MOVES, notched
 from .brush import Brush
 from .pulling import Pulling
