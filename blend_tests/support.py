@@ -55,6 +55,17 @@ class SceneTestCase(unittest.TestCase):
         self.addCleanup(self._temporary.cleanup)
         self.folder = Path(self._temporary.name)
 
+    def keep_preset(self, system):
+        """Keeps the active object's settings of a system as a preset, for this test; gives what takes them up again."""
+        name, menu = f"test{os.getpid()}", f"MOTUS_PT_{system}_presets"
+        # Blender writes the preset's name over the panel's label.
+        panel = getattr(bpy.types, menu)
+        self.addCleanup(setattr, panel, "bl_label", panel.bl_label)
+        self.assertEqual(getattr(bpy.ops.motus, f"{system}_preset_add")(name=name), {'FINISHED'})
+        kept, = [path for folder in bpy.utils.preset_paths(f"motus/{system}") for path in Path(folder).glob(f"{name}.py")]
+        self.addCleanup(kept.unlink)
+        return lambda: bpy.ops.script.execute_preset(filepath=str(kept), menu_idname=menu)
+
 
 def addon_folder(profile):
     """Where the add-on lies in a profile (a BLENDER_USER_RESOURCES folder)."""

@@ -1,7 +1,5 @@
 """Inverse kinematics taken back without a trace, keys of later chains that stay theirs, and presets."""
 
-import os
-from pathlib import Path
 
 import bpy
 import support
@@ -191,14 +189,8 @@ class Presets(IkTestCase):
         rig = self.arm()
         self.reach(softness=0.25, stretch=0.5, position_weight=0.5)
         bpy.context.view_layer.objects.active = rig
-        name = f"test{os.getpid()}"
-        # Blender writes the preset's name over the panel's label.
-        panel = bpy.types.MOTUS_PT_ik_presets
-        self.addCleanup(setattr, panel, "bl_label", panel.bl_label)
-        self.assertEqual(bpy.ops.motus.ik_preset_add(name=name), {'FINISHED'})
-        kept, = [path for folder in bpy.utils.preset_paths("motus/ik") for path in Path(folder).glob(f"{name}.py")]
-        self.addCleanup(kept.unlink)
+        take_up = self.keep_preset("ik")
         entry = self.reach(softness=0.0, stretch=0.0, position_weight=1.0)
-        bpy.ops.script.execute_preset(filepath=str(kept), menu_idname="MOTUS_PT_ik_presets")
+        take_up()
         self.assertEqual((entry.softness, entry.stretch), (0.25, 0.5))
         self.assertEqual(entry.position_weight, 1.0, "belongs to the shot, not to the preset")

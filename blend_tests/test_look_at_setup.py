@@ -1,9 +1,7 @@
 """Look At's operators: what they find by themselves, removing without a trace, problems, and what is refused."""
 
 import math
-import os
 import sys
-from pathlib import Path
 
 import bpy
 import rig_samples
@@ -448,17 +446,11 @@ class Keeping(LookAtTestCase):
 class Presets(LookAtTestCase):
     def test_kept_and_taken_up_again(self):
         self.aim(40)
-        entry = self.look(body_weight=0.2, clamp=0.7, weight=0.9)
+        self.look(body_weight=0.2, clamp=0.7, weight=0.9)
         bpy.context.view_layer.objects.active = self.rig
-        name = f"test{os.getpid()}"
-        # Blender writes the preset's name over the panel's label.
-        panel = bpy.types.MOTUS_PT_look_at_presets
-        self.addCleanup(setattr, panel, "bl_label", panel.bl_label)
-        self.assertEqual(bpy.ops.motus.look_at_preset_add(name=name), {'FINISHED'})
-        kept, = [path for folder in bpy.utils.preset_paths("motus/look_at") for path in Path(folder).glob(f"{name}.py")]
-        self.addCleanup(kept.unlink)
+        take_up = self.keep_preset("look_at")
         entry = self.look(body_weight=0.5, clamp=0.0, weight=0.4)
-        bpy.ops.script.execute_preset(filepath=str(kept), menu_idname="MOTUS_PT_look_at_presets")
+        take_up()
         self.assertAlmostEqual(entry.body_weight, 0.2)
         self.assertAlmostEqual(entry.clamp, 0.7)
         self.assertAlmostEqual(entry.weight, 0.4, msg="belongs to the shot, not to the preset")

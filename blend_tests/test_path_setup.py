@@ -1,7 +1,5 @@
 """Follow Path's operators: adding, trains, removing without a trace, and what is refused."""
 
-import os
-from pathlib import Path
 
 import bpy
 import numpy as np
@@ -108,15 +106,9 @@ class Presets(PathTestCase):
         self.line(10.0)
         car = self.follow(timing='SPEED', speed=9.0, orientation='BANKING', start_frame=33.0)
         bpy.context.view_layer.objects.active = car
-        name = f"test{os.getpid()}"
-        # Blender writes the preset's name over the panel's label.
-        panel = bpy.types.MOTUS_PT_path_presets
-        self.addCleanup(setattr, panel, "bl_label", panel.bl_label)
-        self.assertEqual(bpy.ops.motus.path_preset_add(name=name), {'FINISHED'})
-        kept, = [path for folder in bpy.utils.preset_paths("motus/path") for path in Path(folder).glob(f"{name}.py")]
-        self.addCleanup(kept.unlink)
+        take_up = self.keep_preset("path")
         self.follow(timing='DURATION', speed=1.0, orientation='NONE', start_frame=2.0)
-        bpy.ops.script.execute_preset(filepath=str(kept), menu_idname="MOTUS_PT_path_presets")
+        take_up()
         settings = car.motus.path
         self.assertEqual((settings.timing, settings.speed, settings.orientation), ('SPEED', 9.0, 'BANKING'))
         self.assertEqual(settings.start_frame, 2.0, "belongs to the shot, not to the preset")

@@ -82,12 +82,12 @@ def frame_microseconds(scene):
     return statistics.median(samples[5:]) * 1e6
 
 
-def least_frame_microseconds(scene):
-    """Of some rounds: what else the machine does slows it down for a while, then not."""
+def least_and_median(scene):
+    """Frame time of a second's rounds, in us. Both, since with IK a whole run may go in a slower mode than the next one."""
     begin, rounds = time.perf_counter(), []
     while len(rounds) < FEWEST_ROUNDS or time.perf_counter() - begin < SECONDS:
         rounds.append(frame_microseconds(scene))
-    return min(rounds)
+    return np.array((min(rounds), statistics.median(rounds)))
 
 
 def animate(rig):
@@ -102,7 +102,7 @@ RIGS = ("animated", "animated, made last", "moved by its root", "moved, made las
 
 
 def costs(chains, bones, kind):
-    """Frame time, in us, without IK and with each. kind: one of RIGS."""
+    """(Least, median) frame time, in us, without IK and with each. kind: one of RIGS."""
     found = {}
     for name, add in SYSTEMS.items():
         support.empty_scene()
@@ -115,7 +115,7 @@ def costs(chains, bones, kind):
         elif kind != "still":
             rig.pose.bones["root"].driver_add("location", 0).driver.expression = "0.01 * sin(frame)"
         add(rig, targets, bones)
-        found[name] = least_frame_microseconds(bpy.context.scene)
+        found[name] = least_and_median(bpy.context.scene)
     return found
 
 
@@ -124,14 +124,15 @@ def report_costs():
     print("| A still rig is not evaluated at all without IK: there the cost of its pose is counted too.")
     print("| Without IK Blender evaluates the same scene faster where the rig was made before the targets: it then begins with")
     print("| the rig, and the targets fill the other threads. A rig whose custom properties point to the targets loses that too.")
-    print(f"| {'chains':>7} {'bones':>6} {'rig':20} {'what':12} {'us a chain':>11} {'of Blender':>11}")
+    print(f"| {'chains':>7} {'bones':>6} {'rig':20} {'what':12} {'us a chain':>11} {'median':>8} {'of Blender':>11} {'median':>8}")
     for chains, bones in ((CHAINS, 2), (10, 5), (10, 20), (10, 100)):
         for kind in RIGS:
             found = costs(chains, bones, kind)
             reference = found["Blender IK"] - found["none"]
             for name in ("Blender IK", "Motus IK"):
                 extra = found[name] - found["none"]
-                print(f"| {chains:7} {bones:6} {kind:20} {name:12} {extra / chains:11.2f} {extra / reference:10.3f}x")
+                (least, median), (ratio, median_ratio) = extra / chains, extra / reference
+                print(f"| {chains:7} {bones:6} {kind:20} {name:12} {least:11.2f} {median:8.2f} {ratio:10.3f}x {median_ratio:7.3f}x")
 
 
 def tips(rig, chains, bones):
