@@ -83,7 +83,7 @@ def frame_microseconds(scene):
 
 
 def least_and_median(scene):
-    """Frame time of a second's rounds, in us. Both, since with IK a whole run may go in a slower mode than the next one."""
+    """Frame time of a second's rounds, in us. Both, since with IK there is a slower mode, which lasts for seconds."""
     begin, rounds = time.perf_counter(), []
     while len(rounds) < FEWEST_ROUNDS or time.perf_counter() - begin < SECONDS:
         rounds.append(frame_microseconds(scene))
