@@ -17,7 +17,7 @@ import support  # noqa: E402  (found by the line above)
 
 CHAINS = 100
 FRAMES = 60
-FEWEST_ROUNDS, SECONDS = 3, 1.0
+FEWEST_ROUNDS, SECONDS = 5, 4.0
 LIMITED_TARGETS = 10_000
 PLACES = 200
 
@@ -70,7 +70,7 @@ def add_motus_ik(rig, targets, bones, **keywords):
                              **keywords)
 
 
-SYSTEMS = {"none": lambda *_: None, "Blender IK": add_blender_ik, "Motus IK": add_motus_ik}
+SYSTEMS = {"none": lambda *_: None, "Motus IK": add_motus_ik, "Blender IK": add_blender_ik}
 
 
 def frame_microseconds(scene):
@@ -80,14 +80,6 @@ def frame_microseconds(scene):
         scene.frame_set(frame)
         samples.append(time.perf_counter() - start)
     return statistics.median(samples[5:]) * 1e6
-
-
-def least_and_median(scene):
-    """Frame time of a second's rounds, in us. Both, since with IK there is a slower mode, which lasts for seconds."""
-    begin, rounds = time.perf_counter(), []
-    while len(rounds) < FEWEST_ROUNDS or time.perf_counter() - begin < SECONDS:
-        rounds.append(frame_microseconds(scene))
-    return np.array((min(rounds), statistics.median(rounds)))
 
 
 def animate(rig):
@@ -101,38 +93,47 @@ def animate(rig):
 RIGS = ("animated", "animated, made last", "moved by its root", "moved, made last", "still")
 
 
+def new_scene(chains, bones, kind, add):
+    """One more scene, with a rig of `kind` (one of RIGS), its targets and the IK that `add` makes."""
+    scene = bpy.context.window.scene = bpy.data.scenes.new("Bench")
+    if kind.endswith("made last"):
+        targets, rig = new_targets(chains), new_rig(chains, bones)
+    else:
+        rig, targets = new_rig(chains, bones), new_targets(chains)
+    if kind.startswith("animated"):
+        animate(rig)
+    elif kind != "still":
+        rig.pose.bones["root"].driver_add("location", 0).driver.expression = "0.01 * sin(frame)"
+    add(rig, targets, bones)
+    return scene
+
+
 def costs(chains, bones, kind):
-    """(Least, median) frame time, in us, without IK and with each. kind: one of RIGS."""
-    found = {}
-    for name, add in SYSTEMS.items():
-        support.empty_scene()
-        if kind.endswith("made last"):
-            targets, rig = new_targets(chains), new_rig(chains, bones)
-        else:
-            rig, targets = new_rig(chains, bones), new_targets(chains)
-        if kind.startswith("animated"):
-            animate(rig)
-        elif kind != "still":
-            rig.pose.bones["root"].driver_add("location", 0).driver.expression = "0.01 * sin(frame)"
-        add(rig, targets, bones)
-        found[name] = least_and_median(bpy.context.scene)
-    return found
+    """Frame times, us, (rounds, SYSTEMS). The scenes stand side by side and take turns, so that what changes the machine's
+    speed for seconds (in a virtual one: how far apart its cores are) is the same for all that are compared."""
+    support.empty_scene()
+    scenes = [new_scene(chains, bones, kind, add) for add in SYSTEMS.values()]
+    begin, rounds = time.perf_counter(), []
+    while len(rounds) < FEWEST_ROUNDS or time.perf_counter() - begin < SECONDS:
+        rounds.append([frame_microseconds(scene) for scene in scenes])
+    return np.array(rounds)
 
 
 def report_costs():
     print(f"| Frame time above that of the same rig without IK, Blender {bpy.app.version_string}; targets move.")
+    print("| Medians of rounds in which the scenes take turns, and the rounds' quartiles.")
     print("| A still rig is not evaluated at all without IK: there the cost of its pose is counted too.")
     print("| Without IK Blender evaluates the same scene faster where the rig was made before the targets: it then begins with")
     print("| the rig, and the targets fill the other threads. A rig whose custom properties point to the targets loses that too.")
-    print(f"| {'chains':>7} {'bones':>6} {'rig':20} {'what':12} {'us a chain':>11} {'median':>8} {'of Blender':>11} {'median':>8}")
+    print(f"| {'chains':>7} {'bones':>6} {'rig':20} {'what':12} {'us a chain':>11} {'quartiles':>17} {'of Blender':>11}")
     for chains, bones in ((CHAINS, 2), (10, 5), (10, 20), (10, 100)):
         for kind in RIGS:
-            found = costs(chains, bones, kind)
-            reference = found["Blender IK"] - found["none"]
+            rounds = costs(chains, bones, kind)
+            extra = dict(zip(SYSTEMS, ((rounds - rounds[:, :1]) / chains).T))
             for name in ("Blender IK", "Motus IK"):
-                extra = found[name] - found["none"]
-                (least, median), (ratio, median_ratio) = extra / chains, extra / reference
-                print(f"| {chains:7} {bones:6} {kind:20} {name:12} {least:11.2f} {median:8.2f} {ratio:10.3f}x {median_ratio:7.3f}x")
+                low, median, high = np.percentile(extra[name], (25, 50, 75))
+                ratio = np.median(extra[name] / extra["Blender IK"])
+                print(f"| {chains:7} {bones:6} {kind:20} {name:12} {median:11.2f} {low:8.2f} {high:8.2f} {ratio:10.3f}x")
 
 
 def tips(rig, chains, bones):
