@@ -43,10 +43,13 @@ glm::dvec3 elbow_near_pose(const glm::dvec3& elbow, const glm::dvec3& root, cons
 
 glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn) {
     const glm::dvec3 axis(turn.x, turn.y, turn.z);
-    const double size = std::sqrt(glm::dot(axis, axis));
-    const double sign = glm::determinant(to_space) < 0.0 ? -size : size;
-    const glm::dvec3 seen = sign * direction_or(to_space * axis, glm::dvec3(0.0));
-    return {turn.w, seen.x, seen.y, seen.z};
+    const glm::dvec3 seen = to_space * axis;
+    const double square = glm::dot(seen, seen);
+    constexpr double vanished = 1e-280;
+    if (!(square > vanished)) return {turn.w, 0.0, 0.0, 0.0};
+    const double size = std::sqrt(glm::dot(axis, axis) / square);
+    const glm::dvec3 part = (glm::determinant(to_space) < 0.0 ? -size : size) * seen;
+    return {turn.w, part.x, part.y, part.z};
 }
 
 IkAim::IkAim(std::size_t longest)

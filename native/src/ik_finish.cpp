@@ -15,6 +15,15 @@
 namespace motus {
 namespace {
 
+/// seen_from() of a small turn, which in spaces that are not scaled is the vector seen from there.
+glm::dquat small_turn_seen_from(const glm::dmat3& to_space, const glm::dvec3& half) {
+    constexpr double alike = 1e-3;
+    if (std::abs(glm::determinant(to_space) - 1.0) > alike)
+        return seen_from(to_space, {1.0, half.x, half.y, half.z});
+    const glm::dvec3 seen = to_space * half;
+    return {1.0, seen.x, seen.y, seen.z};
+}
+
 glm::dquat turn_by(const glm::dvec3& vector) {
     const double angle = glm::length(vector);
     if (angle == 0.0) return {1.0, 0.0, 0.0, 0.0};
@@ -44,7 +53,7 @@ bool IkAim::nudge(IkPose& pose, std::size_t count) const {
     if (!(glm::dot(pull, pull) * largest <= small * small)) return false;  // or no number: a straight chain
     for (std::size_t i = 0; i < count; ++i) {
         const glm::dvec3 half = 0.5 * glm::cross(tip - joints[i], pull);
-        const glm::dquat turn = seen_from(to_spaces_[i], {1.0, half.x, half.y, half.z});
+        const glm::dquat turn = small_turn_seen_from(to_spaces_[i], half);
         if (i > 0) pose.enter(i);
         pose.place(i, normalized_product(turn * pose.posed(i).rotation), 1.0);
     }
