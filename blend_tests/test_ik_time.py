@@ -119,6 +119,22 @@ class Keyed(IkTestCase):
     def test_stretch(self):
         self.assertKeyed("stretch", 0.25, 1.0, place=(2.0, 0.4, 1.2))
 
+    def test_stretch_in_a_strip(self):
+        """The keys of a strip of the NLA count as the action's do, when the chain is wired."""
+        rig = self.arm()
+        self.target((2.0, 0.4, 1.2))
+        entry = self.reach()
+        for frame, value in ((1, 0.0), (11, 1.0)):
+            entry.stretch = value
+            entry.keyframe_insert("stretch", frame=frame)
+        animation = rig.animation_data
+        animation.nla_tracks.new().strips.new("Strip", 1, animation.action)
+        animation.action = None
+        entry.stretch = 0.0
+        bpy.ops.motus.ik_refresh(object="Rig")
+        self.assertNear(self.tail(rig, "Bone 1", frame=11), (2.0, 0.4, 1.2), 1e-5)
+        self.assertIsNone(self.wiring.problem(self.system, rig, bpy.context.evaluated_depsgraph_get()))
+
     def test_pole_angle(self):
         self.assertKeyed("pole_angle", 0.0, 1.0)
 

@@ -25,21 +25,23 @@ def find(rig, entry):
     return of_bone(rig, entry.name, entry.chain_length, entry.use_tail)
 
 
-def find_longest(rig, entry):
-    """The same with all bones that the length's keys or driver may give it: what is wired."""
-    return of_bone(rig, entry.name, _longest(rig, entry), entry.use_tail)
+def find_longest(rig, index, animated):
+    """That of the entry at `index`, with all bones that the length's keys or driver may give it: what is wired.
+
+    animated: animated_paths() of chain_length.
+    """
+    entry = rig.motus.ik.entries[index]
+    paths = animated.intersection(prefix + "chain_length" for prefix in prefixes(rig, index)) if animated else ()
+    return of_bone(rig, entry.name, _longest(rig, paths) if paths else entry.chain_length, entry.use_tail)
 
 
-def _longest(rig, entry):
-    """The chain length to wire for; 0, all bones, where its animation cannot be looked through."""
-    paths = [prefix + "chain_length" for prefix in prefixes(rig, rig.motus.ik.entries.find(entry.name))]
-    animation, *strips = actions.players(rig) or (None,)
-    others = [animation.drivers if animation else (), *map(actions.curves_of, strips)]
+def _longest(rig, paths):
+    """The chain length to wire for where keys or drivers at these paths set it; 0, all bones, where they cannot be looked through."""
+    animation, *strips = actions.players(rig)
+    others = [animation.drivers, *map(actions.curves_of, strips)]
     if any(curve.data_path in paths for curve in itertools.chain.from_iterable(others)):
         return 0
-    curve = next((curve for curve in actions.curves_of(animation) if curve.data_path in paths), None)
-    if curve is None:
-        return entry.chain_length
+    curve = next(curve for curve in actions.curves_of(animation) if curve.data_path in paths)
     lengths = [round(point.co.y) for point in curve.keyframe_points]
     return max(lengths) if lengths and min(lengths) > 0 and not curve.modifiers else 0
 
@@ -71,8 +73,10 @@ def entry_with(rig, name):
 
 
 def animated_paths(rig, name):
-    """Data paths of keys and drivers of a setting of any entry."""
-    paths = {curve.data_path for curve in actions.curves_and_drivers(rig)}
+    """Data paths of keys, in NLA strips too, and drivers of a setting of any entry."""
+    players = actions.players(rig)
+    drivers = rig.animation_data.drivers if players else ()
+    paths = {curve.data_path for curves in (drivers, *map(actions.curves_of, players)) for curve in curves}
     return {path for path in paths if path.startswith("motus.ik.entries[") and path.endswith("." + name)}
 
 

@@ -75,15 +75,16 @@ def survey(owner):
     animated = chains.animated_paths(owner, "stretch")
     result = []
     for index, entry, chain in present:
-        stretches = entry.stretch > 0.0 or any(path + "stretch" in animated for path in chains.prefixes(owner, index))
+        stretches = entry.stretch > 0.0 or bool(animated) and any(
+            path + "stretch" in animated for path in chains.prefixes(owner, index))
         result.append(Found(entry, chain, stretches, _children(owner, chain, taken) if stretches else []))
     return result
 
 
 def _unshared(owner):
-    used = set()
+    used, animated = set(), chains.animated_paths(owner, "chain_length")
     for index, entry in enumerate(owner.motus.ik.entries):
-        chain = chains.find_longest(owner, entry)
+        chain = chains.find_longest(owner, index, animated)
         if chain and used.isdisjoint(chain.driven):
             used.update(chain.driven)
             yield index, entry, chain
