@@ -8,6 +8,7 @@ from wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
 carriers = support.addon("core.wiring.carriers")
+outbox = support.addon("core.wiring.outbox")
 SYSTEM = toy_bone_system.SYSTEM
 
 
@@ -128,6 +129,25 @@ class ArmatureTest(BoneTestCase):
         self.assert_alive(rig)
 
     @each_lasting_kind
+    def test_copied_bones(self, build):
+        rig = build()
+        frame_set(3)
+        before = set(rig.pose.bones.keys())
+
+        def change(bones):
+            for bone in bones:
+                bone.select = bone.select_head = bone.select_tail = bone.name != "root"
+            bpy.ops.armature.duplicate()
+
+        self.edit(rig, change)
+        copies = [bone for bone in rig.pose.bones if bone.name not in before]
+        self.assertEqual(len(copies), len(before) - 1)
+        self.assertEqual({bone.name: list(bone.constraints) for bone in copies if bone.constraints}, {})
+        self.assert_alive(rig)
+        wiring.detach(SYSTEM, rig)
+        self.assertEqual([bone.name for bone in rig.pose.bones if bone.constraints], [])
+
+    @each_lasting_kind
     def test_renamed_bones(self, build):
         rig = build()
         frame_set(3)
@@ -155,16 +175,36 @@ class ArmatureTest(BoneTestCase):
                 self.assertIn("Leg", one.motus.bend.entries)
                 self.assert_alive(one)
 
+    @each_lasting_kind
+    def test_renamed_and_refreshed_at_once(self, build):
+        rig = build()
+        frame_set(3)
+        rig.data.bones["A.0"].name = "Upper"
+        wiring.refresh(SYSTEM, rig)
+        self.assertIn("Upper", rig.motus.bend.entries)
+        self.assert_alive(rig)
+
     def test_keys_and_drivers_of_a_renamed_entry(self):
+        for plays in ("action", "strip"):
+            with self.subTest(plays=plays):
+                support.empty_scene()
+                self.check_renamed_entry(plays)
+
+    def check_renamed_entry(self, plays):
         rig = build()
         for frame, value in ((1, 0.0), (60, 1.0)):
             rig.motus.bend.entries["A.0"].weight = value
             rig.keyframe_insert('motus.bend.entries["A.0"].weight', frame=frame)
+        animation = rig.animation_data
+        if plays == "strip":
+            animation.nla_tracks.new().strips.new("Strip", 1, animation.action)
+            animation.action = None
         drive(rig, 'motus.bend.entries["B.0"].weight', "0.01*frame")
         frame_set(3)
         for old in ("A.0", "B.0"):
             rig.data.bones[old].name = f"New {old}"
             bpy.context.view_layer.update()
+        self.assertEqual(rig.motus.bend.entries.keys(), ["New A.0", "New B.0"])
         frame_set(30)
         weights = [entry.weight for entry in rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).motus.bend.entries]
         self.assertAlmostEqual(weights[1], 0.3, places=5)
@@ -187,6 +227,19 @@ class DetachTest(BoneTestCase):
                           or ".constraints[" in curve.data_path], [])
         self.assertFalse(rig.motus.bend.is_active)
         self.assertEqual((rig.motus.bend.hub, len(rig.motus.bend.more_hubs), len(rig.motus.bend.targets)), (None, 0, 0))
+        self.assert_untouched(rig)
+
+    @each_kind
+    def test_leaves_nothing_of_a_deleted_hub(self, build):
+        rig = build()
+        frame_set(7)
+        for _, hub in outbox.hubs(SYSTEM, rig):
+            bpy.data.objects.remove(hub)
+        bpy.context.view_layer.update()
+        wiring.detach(SYSTEM, rig)
+        self.assertEqual([bone.name for bone in rig.pose.bones if bone.constraints], [])
+        self.assertEqual([curve.data_path for curve in rig.animation_data.drivers if ".constraints[" in curve.data_path], [])
+        self.assertEqual(len(bpy.data.meshes), 0)
         self.assert_untouched(rig)
 
     def test_keeps_what_is_the_users(self):

@@ -107,13 +107,13 @@ def assign_copy(id_data, name):
     return _ensure_channelbag(action, animation.action_slot)
 
 
-def own_curves(id_data, prefixes):
-    """Yields, of each action that is played for it, the F-curves, if any has a data path with one of these beginnings.
+def own_curves(id_data, is_meant):
+    """Yields, of each action that is played for it, the F-curves, if is_meant(data path) holds for any.
 
     Where others play the action too, or it is linked, it plays a copy from then on.
     """
     for player in players(id_data):
-        if any(curve.data_path.startswith(prefixes) for curve in curves_of(player)):
+        if any(is_meant(curve.data_path) for curve in curves_of(player)):
             make_own(player)
             yield curves_of(player)
 
@@ -135,7 +135,7 @@ def remove(id_data, prefixes):
     for curve in [curve for curve in animation.drivers if curve.data_path.startswith(prefixes)]:
         animation.drivers.remove(curve)
     had_curves = bool(fcurves(id_data))
-    for curves in own_curves(id_data, prefixes):
+    for curves in own_curves(id_data, lambda path: path.startswith(prefixes)):
         for curve in [curve for curve in curves if curve.data_path.startswith(prefixes)]:
             curves.remove(curve)
     if had_curves and not fcurves(id_data):

@@ -15,8 +15,9 @@ def forget(owner, path, entries, index):
     """Remove keys and drivers of an entry that is about to be removed from the list at `path` of the owner."""
     actions.remove(owner, prefixes(path, entries, index))
     later = {f"{path}[{place}].": f"{path}[{place - 1}]." for place in range(index + 1, len(entries))}
-    animation = owner.animation_data
-    for curves in (*actions.own_curves(owner, tuple(later)), animation.drivers if animation else ()):
+    animation, beginnings = owner.animation_data, tuple(later)
+    moving = actions.own_curves(owner, lambda path: path.startswith(beginnings))
+    for curves in (*moving, animation.drivers if animation else ()):
         for curve in curves:
             _move(curve, later)
 

@@ -89,9 +89,9 @@ def _detach(system, owner):
     for other in led_by(system, owner):
         of_owner(system, other).leader = None
         overrides.unmark(system, other)
-    for _, hub in outbox.hubs(system, owner):
-        if outbox.is_own_hub(hub, owner):
-            bpy.data.meshes.remove(hub.data)
+    own = [hub.data for _, hub in outbox.hubs(system, owner) if outbox.is_own_hub(hub, owner)]
+    for mesh in own + outbox.lost_hubs(system, owner):
+        bpy.data.meshes.remove(mesh)
     settings.hub = None
     settings.more_hubs.clear()
     anchor.release(settings)
@@ -116,6 +116,8 @@ def refresh(system, owner):
 
 
 def _refresh(system, owner):
+    if system.groups is not None:
+        _follow_renamed(system, owner)
     before = _stacks(system, owner)
     _attach(system, owner)
     for thing, places in _stacks(system, owner).items():
@@ -145,23 +147,32 @@ def refresh_changed(system, owner):
 
 def refresh_edited(system, owner):
     """Tell the system of bones that have other names now, and wire again where that or more has changed."""
+    _follow_renamed(system, owner)
+    refresh_changed(system, owner)
+
+
+def _follow_renamed(system, owner):
     driven = [(owner, old, new) for old, new in renamed_bones(system, owner)]
     for rig, old, new in dict.fromkeys(driven + solver_driver.renamed_reads(system, owner)):
         if system.bone_renamed:
             system.bone_renamed(owner, rig, old, new)
             if rig == owner:
                 _rename_paths(system, owner, old, new)
-    refresh_changed(system, owner)
 
 
 def _rename_paths(system, owner, old, new):
-    """Let keys and drivers of the settings of an entry, which is named like a bone, go on to animate it."""
+    """Let keys, in NLA strips too, and drivers of the settings of an entry, which is named like a bone, go on to animate it."""
     old, new = (f'["{bpy.utils.escape_identifier(name)}"]' for name in (old, new))
     prefix = of_owner(system, owner).path_from_id() + "."
+
+    def names_it(path):
+        return path.startswith(prefix) and old in path
+
     animation = owner.animation_data
-    for curve in (*actions.fcurves(owner), *(animation.drivers if animation else ())):
-        if curve.data_path.startswith(prefix) and old in curve.data_path:
-            curve.data_path = curve.data_path.replace(old, new)
+    for curves in (*actions.own_curves(owner, names_it), animation.drivers if animation else ()):
+        for curve in curves:
+            if names_it(curve.data_path):
+                curve.data_path = curve.data_path.replace(old, new)
 
 
 def is_attached(system, owner):

@@ -34,7 +34,7 @@ def add(system, group, index, hub):
     """Drive member `index` of the group by its row of the hub's attribute."""
     member = group.members[index]
     constraint = member.thing.constraints.new('GEOMETRY_ATTRIBUTE')
-    constraint.name = f"Motus {system.label}"
+    constraint.name = _name(system)
     constraint.target = hub
     constraint.attribute_name = ATTRIBUTE
     constraint.data_type = 'FLOAT4X4'
@@ -59,6 +59,16 @@ def undriven_key(system, constraint):
 def needs_driver(system, constraint):
     """Whether this is a sink of the system that has a driver, or should have."""
     return _kind_of(constraint) == MOVES and outbox.key_on_hub(system, constraint.target.data) is not None
+
+
+def is_bereft(system, constraint):
+    """Whether a constraint is called and made like one of these, but has lost its hub."""
+    return (constraint.type == 'GEOMETRY_ATTRIBUTE' and constraint.target is None
+            and constraint.name.startswith(_name(system)))
+
+
+def _name(system):
+    return f"Motus {system.label}"
 
 
 def _kind_of(constraint):

@@ -20,6 +20,8 @@ from collections import OrderedDict
 from dataclasses import dataclass
 from typing import NamedTuple
 
+import bpy
+
 from ..system import Problem, of_owner
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
@@ -154,6 +156,13 @@ def hubs(system, owner):
     settings = of_owner(system, owner)
     found = [("", settings.hub)] if settings.hub else []
     return found + [(entry.name, entry.object) for entry in settings.more_hubs if entry.object]
+
+
+def lost_hubs(system, owner):
+    """Meshes of hubs of the owner whose object somebody has deleted: drivers keep them alive."""
+    known = {hub.data for _, hub in hubs(system, owner)}
+    return [mesh for mesh in bpy.data.meshes
+            if mesh.get(OWNER_KEY) == owner and mesh not in known and key_on_hub(system, mesh) is not None]
 
 
 def carriers(system, owner):

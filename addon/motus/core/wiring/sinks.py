@@ -34,14 +34,15 @@ def on_object(system, obj):
             seen.add(path)
             yield _holder(obj, path), constraint, *read
     if obj.override_library and not obj.library:
-        yield from _bereft(system, obj, {curve.data_path.rpartition(".")[0] for curve in animation.drivers} if animation else ())
+        yield from _bereft(system, obj, _driven_constraints(obj))
 
 
 def _bereft(system, obj, driven):
-    """The same for sinks of an override that Blender has saved without their drivers."""
+    """The same for sinks that Blender has saved or copied without their drivers."""
     for thing in (obj, *(obj.pose.bones if obj.pose else ())):
         for constraint in thing.constraints:
-            is_ours = limit_sink.is_named(system, constraint) or attribute_sink.needs_driver(system, constraint)
+            is_ours = (limit_sink.is_named(system, constraint) or attribute_sink.needs_driver(system, constraint)
+                       or attribute_sink.is_bereft(system, constraint))
             if is_ours and constraint.path_from_id() not in driven:
                 yield thing, constraint, obj, ""
 
@@ -49,7 +50,8 @@ def _bereft(system, obj, driven):
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
     driven = _driven_objects(system, owner)
-    carriers = {carrier for _, carrier in outbox.carriers(system, owner)}
+    # The owner itself stands for a hub of which somebody has deleted the object.
+    carriers = {owner, *(carrier for _, carrier in outbox.carriers(system, owner)), *outbox.lost_hubs(system, owner)}
     # Overrides may have lost outbox and drivers, or been given sinks of their library again.
     overridden = [obj for obj in driven if obj.override_library]
     carriers.update(overridden)
@@ -66,16 +68,21 @@ def has_sinks(system, obj):
 
 def renamed_bones(system, owner):
     """(old name, new name) of the driven bones of an owner that were renamed since they were wired."""
+    if owner.pose is None:
+        return []
+    present = set(owner.pose.bones.keys())
     old_names = {}
     for key, carrier in outbox.carriers(system, owner):
         known = outbox.info(system, carrier, key)
         if known is not None:
             old_names[carrier, key] = known.members, outbox.FIRST_OUTPUT + len(known.outputs)
+    if all(present.issuperset(names) for names, _ in old_names.values()):
+        return []
     found = {}
     for thing, constraint, carrier, key in on_object(system, owner):
         names, base = old_names.get((carrier, key), ((), 0))
         index = _member_index(system, owner, constraint, base, len(names))
-        if index is not None and names[index] != thing.name and names[index] not in owner.pose.bones:
+        if index is not None and names[index] != thing.name and names[index] not in present:
             found[names[index]] = thing.name
     return list(found.items())
 
@@ -113,7 +120,10 @@ def remove(found):
 
 
 def remove_orphans(system, owner):
-    """Remove drivers of sinks that went with the bones they sat on."""
+    """Remove drivers of sinks that went with the bones they sat on, and, where the sinks are gone, what bones were copied with.
+
+    Blender copies a bone in Edit Mode with its constraints, but not with the drivers of these.
+    """
     pattern = outbox.slot_pattern(system)
     animation = owner.animation_data
     gone = {curve.data_path for curve in (animation.drivers if animation else ())
@@ -121,6 +131,14 @@ def remove_orphans(system, owner):
             and _resolve(owner, curve.data_path) is None}
     if gone:
         drivers.remove_where(owner, gone.__contains__)
+    if system.groups is not None and not owner.override_library:
+        remove([(thing, constraint) for thing, constraint, *_ in _bereft(system, owner, _driven_constraints(owner))])
+
+
+def _driven_constraints(obj):
+    """Data paths of the constraints of an object and its bones that have drivers."""
+    animation = obj.animation_data
+    return {curve.data_path.rpartition(".")[0] for curve in animation.drivers} if animation else set()
 
 
 def set_muted(system, owner, muted):
