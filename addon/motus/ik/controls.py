@@ -7,7 +7,7 @@ from mathutils import Matrix
 from ..core.bake.sampling import rotation_path
 from ..core.refusals import Refused, check_no_tweak_mode
 from ..core.translations import tr
-from . import reading, stations
+from . import goal_places, stations
 from .groups import goals
 from .orientation import frame_of
 
@@ -91,7 +91,7 @@ def channel_names(thing, channels):
 
 def world_matrix(control, depsgraph):
     """Evaluated world matrix of a control."""
-    return reading.world_matrix(control.object.evaluated_get(depsgraph), control.bone).copy()
+    return goal_places.world_matrix(control.object.evaluated_get(depsgraph), control.bone).copy()
 
 
 def basis_for(control, depsgraph, matrix, offset=None):

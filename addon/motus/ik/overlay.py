@@ -7,7 +7,7 @@ from mathutils import Quaternion
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch
 from ..core.presence import Presence
-from . import chains, controls, placing, reading, status
+from . import chains, controls, goal_places, placing, status
 
 STEPS = 64  # of a circle
 LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn
@@ -52,7 +52,7 @@ def overlay(context, owner):
 def _place(goal, bone, presence):
     if goal is None or presence.is_deleted(goal):
         return None
-    matrix = reading.world_matrix(goal, bone)
+    matrix = goal_places.world_matrix(goal, bone)
     return matrix.translation.copy() if matrix else None
 
 

@@ -6,7 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import libraries
-from . import chains, forward, reading
+from . import chains, forward, goal_places
 from .orientation import frame_of
 
 CONTROL_KEY = "motus_ik_control"
@@ -86,7 +86,7 @@ def effector_orientation(evaluated, chain):
 
 def goal_matrix(context, target, bone):
     """World matrix of a target or pole as it is evaluated."""
-    return reading.world_matrix(target.evaluated_get(context.view_layer.depsgraph), bone)
+    return goal_places.world_matrix(target.evaluated_get(context.view_layer.depsgraph), bone)
 
 
 def rotation_offset(context, evaluated, chain, target, bone):

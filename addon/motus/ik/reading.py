@@ -6,18 +6,12 @@ the arrays that are there already.
 
 from typing import Any, NamedTuple
 
-from mathutils import Euler, Matrix
-
 from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
-from ..core.presence import Presence
-from . import stations
+from . import goal_places
 from .groups import PLAN
+from .reasons import MUTED
 from .wired import RigChanged, Wired
-
-# Values of the output "reason" beside native.Reason's own.
-NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE, MUTED = -1.0, -2.0, -3.0, -4.0, -5.0
-UNWANTED = (NOT_FINITE, NO_TARGET, TARGET_DELETED, NO_TARGET_BONE)
 
 ANIMATED = {"position_weight": "f4", "rotation_weight": "f4", "softness": "f4", "stretch": "f4", "pole_angle": "f4",
             "hinge_angle": "f4", "use_limits": "?"}
@@ -97,17 +91,17 @@ def _gather(rig, wired, poses, depsgraph):
     posed = Posed(poses, rigs.columns(rig.matrix_world))
     listed = _Listed(rig, known.places)
     off = {}
-    targets = _targets(listed, wired, posed, known, depsgraph, off)
-    is_astray = wired.is_blended and _blend(targets, rig, listed, wired.further, depsgraph, off)
+    targets = goal_places.read_targets(listed, wired, posed, known, depsgraph, off)
+    is_astray = wired.is_blended and goal_places.blend(targets, rig, listed, wired.further, depsgraph, off)
     if known.weights is not None:
-        _turn(targets, known.offsets, known.weights)
+        goal_places.turn(targets, known.offsets, known.weights)
     if known.muted:
         off.update(dict.fromkeys(known.muted, MUTED))
     numbers = known.numbers
     if off:
         numbers = numbers.copy()
         numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
-    poles = _poles(listed, wired, posed, known.copy, depsgraph)
+    poles = goal_places.read_poles(listed, wired, posed, known.copy, depsgraph)
     limits = _limits(rig, wired) if known.has_limits else None
     return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, limits, off, known.is_stiff, is_astray)
 
@@ -193,141 +187,6 @@ def _column(entries, name, places, size=1, dtype="f4"):
     if size > 1:
         found = found.reshape(-1, size)
     return found if places is None else found[places]
-
-
-def _targets(entries, wired, posed, known, depsgraph, off):
-    """(C, 16) world matrices."""
-    found = wired.no_targets.copy()
-    if wired.targets.has_own:
-        _take_own(found, wired.targets, posed)
-    if wired.targets.other_rows:
-        _take_others(found, entries, wired.targets, known, depsgraph, off)
-    if wired.targets.none:
-        off.update(dict.fromkeys(wired.targets.none, NO_TARGET))
-    return found
-
-
-def _presence(depsgraph):
-    return Presence(depsgraph.view_layer, depsgraph.scene)
-
-
-def _take_others(found, entries, goals, known, depsgraph, off):
-    """Fill in world matrices of targets that are no bones of the rig; where there is no weight, maybe places only."""
-    rows, bones = goals.other_rows, goals.other_bones
-
-    def listed():
-        return [entry.target for entry in (entries() if goals.are_others else [entries()[row] for row in rows])]
-
-    matrices = goals.standing.matrices(depsgraph, listed, known.copy)
-    targets = listed() if matrices is None or bones else ()
-    if matrices is not None:
-        found[slice(None) if goals.are_others else rows] = matrices
-    else:
-        if None in targets:
-            off.update((row, NO_TARGET) for row, target in zip(rows, targets) if target is None)
-            rows = [row for row, target in zip(rows, targets) if target]
-            targets = [target for target in targets if target]
-        off.update((rows[index], TARGET_DELETED) for index in _presence(depsgraph).deleted(targets))
-        for row, target in zip(rows, targets):
-            if known.weights is not None and known.weights[row]:
-                found[row] = rigs.columns(target.matrix_world)
-            else:
-                found[row, 12:15] = target.matrix_world.translation
-    for row, target in zip(rows, targets) if bones else ():
-        if row in bones:
-            matrix = world_matrix(target, bones[row])
-            if matrix is None:
-                off.setdefault(row, NO_TARGET_BONE)
-            else:
-                found[row] = rigs.columns(matrix)
-
-
-def _take_own(found, goals, posed):
-    """Fill in world matrices of bones of the rig itself."""
-    rows, bones = goals.own
-    # Column by column, a matrix reads as its transpose.
-    matrices = posed.poses[bones].reshape(-1, 4, 4) @ posed.world.reshape(4, 4)
-    found[rows] = matrices.reshape(-1, 16)
-
-
-def world_matrix(target, bone=""):
-    """World matrix of an evaluated object or its bone; None where it has no such bone."""
-    if not bone:
-        return target.matrix_world
-    posed = target.pose and target.pose.bones.get(bone)
-    return target.matrix_world @ posed.matrix if posed else None
-
-
-def _blend(found, rig, entries, further, depsgraph, off):
-    """Replace targets by the mixture of two of them, where an entry's blend says so; one that is missing counts as the one
-    before it.
-
-    An entry whose own target is missing is off until its blend has left that. Returns whether another one is missing.
-    """
-    is_astray = False
-    for row, are_there in further.there(rig, entries, depsgraph).items():
-        entry = entries()[row]
-        if entry.target_blend <= 0.0:
-            continue
-        places = [None if row in off else Matrix(found[row].reshape(4, 4).T), *_further_places(entry, are_there)]
-        numbers, share = stations.needed(entry.target_blend, places)
-        ends = [stations.nearest(number, places) for number in numbers]
-        if None in ends:
-            continue
-        off.pop(row, None)
-        found[row] = rigs.columns(mixed(ends[0], ends[-1], share))
-        is_astray |= not entry.is_muted and None in [places[number] for number in numbers]
-    return is_astray
-
-
-def _further_places(entry, are_there):
-    """World matrices of an entry's further targets, None for those that are missing, or whose bone is."""
-    return [world_matrix(extra.object, extra.bone) if is_there else None
-            for extra, is_there in zip(entry.extra_targets, are_there)]
-
-
-def mixed(start, end, share):
-    """Matrix between two: place by a straight line, orientation by the shorter way; without their scales."""
-    turned = start.to_quaternion().slerp(end.to_quaternion(), share)
-    matrix = turned.to_matrix().to_4x4()
-    matrix.translation = start.translation.lerp(end.translation, share)
-    return matrix
-
-
-def _turn(targets, offsets, weights):
-    """Apply rotation offsets in the targets' own space, where an orientation is taken."""
-    for row in np.flatnonzero(weights * np.abs(offsets).sum(axis=1)):
-        turn = np.array(Euler(offsets[row].tolist()).to_matrix())
-        axes = targets[row].reshape(4, 4)[:3]
-        axes[:] = turn.T @ axes
-
-
-def _poles(entries, wired, posed, copy, depsgraph):
-    """(C, 3) places in the world; NaN where there is no pole."""
-    goals = wired.poles
-    if not goals.has_own and not goals.other_rows:
-        return wired.no_poles
-    found = wired.no_poles.copy()
-    if goals.has_own:
-        rows, bones = goals.own
-        heads = posed.poses[bones, 12:16] @ posed.world.reshape(4, 4)
-        found[rows] = heads[:, :3]
-    if not goals.other_rows:
-        return found
-
-    def listed():
-        return [entries()[row].pole for row in goals.other_rows]
-
-    matrices = goals.standing.matrices(depsgraph, listed, copy)
-    if matrices is not None:
-        found[goals.other_rows] = matrices[:, 12:15]
-    presence = _presence(depsgraph)
-    for row, pole in zip(goals.other_rows, listed()) if matrices is None or goals.other_bones else ():
-        bone = goals.other_bones.get(row, "")
-        if pole and (bone or matrices is None) and not presence.is_deleted(pole):
-            matrix = world_matrix(pole, bone)
-            found[row] = matrix.translation if matrix else np.nan
-    return found
 
 
 def _limits(rig, wired):

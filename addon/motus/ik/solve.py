@@ -4,6 +4,7 @@ from ..core.lazy import numpy as np
 from ..core.system import Problem
 from . import reading
 from .groups import OUTPUTS
+from .reasons import MUTED
 
 SOME_ARE_OFF = Problem("Some chains have no target that they could reach for: the list says why", blocking=False)
 NOT_WIRED = Problem("The rig's bones have changed: press Refresh")
@@ -29,7 +30,7 @@ def solve(context):
     if found.off:
         reasons[list(found.off)] = list(found.off.values())
     # All reasons below 0 are a want, but for MUTED, which is the least. argmin, as least numbers go, is quick.
-    if reasons[reasons.argmin()] < 0.0 and np.any((reasons < 0.0) & (reasons > reading.MUTED)):
+    if reasons[reasons.argmin()] < 0.0 and np.any((reasons < 0.0) & (reasons > MUTED)):
         return SOME_ARE_OFF
     if found.is_astray:
         return ASTRAY

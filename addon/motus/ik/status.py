@@ -8,7 +8,7 @@ import bpy
 from ..core import dependencies, native, wiring
 from ..core.presence import Presence
 from ..core.translations import tr
-from . import chains, reading, stations
+from . import chains, goal_places, reasons, stations
 from .groups import OUTPUTS
 from .setup import system
 
@@ -38,7 +38,7 @@ def sentence(context, owner, entry):
     found = report(owner, entry.name, context.view_layer.depsgraph)
     if found is None or _is_second(owner, entry):
         return 'ERROR', _unwired(owner, entry)
-    if found.reason in reading.UNWANTED:
+    if found.reason in reasons.UNWANTED:
         return 'ERROR', _unwanted(entry, found.reason)
     astray = _astray(context, owner, entry)
     if astray:
@@ -80,11 +80,11 @@ def _unwired(owner, entry):
 
 
 def _unwanted(entry, reason):
-    if reason == reading.NO_TARGET:
+    if reason == reasons.NO_TARGET:
         return tr("{bone} has no target: choose one").format(bone=entry.name)
-    if reason == reading.TARGET_DELETED:
+    if reason == reasons.TARGET_DELETED:
         return tr("{target} is in no collection any more: choose another target").format(target=entry.target.name)
-    if reason == reading.NO_TARGET_BONE:
+    if reason == reasons.NO_TARGET_BONE:
         return tr("{object} has no bone {bone}").format(object=entry.target.name, bone=entry.target_bone)
     return tr("A number of this chain is not finite")
 
@@ -97,7 +97,7 @@ def _astray(context, owner, entry):
         return ""
     presence = Presence(depsgraph.view_layer, depsgraph.scene)
     goals = [(now.target, now.target_bone), *((extra.object, extra.bone) for extra in now.extra_targets)]
-    places = [reading.world_matrix(goal, bone) if goal and not presence.is_deleted(goal) else None for goal, bone in goals]
+    places = [goal_places.world_matrix(goal, bone) if goal and not presence.is_deleted(goal) else None for goal, bone in goals]
     missing = [number for number in stations.needed(now.target_blend, places)[0] if places[number] is None]
     return tr("Further target {number} is missing: the one before it counts instead").format(
         number=missing[0]) if missing else ""
@@ -145,7 +145,7 @@ def fault(found, entry):
     nothing but softness keeps the chain off."""
     if is_animated(entry):
         return 0.0, 'ANIMATED'
-    if found is None or found.reason in reading.UNWANTED:
+    if found is None or found.reason in reasons.UNWANTED:
         return 0.0, 'UNSOLVED'
     why = _why(found, entry)
     if why in ('NONE', 'SOFT') or found.residual <= LEAST_FAULT * found.reach:
