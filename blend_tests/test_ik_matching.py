@@ -6,9 +6,9 @@ import time
 import bpy
 import numpy as np
 import support
-from ik_cases import ARM, add_chain, state, tentacle, turn
+from ik_cases import ARM, add_bone, add_chain, state, tentacle, turn
 from ik_match_cases import MatchTestCase, state_of
-from mathutils import Quaternion
+from mathutils import Quaternion, Vector
 
 WEIGHT = "motus.ik.entries[0].position_weight"
 
@@ -113,6 +113,63 @@ class IkMatchesFk(MatchTestCase):
                 for frame, poses in before.items():
                     for name, wanted in zip(names, poses):
                         self.assertNear(self.pose(rig, name, frame), wanted, 1e-5)
+
+    def test_pole_that_follows_the_target_by_way_of_another_object(self):
+        def copies(holder, target):
+            constraint = holder.constraints.new('COPY_LOCATION')
+            constraint.target, constraint.use_offset = target, True
+
+        def is_child(holder, target):
+            holder.constraints.new('CHILD_OF').target = target
+
+        def is_driven(holder, target):
+            driver = holder.driver_add("location", 0).driver
+            variable = driver.variables.new()
+            variable.targets[0].id, variable.targets[0].data_path = target, "location[0]"
+            driver.expression = variable.name
+
+        for follow in (copies, is_child, is_driven):
+            with self.subTest(follow.__name__):
+                self.setUp()
+                rig = self.animated_arm()
+                before = self.recorded(rig)
+                pole, holder = self.target((0.0, -3.0, 1.0), "Pole"), self.target((0.2, -1.0, 0.5), "Holder")
+                pole.parent = holder
+                follow(holder, self.target())
+                self.reach(pole="Pole")
+                self.match()
+                self.assertRecorded(rig, before, 2e-5)
+
+    def test_pole_that_hangs_on_the_rig_of_the_target(self):
+        rig = self.animated_arm()
+        before = self.recorded(rig)
+
+        def build(bones):
+            add_bone(bones, "Goal", (1.0, 0.5, 1.0), (1.0, 0.5, 1.3))
+
+        pole = self.target((0.0, -3.0, 1.0), "Pole")
+        pole.parent = self.rig(build, "Controls")
+        self.reach(target="Controls", target_bone="Goal", pole="Pole")
+        self.match()
+        self.assertRecorded(rig, before, 2e-5)
+
+    def test_target_on_another_chain_with_poles_that_hang_on_targets(self):
+        def build(bones):
+            add_chain(bones, "Bone", ARM)
+            add_chain(bones, "Right", [Vector(joint) - Vector((0.0, 2.0, 0.0)) for joint in ARM])
+
+        names = ["Bone 0", "Bone 1", "Right 0", "Right 1"]
+        rig = self.animate(self.rig(build), names)
+        before = {frame: [self.pose(rig, name, frame) for name in names] for frame in (1, 9, 30)}
+        for name, place in (("Bone", (0.0, -3.0, 1.0)), ("Right", (0.0, -5.0, 1.0))):
+            target, pole = self.target(name=f"{name} Target"), self.target(place, f"{name} Pole")
+            pole.parent = target
+            self.reach(f"{name} 1", target=target.name, pole=pole.name, chain_length=2)
+        target.parent, target.parent_type, target.parent_bone = rig, 'BONE', "Bone 1"
+        self.match()
+        for frame, poses in before.items():
+            for name, wanted in zip(names, poses):
+                self.assertNear(self.pose(rig, name, frame), wanted, 2e-5)
 
     def test_chains_that_hang_on_one_another(self):
         rig = self.animate(self.arm(tentacle(6)), [f"Bone {index}" for index in range(6)])

@@ -69,16 +69,37 @@ class Renaming(IkTestCase):
         self.assertEqual((entry.name, entry.target_bone), ("Forearm", "Grip"))
         self.assertFollows(rig, "Forearm", rig, "Grip")
 
-    def test_a_bone_of_the_old_name_is_not_followed(self):
-        """Another bone took the name at once: what was meant cannot be told, and the chain stays where it went."""
-        rig = self.rig_with_controls()
-        entry = self.reach("Arm 0 1", target="Rig", target_bone="Goal 0")
+    def test_another_bone_takes_the_name_at_once(self):
+        for name in ("Rig", "Other"):
+            with self.subTest(rig=name):
+                self.setUp()
+                rig, other = self.rig_with_controls(), self.rig_with_controls("Other")
+                entry = self.reach("Arm 0 1", target=name, target_bone="Goal 0", pole=name, pole_bone="Side 0")
+                self.evaluated(rig)
+                controls = bpy.data.objects[name]
+                self.rename(controls, {"Goal 0": "Grip", "Side 0": "Goal 0", "Grip": "Side 0"})
+                self.assertEqual((entry.target_bone, entry.pole_bone), ("Side 0", "Goal 0"))
+                self.assertFollows(rig, "Arm 0 1", controls, "Side 0")
+
+    def test_flipped_names(self):
+        rig = self.rig_with_controls(arms=2)
+        self.rename(rig, {"Arm 0 0": "Upper.L", "Arm 0 1": "Lower.L", "Arm 1 0": "Upper.R", "Arm 1 1": "Lower.R",
+                          "Goal 0": "Goal.L", "Goal 1": "Goal.R"})
+        left = self.reach("Lower.L", target="Rig", target_bone="Goal.L", softness=0.125)
+        right = self.reach("Lower.R", target="Rig", target_bone="Goal.R")
         self.evaluated(rig)
-        rig.data.bones["Goal 0"].name = "Grip"
-        rig.data.bones["Side 0"].name = "Goal 0"
+        before = {end: rig.data.bones[f"Lower.{end}"].head_local.y for end in "LR"}
+        bpy.context.view_layer.objects.active = rig
+        bpy.ops.object.mode_set(mode='EDIT')
+        bpy.ops.armature.select_all(action='SELECT')
+        bpy.ops.armature.flip_names()
+        bpy.ops.object.mode_set(mode='OBJECT')
         bpy.context.view_layer.update()
-        self.assertEqual(entry.target_bone, "Goal 0")
-        self.evaluated(rig)
+        self.assertAlmostEqual(rig.data.bones["Lower.R"].head_local.y, before["L"])
+        self.assertEqual([(one.name, one.target_bone, one.softness) for one in (left, right)],
+                         [("Lower.R", "Goal.R", 0.125), ("Lower.L", "Goal.L", 0.0)])
+        for end in "LR":
+            self.assertFollows(rig, f"Lower.{end}", rig, f"Goal.{end}")
 
     def test_target_of_a_look(self):
         rig, other = self.rig_with_controls(), self.rig_with_controls("Other")

@@ -1,5 +1,7 @@
 """Targets that a Blend passes to, when one of them is removed from the chain or deleted from the scene."""
 
+import math
+
 import bpy
 import support
 from ik_switch_cases import A, B, C, SwitchTestCase
@@ -36,6 +38,21 @@ class StationTestCase(SwitchTestCase):
 
     def between(self, start, end, frame):
         return Vector(start).lerp(end, self.blend_at(frame) % 1.0)
+
+
+class NotFinite(StationTestCase):
+    def test_blend_that_is_not_finite(self):
+        """It stops this chain alone, and says so."""
+        self.entry.extra_targets.add().object = bpy.data.objects["B"]
+        self.assertAt(A, 1)
+        for value in (math.nan, math.inf):
+            with self.subTest(value=value), self.assertNoLogs():
+                self.entry.target_blend = value
+                reason = self.output(self.rigged, "Bone 1.reason")
+                is_clamped = self.entry.target_blend == self.entry.target_blend < math.inf
+                self.assertEqual(reason, 0.0 if is_clamped else -1.0)
+                if not is_clamped:
+                    self.assertRefused("passes from one target to another", bpy.ops.motus.ik_match_fk, object="Rig")
 
 
 class RemovedFromKeys(StationTestCase):

@@ -12,6 +12,12 @@ outbox = support.addon("core.wiring.outbox")
 SYSTEM = toy_bone_system.SYSTEM
 
 
+def select(rig, name, is_selected):
+    """Selects a bone in Pose Mode; in Blender 5 poses have a selection of their own."""
+    bone = rig.pose.bones[name]
+    (bone if hasattr(bone, "select") else bone.bone).select = is_selected
+
+
 class CopyTest(BoneTestCase):
     def assert_independent(self, rig, copy):
         copy.motus.bend.entries[-1].weight = 0.2
@@ -148,6 +154,25 @@ class ArmatureTest(BoneTestCase):
         self.assertEqual([bone.name for bone in rig.pose.bones if bone.constraints], [])
 
     @each_lasting_kind
+    def test_copied_sinks(self, build):
+        """As Symmetrize onto bones that are there and Copy Constraints to Selected Bones leave them."""
+        rig = build()
+        frame_set(3)
+        for obj in bpy.context.view_layer.objects:
+            obj.select_set(obj == rig)
+        bpy.context.view_layer.objects.active = rig
+        bpy.ops.object.mode_set(mode='POSE')
+        bone = rig.pose.bones["root"]
+        for one in rig.data.bones:
+            select(rig, one.name, one.name in {"root", "A.0"})
+        rig.data.bones.active = rig.data.bones["A.0"]
+        bpy.ops.pose.constraints_copy()
+        bpy.ops.object.mode_set(mode='OBJECT')
+        bpy.context.view_layer.update()
+        self.assertEqual(list(bone.constraints), [])
+        self.assert_alive(rig)
+
+    @each_lasting_kind
     def test_renamed_bones(self, build):
         rig = build()
         frame_set(3)
@@ -157,6 +182,27 @@ class ArmatureTest(BoneTestCase):
             bpy.context.view_layer.update()
         names = [entry.name for entry in rig.motus.bend.entries]
         self.assertEqual(names[:2], ["Upper", "A.0"][:len(names)])
+        self.assert_alive(rig)
+
+    @each_lasting_kind
+    def test_bones_that_exchange_names(self, build):
+        rig = build()
+        frame_set(3)
+        bones = rig.data.bones
+        for old, new in (("A.0", "Kept"), ("A.1", "A.0"), ("Kept", "A.1")):
+            bones[old].name = new
+        bpy.context.view_layer.update()
+        self.assertEqual(rig.motus.bend.entries[0].name, "A.1")
+        self.assert_alive(rig)
+
+    @each_lasting_kind
+    def test_bones_that_hand_names_on(self, build):
+        rig = build()
+        frame_set(3)
+        rig.data.bones["A.1"].name = "A.2"
+        rig.data.bones["A.0"].name = "A.1"
+        bpy.context.view_layer.update()
+        self.assertEqual(rig.motus.bend.entries[0].name, "A.1")
         self.assert_alive(rig)
 
     def test_renamed_while_edited(self):

@@ -17,6 +17,7 @@ TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "
 _OWN_TRANSFORM = ("location", "rotation_", "scale", "delta_", "constraints[", "lock_")
 _BONE_PATH = re.compile(r'^pose\.bones\["(?P<bone>(?:[^"\\]|\\.)*)"\]\.')
 _EVALUATED = re.compile(rf'^(?:matrix_world|matrix_local|{_BONE_PATH.pattern[1:]}(?:matrix|head|tail|length)\b)')
+_CHANNEL = re.compile(rf'^(?:{_BONE_PATH.pattern[1:]})?(?:location|rotation_\w+|scale|delta_\w+)')
 _ON_GEOMETRY = {'SHRINKWRAP', 'FOLLOW_PATH', 'CLAMP_TO', 'SPLINE_IK', 'GEOMETRY_ATTRIBUTE'}
 _TARGETS = (("target", "subtarget"), ("pole_target", "pole_subtarget"), ("space_object", "space_subtarget"),
             ("depth_object", ""), ("camera", ""))
@@ -45,17 +46,40 @@ def levels(rig):
 
 def depends(obj, bone, rig, bones):
     """Whether an object, or the bone of it that is named, moves with some of a rig's bones."""
-    graph = _Graph(rig)
     wanted = {(BONE, rig, name) for name in bones}
-    seen, waiting = set(), list(_place(obj, bone))
+    return any(node in wanted for node in _all_from(_Graph(rig), _place(obj, bone)))
+
+
+def hanging(rig, places):
+    """{place: those of the others that it moves with} of places (object, bone or ""), with the entries on a rig wired."""
+    graph, found = _Graph(rig), {}
+    nodes = {place: set(_place(*place)) for place in places}
+    for place in places:
+        below = set()
+        for node in _all_from(graph, nodes[place]):
+            below.add(node)
+            if node[0] == DRIVERS and isinstance(node[1], bpy.types.Object):
+                below.update(_of_channel(*node[1:]))
+        found[place] = [other for other in places if other != place and not below.isdisjoint(nodes[other])]
+    return found
+
+
+def _all_from(graph, nodes):
+    """Yields the nodes and all that they depend on."""
+    seen, waiting = set(), list(nodes)
     while waiting:
         node = waiting.pop()
-        if node in wanted:
-            return True
         if node not in seen:
             seen.add(node)
+            yield node
             waiting += graph.depends_on(node)
-    return False
+
+
+def _of_channel(obj, path):
+    """The place that a data path sets the location, rotation or scale of, where it does."""
+    match = _CHANNEL.match(path)
+    if match:
+        yield from _place(obj, bpy.utils.unescape_identifier(match["bone"] or ""))
 
 
 class _Graph:

@@ -1,5 +1,6 @@
 """Targets and poles as things that can be moved: an object, or a bone of one."""
 
+import math
 from typing import Any, NamedTuple
 
 from mathutils import Matrix
@@ -34,6 +35,8 @@ def _control(obj, bone):
 
 def goal_at(entry, blend):
     """(object or None, bone) that the chain goes to at a value of Blend; None between two of them."""
+    if not math.isfinite(blend):
+        return None
     whole = round(blend)
     if abs(blend - whole) > stations.STANDS:
         return None
@@ -113,20 +116,6 @@ def _in_parents(control, evaluated, matrix):
     bone = evaluated.pose.bones[control.bone]
     return evaluated.convert_space(pose_bone=bone, matrix=evaluated.matrix_world.inverted_safe() @ matrix,
                                    from_space='POSE', to_space='LOCAL'), bone.scale
-
-
-def moves_with(control, other):
-    """Whether a control hangs on another one by parents."""
-    if control.bone and other.object == control.object:
-        return any(bone.name == other.bone for bone in control.thing.parent_recursive) or not other.bone
-    ancestor, bone = control.object, control.bone
-    while ancestor:
-        if ancestor == other.object and ancestor != control.object:
-            return not other.bone or bone == other.bone or any(
-                one.name == other.bone for one in ancestor.pose.bones[bone].parent_recursive if bone)
-        bone = ancestor.parent_bone if ancestor.parent_type == 'BONE' else ""
-        ancestor = ancestor.parent
-    return False
 
 
 def animated_with(rig, entries):

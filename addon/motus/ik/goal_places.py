@@ -3,13 +3,15 @@
 Bones of the rig itself are taken from the arrays that are there already, other objects are read by one call.
 """
 
+import math
+
 from mathutils import Euler, Matrix
 
 from ..core import rigs
 from ..core.lazy import numpy as np
 from ..core.presence import Presence
 from . import stations
-from .reasons import NO_TARGET, NO_TARGET_BONE, TARGET_DELETED
+from .reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
 
 
 def read_targets(entries, wired, posed, known, depsgraph, off):
@@ -85,6 +87,9 @@ def blend(found, rig, entries, further, depsgraph, off):
     for row, are_there in further.there(rig, entries, depsgraph).items():
         entry = entries()[row]
         if entry.target_blend <= 0.0:
+            continue
+        if not math.isfinite(entry.target_blend):
+            off[row] = NOT_FINITE
             continue
         places = [None if row in off else Matrix(found[row].reshape(4, 4).T), *_further_places(entry, are_there)]
         numbers, share = stations.needed(entry.target_blend, places)

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
+from ..core import dependencies
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused, check_no_tweak_mode, check_posed
 from ..core.translations import tr
@@ -68,14 +69,14 @@ def match_fk(context, rig, bone, frames, switch, outcome):
                 poses.record(context.view_layer.depsgraph)
                 done += 1
                 yield done
-        wanted.write(writer, passes[0], frames)
-        for controls_now in passes[1:]:
-            for index, frame in enumerate(frames):
-                go_to(scene, frame)
-                wanted.place(context.view_layer.depsgraph, controls_now, index)
-                done += 1
-                yield done
-            wanted.write(writer, controls_now, frames)
+            wanted.write(writer, passes[0], frames)
+            for controls_now in passes[1:]:
+                for index, frame in enumerate(frames):
+                    go_to(scene, frame)
+                    wanted.place(context.view_layer.depsgraph, controls_now, index)
+                    done += 1
+                    yield done
+                wanted.write(writer, controls_now, frames)
         if switch:
             weights.switch(scene, rig, entries, frames, writer, {"position_weight": 1.0})
         for index, frame in enumerate(frames):
@@ -178,12 +179,14 @@ class _Wanted:
     def passes(self):
         """The controls, those that hang on others after these."""
         depth = {}
+        by_place = {(control.object, control.bone): control for control in self._places}
+        above = dependencies.hanging(self._rig, by_place)
 
         def depth_of(control):
             if control not in depth:
                 depth[control] = 0
-                above = [other for other in self._places if other != control and controls.moves_with(control, other)]
-                depth[control] = 1 + max((depth_of(other) for other in above), default=-1)
+                others = [by_place[place] for place in above[control.object, control.bone]]
+                depth[control] = 1 + max(map(depth_of, others), default=-1)
             return depth[control]
         for control in self._places:
             depth_of(control)

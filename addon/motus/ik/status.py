@@ -93,7 +93,7 @@ def _astray(context, owner, entry):
     """Of a further target that is missing, so that the chain, though it is solved, is at the one before it."""
     depsgraph = context.view_layer.depsgraph
     now = owner.evaluated_get(depsgraph).motus.ik.entries.get(entry.name)
-    if now is None or now.is_muted or now.target_blend <= 0.0 or not now.extra_targets:
+    if now is None or now.is_muted or not 0.0 < now.target_blend < math.inf or not now.extra_targets:
         return ""
     presence = Presence(depsgraph.view_layer, depsgraph.scene)
     goals = [(now.target, now.target_bone), *((extra.object, extra.bone) for extra in now.extra_targets)]

@@ -9,7 +9,7 @@ from .stations import Further
 
 
 class RigChanged(Exception):
-    """The rig has not all bones that were wired: it was edited, and will be wired again."""
+    """The rig has not the chains that were wired: it was edited, and will be wired again."""
 
 
 class Wired:
@@ -44,7 +44,10 @@ class Wired:
         report = native.module.IkPlan.REPORT
         self.told = np.array([report.index(name) for name in OUTPUTS])  # columns of the report
         parents = rigs.parents(rig, list(rows))
-        self.plan = native.module.IkPlan(parents, bones, effectors, guards)
+        try:
+            self.plan = native.module.IkPlan(parents, bones, effectors, guards)
+        except ValueError as error:  # a chain that has been taken apart
+            raise RigChanged from error
         roots = {parents[chain[0]] for chain in bones} - {-1}
         # Rows whose poses are read, and names of the bones whose own transforms are.
         self.posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))

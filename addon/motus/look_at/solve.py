@@ -40,7 +40,7 @@ def solve(context):
     text = context.data[PLAN]
     try:
         wired = rigs.plan(context.owner, text, lambda rig, rows: Wired(rig, rows, text))
-    except KeyError:
+    except (KeyError, ValueError):  # bones that are gone, or hang together otherwise
         return BONES_CHANGED
     if wired.names:
         problem = _solve(context, rigs.read(context.owner, wired.still), wired)

@@ -7,7 +7,7 @@ from ..system import groups_of, of_owner, registered
 from . import (
     anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, override_drivers,
     overrides, proxy_sink, readers, solver_driver)
-from .sinks import led_by, remove, remove_orphans, renamed_bones, sinks
+from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
 
 def attach(system, owner):
@@ -138,26 +138,44 @@ def refresh_others(system, owner):
 
 
 def refresh_changed(system, owner):
-    """Wire again where the groups are others than those wired; returns whether they were."""
-    if of_owner(system, owner).wired == carriers.signature(system, owner, groups_of(system, owner)):
+    """Wire again where the groups are others than those wired, or their sinks have copies; returns whether they were."""
+    is_same = of_owner(system, owner).wired == carriers.signature(system, owner, groups_of(system, owner))
+    if is_same and not has_strays(system, owner):
         return False
     _refresh(system, owner)
     return True
 
 
 def refresh_edited(system, owner):
-    """Tell the system of bones that have other names now, and wire again where that or more has changed."""
-    _follow_renamed(system, owner)
-    refresh_changed(system, owner)
+    """Wire again where bones have other names now, which the system is told, or more has changed."""
+    if _renamed(system, owner):
+        _refresh(system, owner)
+    else:
+        refresh_changed(system, owner)
+
+
+def _renamed(system, owner):
+    """(rig, old name, new name) of bones that were renamed since the owner was wired."""
+    driven = [(owner, old, new) for old, new in renamed_bones(system, owner)]
+    return list(dict.fromkeys(driven + solver_driver.renamed_reads(system, owner)))
 
 
 def _follow_renamed(system, owner):
-    driven = [(owner, old, new) for old, new in renamed_bones(system, owner)]
-    for rig, old, new in dict.fromkeys(driven + solver_driver.renamed_reads(system, owner)):
-        if system.bone_renamed:
-            system.bone_renamed(owner, rig, old, new)
-            if rig == owner:
-                _rename_paths(system, owner, old, new)
+    """Tell the system. Once only: until it is wired again the bones go on to count as renamed."""
+    if system.bone_renamed is None:
+        return
+    renamed = _renamed(system, owner)
+    # By way of names that no bone has: bones may have exchanged theirs.
+    for number, (rig, old, _) in enumerate(renamed):
+        _rename(system, owner, rig, old, f"\n{number}")
+    for number, (rig, _, new) in enumerate(renamed):
+        _rename(system, owner, rig, f"\n{number}", new)
+
+
+def _rename(system, owner, rig, old, new):
+    system.bone_renamed(owner, rig, old, new)
+    if rig == owner:
+        _rename_paths(system, owner, old, new)
 
 
 def _rename_paths(system, owner, old, new):

@@ -70,21 +70,36 @@ def renamed_bones(system, owner):
     """(old name, new name) of the driven bones of an owner that were renamed since they were wired."""
     if owner.pose is None:
         return []
-    present = set(owner.pose.bones.keys())
+    found, at_home = {}, set()
+    for thing, old in _as_wired(system, owner):
+        if old == thing.name:
+            at_home.add(old)
+        else:
+            found.setdefault(old, thing.name)  # copies of the bone come after it
+    return [(old, new) for old, new in found.items() if old not in at_home]
+
+
+def has_strays(system, owner):
+    """Whether bones that the system does not drive have got copies of its sinks, by tools of Blender's."""
+    if owner.pose is None or owner.override_library:
+        return False
+    return any(old != thing.name for thing, old in _as_wired(system, owner)) or any(
+        True for _ in _bereft(system, owner, _driven_constraints(owner)))
+
+
+def _as_wired(system, owner):
+    """Yields (PoseBone, name that it had when it was wired) for every sink on the owner's bones of which that can be told."""
     old_names = {}
     for key, carrier in outbox.carriers(system, owner):
         known = outbox.info(system, carrier, key)
         if known is not None:
             old_names[carrier, key] = known.members, outbox.FIRST_OUTPUT + len(known.outputs)
-    if all(present.issuperset(names) for names, _ in old_names.values()):
-        return []
-    found = {}
-    for thing, constraint, carrier, key in on_object(system, owner):
+    slots = _slots(system, owner, owner) if old_names else {}
+    for thing, constraint, carrier, key in on_object(system, owner) if old_names else ():
         names, base = old_names.get((carrier, key), ((), 0))
-        index = _member_index(system, owner, constraint, base, len(names))
-        if index is not None and names[index] != thing.name and names[index] not in present:
-            found[names[index]] = thing.name
-    return list(found.items())
+        index = _member_index(system, owner, constraint, base, len(names), slots)
+        if index is not None:
+            yield thing, names[index]
 
 
 def release(system, obj):
@@ -175,23 +190,27 @@ def _read(system, pattern, driver, obj):
     return None
 
 
-def _member_index(system, owner, constraint, base, count):
-    """Place of a sink's member in its group; None where that cannot be told."""
+def _member_index(system, owner, constraint, base, count, slots):
+    """Place of a sink's member in its group; None where that cannot be told. slots: _slots() of the owner's drivers."""
     if constraint.type == 'GEOMETRY_ATTRIBUTE':
         return constraint.sample_index if constraint.sample_index < count else None
     proxy = proxy_sink.proxy_of(constraint)
-    holder, pattern = proxy or owner, outbox.slot_pattern(system)
-    prefix = "" if proxy else constraint.path_from_id() + "."
+    slot = _slots(system, proxy, owner).get("") if proxy else slots.get(constraint.path_from_id())
+    if slot is None:
+        return None
+    offset, poses = slot - base, outbox.POSE_SIZE * count
+    index = offset // outbox.POSE_SIZE if offset < poses else (offset - poses) // outbox.SCALE_SIZE
+    return index if 0 <= index < count else None
+
+
+def _slots(system, holder, owner):
+    """Path of each constraint, "" for the holder itself -> the first slot of an outbox that drives it, but for the influence."""
+    found, pattern = {}, outbox.slot_pattern(system)
     for curve in holder.animation_data.drivers if holder.animation_data else ():
-        if not curve.data_path.startswith(prefix) or curve.data_path.endswith(".influence"):
-            continue
-        if not _read(system, pattern, curve.driver, owner):
-            continue
-        offset = _slot(pattern, curve.driver) - base
-        poses = outbox.POSE_SIZE * count
-        index = offset // outbox.POSE_SIZE if offset < poses else (offset - poses) // outbox.SCALE_SIZE
-        return index if 0 <= index < count else None
-    return None
+        path, _, name = curve.data_path.rpartition(".")
+        if name != "influence" and path not in found and _read(system, pattern, curve.driver, owner):
+            found[path] = _slot(pattern, curve.driver)
+    return found
 
 
 def _read_first(system, pattern, proxy):

@@ -42,7 +42,7 @@ def renamed_reads(system, owner):
     for key, carrier in outbox.carriers(system, owner):
         known = outbox.info(system, carrier, key)
         for old, (rig, new) in zip(known.reads if known else (), waits(system, owner, key)):
-            if old != new and rig and rig.pose and old not in rig.pose.bones:
+            if old != new and rig and rig.pose and new in rig.pose.bones:
                 found[rig, old] = new
     return [(rig, old, new) for (rig, old), new in found.items()]
 
