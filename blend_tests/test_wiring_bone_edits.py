@@ -12,6 +12,13 @@ outbox = support.addon("core.wiring.outbox")
 SYSTEM = toy_bone_system.SYSTEM
 
 
+def choose(chosen):
+    """Selects one object alone, and makes it the active one."""
+    for obj in bpy.context.view_layer.objects:
+        obj.select_set(obj == chosen)
+    bpy.context.view_layer.objects.active = chosen
+
+
 def select(rig, name, is_selected):
     """Selects a bone in Pose Mode; in Blender 5 poses have a selection of their own."""
     bone = rig.pose.bones[name]
@@ -48,9 +55,7 @@ class CopyTest(BoneTestCase):
     def test_duplicated_by_the_operator(self, build):
         rig = build()
         frame_set(3)
-        for obj in bpy.context.view_layer.objects:
-            obj.select_set(obj == rig)
-        bpy.context.view_layer.objects.active = rig
+        choose(rig)
         bpy.ops.object.duplicate()
         copy = bpy.context.view_layer.objects.active
         self.assertIsNot(copy, rig)
@@ -158,9 +163,7 @@ class ArmatureTest(BoneTestCase):
         """As Symmetrize onto bones that are there and Copy Constraints to Selected Bones leave them."""
         rig = build()
         frame_set(3)
-        for obj in bpy.context.view_layer.objects:
-            obj.select_set(obj == rig)
-        bpy.context.view_layer.objects.active = rig
+        choose(rig)
         bpy.ops.object.mode_set(mode='POSE')
         bone = rig.pose.bones["root"]
         for one in rig.data.bones:
