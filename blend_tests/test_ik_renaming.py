@@ -108,3 +108,41 @@ class Renaming(IkTestCase):
         self.evaluated(rig)
         self.rename(other, {"Goal 0": "Lamp"})
         self.assertEqual(rig.motus.look_at.entries[0].target_bone, "Lamp")
+
+    def test_heads_that_exchange_names(self):
+        rig = self.rig_with_controls(arms=3)
+        for index in range(3):
+            self.target((1.0, 3.0 * index, 2.0), f"Seen {index}")
+            self.assertEqual(bpy.ops.motus.look_at_add(
+                object="Rig", bone=f"Arm {index} 1", target=f"Seen {index}", body_length=0, eyes=""), {'FINISHED'})
+        self.evaluated(rig)
+        with self.assertNoLogs():
+            self.rename(rig, {"Arm 0 1": "Kept", "Arm 1 1": "Arm 0 1", "Arm 2 1": "Arm 1 1", "Kept": "Arm 2 1"})
+        self.assertEqual([(one.name, one.target.name) for one in rig.motus.look_at.entries],
+                         [("Arm 2 1", "Seen 0"), ("Arm 0 1", "Seen 1"), ("Arm 1 1", "Seen 2")])
+
+    def test_a_chain_behind_a_head(self):
+        """IK of the spine, a head that turns on it, a chain that goes to the head: whichever is renamed, the order stays."""
+        rig = self.rig_with_controls(arms=3)
+        self.assertEqual(bpy.ops.motus.look_at_add(
+            object="Rig", bone="Goal 1", target=self.target((0.0, 5.0, 1.0), "Seen").name, body_length=0, eyes=""),
+            {'FINISHED'})
+        self.reach("Arm 0 1", target="Rig", target_bone="Goal 1")
+        rig.motus.look_at.entries[0].target, rig.motus.look_at.entries[0].target_bone = rig, "Arm 2 1"
+        self.reach("Arm 2 1", target="Rig", target_bone="Goal 2")
+        signature, systems = support.addon("core.wiring.carriers").signature, support.addon("core.system").registered
+        for old in ("Goal 1", "Arm 2 1", "Arm 0 1"):
+            self.rename(rig, {old: f"New {old}"})
+            for name in ("ik", "look_at"):
+                system = systems[name]
+                self.assertEqual(getattr(rig.motus, name).wired, signature(system, rig, tuple(system.groups(rig))), (old, name))
+
+    def test_a_copy_before_its_first_evaluation(self):
+        rig = self.rig_with_controls(arms=15)
+        for index in range(15):
+            self.reach(f"Arm {index} 1", target="Rig", target_bone=f"Goal {index}")
+        copy = rig.copy()
+        self.scene.collection.objects.link(copy)
+        self.rename(rig, {"Goal 0": "Grip"})
+        for one in (rig, copy):
+            self.assertEqual(one.motus.ik.entries[0].target_bone, "Grip")

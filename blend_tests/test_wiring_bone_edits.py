@@ -239,6 +239,35 @@ class ArmatureTest(BoneTestCase):
                 support.empty_scene()
                 self.check_renamed_entry(plays)
 
+    def test_renamed_in_tweak_mode(self):
+        rig = build()
+        rig.keyframe_insert('motus.bend.entries["A.0"].weight', frame=1)
+        animation = rig.animation_data
+        strip = animation.nla_tracks.new().strips.new("Strip", 1, animation.action)
+        animation.action = None
+        animation.nla_tracks.active, strip.select = animation.nla_tracks[0], True
+        animation.use_tweak_mode = True
+        self.assertTrue(animation.use_tweak_mode)
+        with self.assertNoLogs():
+            rig.data.bones["A.0"].name = "Upper"
+            bpy.context.view_layer.update()
+        self.assertIn("Upper", rig.motus.bend.entries)
+        self.assert_bent(rig)
+
+    def test_renamed_below_another_system(self):
+        """Each system comes to know the name before the levels of the other one are final."""
+        nod = toy_bone_system.NOD
+        rig = build(chains=1, stretch=0.0)
+        toy_bone_system.bend(rig, {"root": rig.motus.bend.entries[0].target}, system=nod, stretch=0.0)
+        frame_set(3)
+        for old in ("root", "A.0"):
+            rig.data.bones[old].name = f"New {old}"
+            bpy.context.view_layer.update()
+            for system in (SYSTEM, nod):
+                settings = getattr(rig.motus, system.name)
+                self.assertEqual(
+                    settings.wired, carriers.signature(system, rig, tuple(system.groups(rig))), (old, system.name))
+
     def check_renamed_entry(self, plays):
         rig = build()
         for frame, value in ((1, 0.0), (60, 1.0)):
@@ -290,6 +319,17 @@ class DetachTest(BoneTestCase):
         self.assertEqual([curve.data_path for curve in rig.animation_data.drivers if ".constraints[" in curve.data_path], [])
         self.assertEqual(len(bpy.data.meshes), 0)
         self.assert_untouched(rig)
+
+    @each_kind
+    def test_keeps_constraints_that_are_called_alike(self, build):
+        rig = build()
+        names = {'LIMIT_ROTATION': "Motus Bend Rotation Limit", 'TRANSFORM': "Motus Bend Scale by hand"}
+        for kind, name in names.items():
+            rig.pose.bones["root"].constraints.new(kind).name = name
+        rig.data.bones["A.0"].name = "Upper"
+        bpy.context.view_layer.update()
+        wiring.detach(SYSTEM, rig)
+        self.assertEqual([one.name for one in rig.pose.bones["root"].constraints], list(names.values()))
 
     def test_keeps_what_is_the_users(self):
         rig = build()

@@ -110,11 +110,13 @@ def assign_copy(id_data, name):
 def own_curves(id_data, is_meant):
     """Yields, of each action that is played for it, the F-curves, if is_meant(data path) holds for any.
 
-    Where others play the action too, or it is linked, it plays a copy from then on.
+    Where others play the action too, or it is linked, it plays a copy from then on; but not in the tweak mode of the NLA, in
+    which Blender lets no action be exchanged.
     """
     for player in players(id_data):
         if any(is_meant(curve.data_path) for curve in curves_of(player)):
-            make_own(player)
+            if not id_data.animation_data.use_tweak_mode:
+                make_own(player)
             yield curves_of(player)
 
 

@@ -150,8 +150,9 @@ def refresh_edited(system, owner):
     """Wire again where bones have other names now, which the system is told, or more has changed."""
     if _renamed(system, owner):
         _refresh(system, owner)
-    else:
-        refresh_changed(system, owner)
+    elif not refresh_changed(system, owner):
+        return
+    refresh_others(system, owner)
 
 
 def _renamed(system, owner):
@@ -161,21 +162,23 @@ def _renamed(system, owner):
 
 
 def _follow_renamed(system, owner):
-    """Tell the system. Once only: until it is wired again the bones go on to count as renamed."""
-    if system.bone_renamed is None:
-        return
-    renamed = _renamed(system, owner)
+    """Tell the system, as _refresh() does before it wires: until then the bones go on to count as renamed."""
+    renamed = _renamed(system, owner) if system.bone_renamed else ()
     # By way of names that no bone has: bones may have exchanged theirs.
-    for number, (rig, old, _) in enumerate(renamed):
-        _rename(system, owner, rig, old, f"\n{number}")
-    for number, (rig, _, new) in enumerate(renamed):
-        _rename(system, owner, rig, f"\n{number}", new)
-
-
-def _rename(system, owner, rig, old, new):
-    system.bone_renamed(owner, rig, old, new)
-    if rig == owner:
-        _rename_paths(system, owner, old, new)
+    steps = [(rig, old, f"\n{number}") for number, (rig, old, _) in enumerate(renamed)]
+    steps += [(rig, f"\n{number}", new) for number, (rig, _, new) in enumerate(renamed)]
+    if not steps:
+        return
+    settings = of_owner(system, owner)
+    settings.is_active = False  # or settings that are given other names would have it wired in between
+    try:
+        for step in steps:
+            system.bone_renamed(owner, *step)
+    finally:
+        settings.is_active = True
+    for rig, old, new in steps:
+        if rig == owner:
+            _rename_paths(system, owner, old, new)
 
 
 def _rename_paths(system, owner, old, new):

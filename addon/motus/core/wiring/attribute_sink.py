@@ -13,7 +13,7 @@ from bpy.app.handlers import persistent
 from .. import native
 from ..lazy import numpy as np
 from ..system import Variable, groups_of, registered
-from . import drivers, outbox
+from . import drivers, limit_sink, outbox
 from .scratch import scratch
 
 ATTRIBUTE = "motus_transform"
@@ -64,7 +64,7 @@ def needs_driver(system, constraint):
 def is_bereft(system, constraint):
     """Whether a constraint is called and made like one of these, but has lost its hub."""
     return (constraint.type == 'GEOMETRY_ATTRIBUTE' and constraint.target is None
-            and constraint.name.startswith(_name(system)))
+            and constraint.attribute_name == ATTRIBUTE and limit_sink.is_called(constraint, _name(system)))
 
 
 def _name(system):

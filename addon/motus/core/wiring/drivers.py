@@ -15,7 +15,8 @@ def add(owner, path, expression, variables, index=None, use_self=False):
 
 def copy_value(owner, path, source, index=None):
     """Let one property have the value of another, without Python."""
-    _new(owner, path, index, {"": source}).type = 'SUM'
+    no_name = ""  # only expressions need one
+    _new(owner, path, index, {no_name: source}).type = 'SUM'
 
 
 def _new(owner, path, index, variables):

@@ -4,6 +4,8 @@ Absolute ones are Limit constraints with min = max, or Transformation where ther
 Their drivers only copy slots of the outbox, which takes no Python.
 """
 
+import re
+
 import bpy
 
 from .. import capabilities
@@ -92,9 +94,15 @@ def _limit_scale(system, member):
 _LIMITS = {"location": _limit_location, "rotation": _limit_rotation, "scale": _limit_scale}
 
 
+def is_called(constraint, name):
+    """Whether a constraint has a name, or that with a number after it, as Blender gives."""
+    return re.fullmatch(re.escape(name) + r"(\.\d{3,})?", constraint.name) is not None
+
+
 def is_named(system, constraint):
     """Whether a constraint is called and made like one of these."""
-    return constraint.type in _KINDS and any(constraint.name.startswith(_name(system, channel)) for channel in _LIMITS)
+    return constraint.type in _KINDS and any(
+        is_called(constraint, _name(system, channel)) for channel in _LIMITS)
 
 
 def _name(system, channel):

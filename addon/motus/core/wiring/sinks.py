@@ -38,7 +38,9 @@ def on_object(system, obj):
 
 
 def _bereft(system, obj, driven):
-    """The same for sinks that Blender has saved or copied without their drivers."""
+    """The same for constraints that are called like sinks and work no more: of an override, where Blender has not saved their
+    drivers, copies, and those whose hub is gone. driven: data paths of constraints that have drivers.
+    """
     for thing in (obj, *(obj.pose.bones if obj.pose else ())):
         for constraint in thing.constraints:
             is_ours = (limit_sink.is_named(system, constraint) or attribute_sink.needs_driver(system, constraint)
@@ -50,7 +52,7 @@ def _bereft(system, obj, driven):
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
     driven = _driven_objects(system, owner)
-    # The owner itself stands for a hub of which somebody has deleted the object.
+    # Where somebody has deleted a hub's object, outbox.carrier_of() gives the owner itself.
     carriers = {owner, *(carrier for _, carrier in outbox.carriers(system, owner)), *outbox.lost_hubs(system, owner)}
     # Overrides may have lost outbox and drivers, or been given sinks of their library again.
     overridden = [obj for obj in driven if obj.override_library]
@@ -83,8 +85,7 @@ def has_strays(system, owner):
     """Whether bones that the system does not drive have got copies of its sinks, by tools of Blender's."""
     if owner.pose is None or owner.override_library:
         return False
-    return any(old != thing.name for thing, old in _as_wired(system, owner)) or any(
-        True for _ in _bereft(system, owner, _driven_constraints(owner)))
+    return any(old != thing.name for thing, old in _as_wired(system, owner)) or bool(_strays(system, owner))
 
 
 def _as_wired(system, owner):
@@ -135,7 +136,7 @@ def remove(found):
 
 
 def remove_orphans(system, owner):
-    """Remove drivers of sinks that went with the bones they sat on, and, where the sinks are gone, what bones were copied with.
+    """Where the sinks are gone, remove what is left of some: drivers whose bone is gone, and constraints without drivers.
 
     Blender copies a bone in Edit Mode with its constraints, but not with the drivers of these.
     """
@@ -146,8 +147,15 @@ def remove_orphans(system, owner):
             and _resolve(owner, curve.data_path) is None}
     if gone:
         drivers.remove_where(owner, gone.__contains__)
-    if system.groups is not None and not owner.override_library:
-        remove([(thing, constraint) for thing, constraint, *_ in _bereft(system, owner, _driven_constraints(owner))])
+    remove(_strays(system, owner))
+
+
+def _strays(system, owner):
+    """(PoseBone, constraint) of copies without drivers, and of sinks without a hub. Not of overrides, which have lost theirs."""
+    if system.groups is None or owner.pose is None or owner.override_library:
+        return []
+    return [(thing, constraint) for thing, constraint, *_ in _bereft(system, owner, _driven_constraints(owner))
+            if thing != owner]
 
 
 def _driven_constraints(obj):

@@ -40,10 +40,11 @@ def renamed_reads(system, owner):
     """(rig, old name, new name) of bones that the owner reads and that were renamed since it was wired."""
     found = {}
     for key, carrier in outbox.carriers(system, owner):
-        known = outbox.info(system, carrier, key)
+        known, first = outbox.info(system, carrier, key), carrier.get(outbox.OWNER_KEY)
         for old, (rig, new) in zip(known.reads if known else (), waits(system, owner, key)):
             if old != new and rig and rig.pose and new in rig.pose.bones:
-                found[rig, old] = new
+                # A copy shares the hubs of the first one, and means itself where that meant itself.
+                found[owner if rig == first else rig, old] = new
     return [(rig, old, new) for (rig, old), new in found.items()]
 
 
