@@ -3,6 +3,7 @@
 import bpy
 import support
 import toy_bone_system
+import toy_system
 from bone_cases import BoneTestCase, build, build_few, build_many, drive, each_kind, each_lasting_kind, poses
 from wiring_cases import frame_set
 
@@ -256,17 +257,16 @@ class ArmatureTest(BoneTestCase):
 
     def test_renamed_below_another_system(self):
         """Each system comes to know the name before the levels of the other one are final."""
-        nod = toy_bone_system.NOD
-        rig = build(chains=1, stretch=0.0)
-        toy_bone_system.bend(rig, {"root": rig.motus.bend.entries[0].target}, system=nod, stretch=0.0)
-        frame_set(3)
-        for old in ("root", "A.0"):
-            rig.data.bones[old].name = f"New {old}"
-            bpy.context.view_layer.update()
-            for system in (SYSTEM, nod):
-                settings = getattr(rig.motus, system.name)
-                self.assertEqual(
-                    settings.wired, carriers.signature(system, rig, tuple(system.groups(rig))), (old, system.name))
+        nod, rig = toy_bone_system.NOD, toy_bone_system.animate(toy_bone_system.new_rig())
+        toy_bone_system.bend(rig, {"B.0": toy_system.new_target()}, system=nod)
+        toy_bone_system.bend(rig, {"A.0": (rig, "B.1")})
+        bpy.context.view_layer.update()
+        rig.data.bones["B.0"].name = "Lower"
+        bpy.context.view_layer.update()
+        for system in (SYSTEM, nod):
+            settings = getattr(rig.motus, system.name)
+            self.assertEqual(settings.wired, carriers.signature(system, rig, tuple(system.groups(rig))), system.name)
+        self.assertEqual([key for key, _ in outbox.carriers(SYSTEM, rig)], ["1"])
 
     def check_renamed_entry(self, plays):
         rig = build()

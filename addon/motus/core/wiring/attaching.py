@@ -150,9 +150,8 @@ def refresh_edited(system, owner):
     """Wire again where bones have other names now, which the system is told, or more has changed."""
     if _renamed(system, owner):
         _refresh(system, owner)
-    elif not refresh_changed(system, owner):
-        return
-    refresh_others(system, owner)
+    else:
+        refresh_changed(system, owner)
 
 
 def _renamed(system, owner):

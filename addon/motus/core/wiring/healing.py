@@ -175,9 +175,14 @@ def _heal_edited(depsgraph):
     edited = [update.id.original for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
     edited = {armature for armature in edited if not armature.is_editmode}
     _heal_joined({armature for armature in edited if _bone_counts.get(armature.name) != len(armature.bones)})
-    for system, owner in _attached() if edited else ():
-        if system.groups is not None and not edited.isdisjoint(_armatures(system, owner)):
-            attaching.refresh_edited(system, owner)
+    touched = [(system, owner) for system, owner in (_attached() if edited else ())
+               if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))]
+    for system, owner in touched:
+        attaching.refresh_edited(system, owner)
+    # Once more, now that all of an owner's systems know the names: by them their entries wait for each other.
+    for system, owner in touched:
+        if system.entries is not None:
+            attaching.refresh_changed(system, owner)
 
 
 def _heal_joined(grown):
