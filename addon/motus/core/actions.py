@@ -120,12 +120,6 @@ def own_curves(id_data, is_meant):
             yield curves_of(player)
 
 
-def curves_and_drivers(id_data):
-    """Its F-curves and its drivers."""
-    animation = id_data.animation_data
-    return [*fcurves(id_data), *(animation.drivers if animation else ())]
-
-
 def remove(id_data, prefixes):
     """Remove keys and drivers of what has a data path with one of these beginnings, and what is then empty.
 
