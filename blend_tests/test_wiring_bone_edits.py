@@ -190,21 +190,17 @@ class ArmatureTest(BoneTestCase):
 
     @each_lasting_kind
     def test_bones_that_exchange_names(self, build):
-        rig = build()
-        frame_set(3)
-        bones = rig.data.bones
-        for old, new in (("A.0", "Kept"), ("A.1", "A.0"), ("Kept", "A.1")):
-            bones[old].name = new
-        bpy.context.view_layer.update()
-        self.assertEqual(rig.motus.bend.entries[0].name, "A.1")
-        self.assert_alive(rig)
+        self.check_renamed_at_once(build(), ("A.0", "Kept"), ("A.1", "A.0"), ("Kept", "A.1"))
 
     @each_lasting_kind
     def test_bones_that_hand_names_on(self, build):
-        rig = build()
+        self.check_renamed_at_once(build(), ("A.1", "A.2"), ("A.0", "A.1"))
+
+    def check_renamed_at_once(self, rig, *names):
+        """The entry of "A.0" follows that bone to the name "A.1"."""
         frame_set(3)
-        rig.data.bones["A.1"].name = "A.2"
-        rig.data.bones["A.0"].name = "A.1"
+        for old, new in names:
+            rig.data.bones[old].name = new
         bpy.context.view_layer.update()
         self.assertEqual(rig.motus.bend.entries[0].name, "A.1")
         self.assert_alive(rig)

@@ -1,7 +1,7 @@
 // Chains of any number of bones without joint limits: positions of the joints.
 // One bend of the whole pose, an arc of a circle where it is straight, then Newton steps that turn the bones
-// least. (FABRIK, Aristidou and Lasenby 2011, as a second stage does not pay: two or three Newton steps of a
-// fraction of a sweep's cost each do what it needs tens to hundreds of sweeps for.)
+// least. (FABRIK, Aristidou and Lasenby 2011, is not used. It is quicker for a few bones well within reach, 5
+// in 1.1 us against 1.6, but 6 times slower with 20 bones, and 200 times with 5 at 0.999 of the reach.)
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
