@@ -16,6 +16,10 @@ SETTINGS = {
     "_precision": {"tolerance", "iterations"},
 }
 """What each part of the panel has to show."""
+LABELS = 0.4
+"""Of a panel's width, where labels stand beside their fields."""
+MARGIN = 45.0
+"""Of a region's width: frame, scroll bar, and the gap before the fields; at a scale of 1."""
 
 
 def build():
@@ -122,3 +126,29 @@ def test_bone_constraint_properties():
             area.type = 'VIEW_3D'
             break
     yield 0.3
+
+
+def test_labels_are_not_clipped_in_a_narrow_editor():
+    choose(build(), 'POSE')
+    properties = window_support.area('PROPERTIES')
+    ui, seen = support.addon("core.ui"), {}
+    split, margin = ui.split, MARGIN * bpy.context.preferences.system.ui_scale
+
+    def noting(layout):
+        column = split(layout)
+        region = bpy.context.region
+        seen[region.type, region.width] = (column.use_property_split, LABELS * (region.width - margin))
+        return column
+
+    yield 0.5  # the editor has to see the bone before it has a tab for it
+    ui.split = noting
+    try:
+        properties.spaces.active.context = 'BONE_CONSTRAINT'
+        yield 0.5
+        yield from window_support.open_tab("Motus")
+        yield from window_support.picture("ik_narrow_editor")
+    finally:
+        ui.split = split
+    needed = window_support.text_width("Influence")
+    assert all(needed < room for is_beside, room in seen.values() if is_beside), (needed, seen)
+    assert {is_beside for is_beside, _ in seen.values()} == {True, False}, seen

@@ -1,6 +1,5 @@
 """The sidebar's Motus tab opens and draws."""
 
-import blf
 import bpy
 import support
 import window_support
@@ -51,15 +50,11 @@ def test_tab_draws_its_panels():
 
 def test_messages_fit_into_the_sidebar():
     yield from window_support.open_tab("Motus")
-    style, scale = bpy.context.preferences.ui_styles[0].widget, bpy.context.preferences.system.ui_scale
-    if bpy.app.version >= (4, 0, 0):
-        blf.size(0, style.points * scale)
-    else:
-        blf.size(0, style.points * scale, 72)
+    scale = bpy.context.preferences.system.ui_scale
     sidebar, lines = window_support.region('UI'), _Lines()
     with bpy.context.temp_override(window=window_support.window(), area=window_support.area(), region=sidebar):
         for sentence in SENTENCES:
             support.addon("core.ui").draw_message(lines, sentence, 'INFO')
     assert " ".join(lines) == " ".join(SENTENCES)
-    widest = max(blf.dimensions(0, line)[0] for line in lines)
+    widest = max(window_support.text_width(line) for line in lines)
     assert widest <= sidebar.width - AROUND * scale, (widest, sidebar.width, lines)

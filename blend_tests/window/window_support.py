@@ -3,6 +3,7 @@
 import array
 from contextlib import contextmanager
 
+import blf
 import bpy
 import support
 
@@ -134,6 +135,16 @@ class _NotingLayout:
                 self._names.add(arguments[1])
             return _NotingLayout(made, self._names) if isinstance(made, bpy.types.UILayout) else made
         return call
+
+
+def text_width(words):
+    """In pixels, as the interface's font draws them."""
+    style, scale = bpy.context.preferences.ui_styles[0].widget, bpy.context.preferences.system.ui_scale
+    if bpy.app.version >= (4, 0, 0):
+        blf.size(0, style.points * scale)
+    else:
+        blf.size(0, style.points * scale, 72)
+    return blf.dimensions(0, words)[0]
 
 
 def picture(name):

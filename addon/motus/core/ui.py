@@ -9,6 +9,8 @@ TAB = "Motus"
 CHARACTER_WIDTH = 6.5  # pixels, of the interface's font at a scale of 1
 FEWEST = 16
 """Characters in a line, however narrow the region."""
+NARROW = 210.0
+"""Pixels at a scale of 1: a region that is no wider has no room for labels beside fields."""
 
 
 class Sidebar:
@@ -102,6 +104,13 @@ def draw_bake(layout, system, owner):
         row.operator("motus.unbake", icon='LOOP_BACK').system = system.name
     else:
         row.operator("motus.bake", icon='KEYFRAME').system = system.name
+
+
+def split(layout):
+    """A column with its labels on the left of the fields; in a narrow region within them, where they are not clipped."""
+    region = bpy.context.region
+    layout.use_property_split = region is None or region.width / bpy.context.preferences.system.ui_scale > NARROW
+    return layout.column()
 
 
 def draw_message(layout, sentence, icon):

@@ -8,12 +8,6 @@ from . import limits_panel, presets, status
 from .setup import system
 
 
-def split(layout):
-    """A column with labels on the left."""
-    layout.use_property_split = True
-    return layout.column()
-
-
 def shown_entry(context):
     """The entry that the panels are about, or None."""
     rig = context.object
@@ -45,7 +39,7 @@ def draw_main(layout, context):
         ui.draw_message(layout, sentence, icon)
     else:
         ui.draw_problem(layout, context, system(), rig)
-    column = split(layout)
+    column = ui.split(layout)
     column.prop_search(entry, "name", rig.data, "bones", text="Bone")
     column.prop(entry, "chain_length", text="Length")
     column.prop(entry, "use_tail")
@@ -80,7 +74,7 @@ def draw_target(layout, context):
     """What the chain goes to, and what else it can go to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
-    split(layout).prop(entry, "rotation_offset", text="Offset", text_ctxt=OWN_SENSE)
+    ui.split(layout).prop(entry, "rotation_offset", text="Offset", text_ctxt=OWN_SENSE)
     layout.use_property_split = False
     layout.label(text="Further Targets")
     row = layout.row()
@@ -93,14 +87,14 @@ def draw_target(layout, context):
         return
     extra = entry.extra_targets[min(entry.active_extra_target, len(entry.extra_targets) - 1)]
     draw_goal(layout.column(), extra, "object", "bone")
-    split(layout).prop(entry, "target_blend")
+    ui.split(layout).prop(entry, "target_blend")
 
 
 def draw_pole(layout, context):
     """Where the chain bends to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "pole", "pole_bone")
-    column = split(layout)
+    column = ui.split(layout)
     if entry.pole:
         column.prop(entry, "bend")
     column.prop(entry, "pole_angle")
@@ -110,7 +104,7 @@ def draw_pole(layout, context):
 def draw_reach(layout, context):
     """Softness and stretch, and how far the chain reaches."""
     entry = shown_entry(context)
-    column = split(layout)
+    column = ui.split(layout)
     column.prop(entry, "softness", slider=True)
     column.prop(entry, "stretch", slider=True)
     report = status.report(context.object, entry.name, context.view_layer.depsgraph)
@@ -132,7 +126,7 @@ def _draw_number(grid, value, text):
 def draw_weights(layout, context):
     """Between animation and solution."""
     entry = shown_entry(context)
-    column = split(layout)
+    column = ui.split(layout)
     column.prop(entry, "position_weight", slider=True)
     column.prop(entry, "rotation_weight", slider=True)
 
@@ -140,7 +134,7 @@ def draw_weights(layout, context):
 def draw_precision(layout, context):
     """When the search stops."""
     entry = shown_entry(context)
-    column = split(layout)
+    column = ui.split(layout)
     column.prop(entry, "tolerance")
     column.prop(entry, "iterations")
 

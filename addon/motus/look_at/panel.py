@@ -11,11 +11,6 @@ from .groups import OUTPUTS, shared_bone
 from .setup import system
 
 
-def _split(layout):
-    layout.use_property_split = True
-    return layout.column()
-
-
 def _is_looking(context):
     rig = context.object
     return native.module is not None and rig is not None and rig.type == 'ARMATURE' and rig.motus.look_at.is_active
@@ -67,7 +62,7 @@ def _draw_list(layout, settings):
 
 def _draw_entry(layout, context, rig, entry):
     told = outputs_of(context, rig, entry.name)
-    column = _split(layout)
+    column = ui.split(layout)
     column.prop(entry, "target")
     if entry.target and entry.target.type == 'ARMATURE':
         column.prop_search(entry, "target_bone", entry.target.data, "bones")
@@ -113,7 +108,7 @@ def draw_limits(layout, context):
     entry = active_entry(context.object)
     if entry is None:
         return
-    column = _split(layout)
+    column = ui.split(layout)
     column.prop(entry, "clamp", slider=True)
     column.prop(entry, "body_limit", text="Body")
     column.prop(entry, "head_limit", text="Head")
@@ -126,7 +121,7 @@ def draw_bones(layout, context):
     entry = active_entry(rig)
     if entry is None:
         return
-    column = _split(layout)
+    column = ui.split(layout)
     column.prop(entry, "body_length")
     column.prop(entry, "head_forward")
     column.prop(entry, "eyes_forward")

@@ -13,11 +13,6 @@ COPY_OF_A_WAGON = Problem("A copy of a wagon: it stands where the wagon stands",
 LEADER_GONE = Problem("The leader of this wagon is gone")
 
 
-def _split(layout):
-    layout.use_property_split = True
-    return layout.column()
-
-
 def _is_follower(context):
     return native.module is not None and context.object is not None and context.object.motus.path.is_active
 
@@ -39,7 +34,7 @@ def draw_main(layout, context):
         layout.operator("motus.path_edit_views", icon='VIEW_ORTHO')
         if not settings.is_active:
             return
-    column = _split(layout)
+    column = ui.split(layout)
     column.prop(settings, "curve")
     if not settings.is_active:
         column.prop(settings, "timing")
@@ -103,7 +98,7 @@ def _length_text(context, value):
 def draw_timing(layout, context):
     """What sets the place at a time."""
     settings = context.object.motus.path
-    column = _split(layout)
+    column = ui.split(layout)
     column.prop(settings, "timing")
     if settings.timing == 'DURATION':
         column.prop(settings, "start_frame")
@@ -117,11 +112,11 @@ def draw_timing(layout, context):
         column.prop(settings, "distance_factor", slider=True)
     else:
         _draw_pins(layout, settings)
-    _split(layout).prop(settings, "offset", text="Offset", text_ctxt=OWN_SENSE)
+    ui.split(layout).prop(settings, "offset", text="Offset", text_ctxt=OWN_SENSE)
 
 
 def _draw_pins(layout, settings):
-    _split(layout).prop(settings, "pins_by")
+    ui.split(layout).prop(settings, "pins_by")
     row = layout.row()
     row.template_list("MOTUS_UL_path_pins", "", settings, "pins", settings, "active_pin", rows=3)
     buttons = row.column(align=True)
@@ -132,7 +127,7 @@ def _draw_pins(layout, settings):
 def draw_orientation(layout, context):
     """Which way the object looks, and what is up."""
     settings = context.object.motus.path
-    column = _split(layout)
+    column = ui.split(layout)
     column.prop(settings, "orientation", text="Mode")
     if settings.orientation == 'NONE':
         return
