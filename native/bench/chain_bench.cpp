@@ -6,6 +6,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/trigonometric.hpp>
 #include <random>
 #include <vector>
 
@@ -178,6 +179,49 @@ void free_chains() {
     }
 }
 
+/// The greatest change of an angle between neighbouring bones, in degrees.
+double sharpest(const Joints& before, const Joints& after) {
+    const auto angle = [](const Joints& joints, std::size_t i) {
+        const glm::dvec3 above = glm::normalize(joints[i] - joints[i - 1]);
+        const glm::dvec3 below = glm::normalize(joints[i + 1] - joints[i]);
+        return std::atan2(glm::length(glm::cross(above, below)), glm::dot(above, below));
+    };
+    double most = 0.0;
+    for (std::size_t i = 1; i + 1 < before.size(); ++i)
+        most = std::max(most, std::abs(angle(after, i) - angle(before, i)));
+    return glm::degrees(most);
+}
+
+double median(std::vector<double> values) {
+    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), middle, values.end());
+    return *middle;
+}
+
+/// What is left of the given pose, and how far a chain would jump where one solver handed over to the other.
+void kept_shapes() {
+    std::printf(
+        "\nTargets within reach: by how much the joint that changes most does, and how far apart the\n");
+    std::printf("joint is that stands farthest from where FABRIK has it; medians.\n\n");
+    std::printf("  %-12s %14s %14s %24s\n", "bones", "Motus, deg", "FABRIK, deg", "apart, of the length");
+    for (const std::size_t bones : {3, 5, 8, 20}) {
+        std::vector<double> own, by_fabrik, apart;
+        for (const Task& task : make_tasks(bones, 0.0, 1000)) {
+            Joints ours = task.joints;
+            Joints theirs = task.joints;
+            solve_chain(ours, task.target, {});
+            fabrik(theirs, task.target);
+            own.push_back(sharpest(task.joints, ours));
+            by_fabrik.push_back(sharpest(task.joints, theirs));
+            double farthest = 0.0;
+            for (std::size_t i = 0; i < ours.size(); ++i)
+                farthest = std::max(farthest, glm::distance(ours[i], theirs[i]));
+            apart.push_back(farthest);
+        }
+        std::printf("  %-12zu %14.0f %14.0f %24.2f\n", bones, median(own), median(by_fabrik), median(apart));
+    }
+}
+
 /// Time of one chain: in the middle, of nine in ten, of all.
 void print_times(const char* name, std::size_t bones, std::vector<double>& times) {
     if (times.empty()) return;
@@ -226,6 +270,7 @@ void limited_chains() {
 
 int main() {
     free_chains();
+    kept_shapes();
     limited_chains();
     return 0;
 }
