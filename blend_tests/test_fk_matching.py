@@ -5,7 +5,7 @@ import math
 import bpy
 import numpy as np
 import support
-from ik_match_cases import MatchTestCase
+from ik_match_cases import FEW, MANY, MatchTestCase
 from mathutils import Quaternion
 
 
@@ -67,6 +67,15 @@ class FkMatchesIk(MatchTestCase):
         self.match("fk_match_ik", frame_start=5, frame_end=10)
         curve = support.addon("core.actions").find(rig, 'pose.bones["Bone 0"].rotation_quaternion', 0)
         self.assertLess(curve.evaluate(5), 0.0)
+
+    def test_frames_between_kept_keys_stay(self):
+        """Handles of the keys next to the range do not go by what is keyed there."""
+        for keys, frames in ((FEW, (11, 30)), (FEW, (20, 25)), (FEW, (1, 5)), (MANY, (11, 30)), (MANY, (20, 25))):
+            for handles in ('AUTO_CLAMPED', 'AUTO'):
+                with self.subTest(f"{len(keys)} keys, {frames}, {handles}"):
+                    self.setUp()
+                    self.assertFramesStay("fk_match_ik", self.moving(), 'pose.bones["Bone 0"].rotation_quaternion',
+                                          keys, frames, handles=handles)
 
     def test_switch_leaves_the_pose(self):
         rig = self.moving(position_weight=0.6, rotation_weight=0.3)

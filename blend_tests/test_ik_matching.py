@@ -7,7 +7,7 @@ import bpy
 import numpy as np
 import support
 from ik_cases import ARM, add_bone, add_chain, state, tentacle, turn
-from ik_match_cases import MatchTestCase, state_of
+from ik_match_cases import FEW, MANY, MatchTestCase, all_of, rewrite, state_of
 from mathutils import Quaternion, Vector
 
 WEIGHT = "motus.ik.entries[0].position_weight"
@@ -201,6 +201,54 @@ class IkMatchesFk(MatchTestCase):
         self.assertEqual(frames, [[-5, 10, 12, 14, 16, 18, 20, 40]] * 3)
         self.assertEqual([curve.evaluate(40) for curve in curves if curve.data_path == "location"], [9.0] * 3)
 
+    def keyed_target(self, **options):
+        """The F-curve of the X location of an arm's target that has keys already."""
+        self.setUp()
+        self.animated_arm()
+        self.reach()
+        target = bpy.data.objects["Target"]
+        target.keyframe_insert("location", frame=1)
+        curve = support.addon("core.actions").find(target, "location", 0)
+        rewrite(curve, MANY, **options)
+        return curve
+
+    def test_frames_between_kept_keys_stay(self):
+        """Handles of the keys next to the range do not go by what is keyed there."""
+        for keys, frames in ((FEW, (11, 30)), (FEW, (20, 25)), (FEW, (1, 5)), (FEW, (-5, 5)), (FEW, (45, 50)),
+                             (MANY, (11, 30)), (MANY, (20, 25)), (MANY, (-30, 2))):
+            for handles in ('AUTO_CLAMPED', 'AUTO', 'VECTOR', ('AUTO', 'VECTOR')):
+                for smoothing in ('CONT_ACCEL', 'NONE'):
+                    with self.subTest(f"{len(keys)} keys, {frames}, {handles}, {smoothing}"):
+                        self.keyed_target()
+                        self.assertFramesStay("ik_match_fk", bpy.data.objects["Target"], "location", keys, frames,
+                                              handles=handles, smoothing=smoothing)
+
+    def test_frames_before_a_kept_corner_stay(self):
+        """A key whose one handle points at the next key, while the other is aligned to it."""
+        self.keyed_target()
+        self.assertFramesStay("ik_match_fk", bpy.data.objects["Target"], "location", FEW, (11, 30),
+                              handles=('ALIGNED', 'VECTOR'), smoothing='NONE')
+
+    def test_frames_between_kept_keys_of_a_repeated_curve_stay(self):
+        for frames in ((11, 30), (20, 25), (1, 5), (65, 70), (-35, 80)):
+            with self.subTest(f"{frames}"):
+                self.keyed_target()
+                self.assertFramesStay("ik_match_fk", bpy.data.objects["Target"], "location", MANY, frames,
+                                      handles='AUTO', is_cyclic=True)
+
+    def test_kept_keys_are_taken_back(self):
+        for options in ({}, {"handles": 'AUTO', "is_cyclic": True}, {"handles": ('AUTO_CLAMPED', 'VECTOR')}):
+            for frames in ((11, 30), (20, 25), (-40, -35), (65, 90)):
+                with self.subTest(f"{options}, {frames}"):
+                    curve = self.keyed_target(**options)
+                    target, writer = bpy.data.objects["Target"], support.addon("ik.keying").KeyWriter()
+                    before = all_of(curve)
+                    writer.write(target, "location", list(range(*frames)), [(2.0, 0.0, 0.0)] * (frames[1] - frames[0]))
+                    curve = support.addon("core.actions").find(target, "location", 0)
+                    self.assertNotEqual(all_of(curve), before)
+                    writer.take_back()
+                    self.assertEqual(all_of(support.addon("core.actions").find(target, "location", 0)), before)
+
     def test_current_frame_alone(self):
         rig = self.animated_arm()
         before = self.poses(rig, 17)
@@ -377,6 +425,82 @@ class IkMatchesFk(MatchTestCase):
             started = time.process_time()
             self.match(operator, frame_start=1, frame_end=250)
             self.assertLess(time.process_time() - started, 2.0, operator)
+
+
+class Gone(MatchTestCase):
+    """Targets and poles that were removed, or have lost their bone."""
+
+    def setUp(self):
+        super().setUp()
+        self.rigged = self.animated_arm()
+        self.recorded_poses = self.recorded(self.rigged, (1, 9, 30))
+        self.helper = self.rig(lambda bones: add_bone(bones, "Goal", (0.6, 0.3, 1.4), (0.6, 0.3, 1.7)), "Controls")
+
+    def lose_bone(self):
+        bpy.context.view_layer.update()
+        bpy.context.view_layer.objects.active = self.helper
+        bpy.ops.object.mode_set(mode='EDIT')
+        bones = self.helper.data.edit_bones
+        bones.remove(bones["Goal"])
+        add_bone(bones, "Other", (0.0, 0.0, 0.0), (0.0, 0.0, 1.0))
+        bpy.ops.object.mode_set(mode='OBJECT')
+
+    def delete(self, name):
+        bpy.context.view_layer.update()  # seen in its collection
+        self.scene.collection.objects.unlink(bpy.data.objects[name])
+
+    def assertNothingDone(self, sentence, obj):
+        bpy.context.view_layer.update()
+        self.scene.frame_set(3)
+        before = state(self.rigged), state_of(obj), obj.animation_data, len(bpy.data.actions)
+        for switch in (False, True):
+            self.assertRefused(sentence, bpy.ops.motus.ik_match_fk, object="Rig", switch=switch)
+            self.assertEqual((state(self.rigged), state_of(obj), obj.animation_data, len(bpy.data.actions)), before)
+            self.assertEqual(self.scene.frame_current, 3)
+
+    def test_bone_of_the_target(self):
+        self.reach(target="Controls", target_bone="Goal")
+        self.lose_bone()
+        self.assertNothingDone("Controls has no bone Goal", self.helper)
+
+    def test_bone_of_a_further_target(self):
+        entry = self.reach()
+        bpy.ops.motus.ik_target_add(object="Rig", bone="Bone 1", target="Controls", target_bone="Goal")
+        entry.target_blend = 1.0
+        self.lose_bone()
+        self.assertNothingDone("Controls has no bone Goal", self.helper)
+
+    def test_target(self):
+        self.reach()
+        self.delete("Target")
+        self.assertNothingDone("Target is in no collection any more: choose another target", bpy.data.objects["Target"])
+
+    def test_further_target(self):
+        entry = self.reach()
+        bpy.ops.motus.ik_target_add(object="Rig", bone="Bone 1", target="Controls")
+        entry.target_blend = 1.0
+        self.delete("Controls")
+        self.assertNothingDone("Controls is in no collection any more: choose another target", self.helper)
+
+    def test_pole(self):
+        """The chain bends as without one."""
+        self.target((0.0, -3.0, 1.0), "Pole")
+        for keywords, lose in (({"pole": "Pole"}, lambda: self.delete("Pole")),
+                               ({"pole": "Controls", "pole_bone": "Goal"}, self.lose_bone)):
+            with self.subTest(keywords["pole"]):
+                entry = self.reach(**keywords)
+                pole = entry.pole
+                lose()
+                self.match()
+                self.assertRecorded(self.rigged, self.recorded_poses)
+                self.assertIsNone(pole.animation_data)
+                bpy.ops.motus.ik_remove(object="Rig")
+
+    def test_name_of_a_bone_of_what_has_none(self):
+        """It counts for nothing."""
+        self.reach().target_bone = "Goal"
+        self.match()
+        self.assertRecorded(self.rigged, self.recorded_poses)
 
 
 class Undo(MatchTestCase):

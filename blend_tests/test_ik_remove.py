@@ -34,6 +34,17 @@ class Remove(IkTestCase):
         self.poses(rig, 1)
         self.assertEqual((state(rig), counts()), before)
 
+    def test_the_active_constraint_stays_active(self):
+        rig = self.used()
+        constraints = rig.pose.bones["Bone 1"].constraints
+        own, other = constraints.new('LIMIT_ROTATION'), constraints.new('LIMIT_SCALE')
+        for active in (own, other, None):
+            constraints.active = active
+            self.reach()
+            self.assertEqual(constraints.active, active)
+            bpy.ops.motus.ik_remove(object="Rig")
+            self.assertEqual(constraints.active, active)
+
     def test_poses_are_restored_bit_by_bit(self):
         rig = self.used()
         before = self.poses(rig, 1).tolist()

@@ -4,7 +4,7 @@ import math
 
 import bpy
 import support
-from ik_cases import turn
+from ik_cases import counts, state, turn
 from ik_switch_cases import A, B, C, SwitchTestCase
 from mathutils import Quaternion
 
@@ -77,6 +77,15 @@ class Keyed(SwitchTestCase):
         self.keyed("Other", 10, 20, target_bone="Bone 1")
         for frame in (20, 33, 60):
             self.assertAt(self.head(other, "Bone 1", frame), frame)
+
+    def test_from_a_target_whose_bone_is_gone(self):
+        self.arm(name="Other", joints=((0.0, 0.5, 1.0), (0.5, 0.6, 1.0), (0.9, 0.5, 1.0)))
+        self.keyed("Other", 10, 20, target_bone="Bone 1")
+        self.entry.extra_targets[0].bone = "Nose"
+        self.keyed("Other", 30, 40)
+        self.keyed("B", 50, 60)
+        self.assertEqual(self.stations, ["Other", "Other", "B"])
+        self.assertAt(B, 60)
 
     def test_defaults(self):
         self.scene.frame_set(7)
@@ -237,6 +246,43 @@ class Triggered(SwitchTestCase):
                            object="Rig", bone="Bone 1", target="B", trigger_object="Rig", trigger_system="ik",
                            trigger_output="Hand.distance")
         self.assertIsNone(support.addon("ik.blend_trigger").driver_of(self.rigged, self.entry))
+
+    def test_settings_of_the_rig_itself(self):
+        """To Blender its Blend is one with them."""
+        self.link("Child").parent = self.rigged
+        before = state(self.rigged), counts()
+        for owner, path in (("Rig", 'motus.ik.entries["Bone 1"].target_blend'), ("Rig", "motus.ik.influence"),
+                            ("Rig", "motus.ik.entries[0].rotation_offset[0]"), ("Child", "parent.motus.ik.influence")):
+            with self.subTest(path):
+                self.assertTriggerRefused("cannot wait for what is solved on its own bones", owner, path)
+        # Not every Blender finds a way by these.
+        for path in ('["motus"]["ik"]["influence"]', " motus.ik.influence", "motus.ik.influence ", " motus .ik.influence"):
+            with self.subTest(path):
+                self.assertTriggerRefused("cannot wait|is no number", "Rig", path)
+        self.assertFalse(self.entry.extra_targets)
+        self.assertEqual((state(self.rigged), counts()), before)
+
+    def assertTriggerRefused(self, sentence, owner, path):
+        self.assertRefused(sentence, bpy.ops.motus.ik_switch_target, object="Rig", bone="Bone 1", target="B",
+                           trigger_object=owner, trigger_data_path=path, trigger_start=-0.2, trigger_end=1.1)
+
+    def test_properties_of_the_rig_and_of_its_bones(self):
+        hand = self.rigged.pose.bones["Hand"]
+        for holder, path in ((self.rigged, '["motus.own"]'), (hand, 'pose.bones["Hand"]["motus"]')):
+            with self.subTest(path):
+                name = path.split('"')[-2]
+                holder[name] = 0.0
+                self.switch("B", trigger_object="Rig", trigger_data_path=path, trigger_start=0.2, trigger_end=0.8)
+                self.assertAt(A, 2)
+                holder[name] = 1.0
+                self.rigged.update_tag()
+                self.assertAt(B, 3)
+                bpy.ops.motus.ik_target_remove(object="Rig", bone="Bone 1", index=0)
+
+    def test_settings_of_another_rig(self):
+        self.other_arm()
+        bpy.data.objects["Other"].motus.ik.influence = 0.5
+        self.switch("C", trigger_object="Other", trigger_data_path="motus.ik.influence", trigger_start=0.6, trigger_end=0.7)
 
     def test_saved_and_opened_with_scripts_off(self):
         """Blender evaluates the driver without Python."""

@@ -22,6 +22,14 @@ using namespace pybind11::literals;
 constexpr double free_cost = 200.0;      // ns a bone, rough
 constexpr double limited_cost = 2000.0;  // at its shortest
 
+constexpr double largest_coordinate = 1e300;  // that solve_chain() and solve_limited_chain() know
+
+void check_size(std::span<const glm::dvec3> points, std::string_view name) {
+    for (const glm::dvec3& point : points)
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::abs(point[axis]) > largest_coordinate) value_error(name, "must be 1e300 at most");
+}
+
 /// What Python gets.
 struct Solution {
     DoubleArray joints;
@@ -112,6 +120,8 @@ Solution solve(const py::object& reason_type, const py::object& joints, const py
         value_error("joints", "must have 2 to 256 rows, not " + std::to_string(pose.size()));
     const glm::dvec3 to = vector(target, "target");
     const ChainSettings settings = settings_of(tolerance, max_iterations, pole, plane);
+    check_size(pose, "joints");
+    check_size({&to, 1}, "target");
     if (limits.is_none() && !frames.is_none()) value_error("frames", "are read with limits only");
 
     DoubleArray result = to_array(pose);
@@ -166,7 +176,7 @@ void bind_chain(py::module_& m) {
         },
         "joints"_a, "target"_a, "tolerance"_a = 1e-6, "max_iterations"_a = 100, "pole"_a = py::none(),
         "limits"_a = py::none(), "plane"_a = py::none(), "frames"_a = py::none(), R"(
-Brings the last joint of a chain of 1 to 255 bones to a target. Any space, any unit of length.
+Brings the last joint of a chain of 1 to 255 bones to a target. Any space, any unit of length; coordinates up to 1e300.
 
 joints: (n + 1, 3), the pose to start from, the root first. Root and lengths are kept, and of the pose as much of its
 shape and of the plane it bends in as can be. Straight and folded poses and bones without length are fine.

@@ -16,6 +16,7 @@ namespace motus {
 namespace {
 
 constexpr double closed = 1e-9;     // of the length: a tip nearer to the root shows no direction
+constexpr double on_line = 1e-12;   // of the length: joints nearer to the line from root to tip have no side
 constexpr double bulge_band = 0.1;  // of the joints' distances from that line, what is left in their mean
 constexpr double fits = 1e100;      // coordinates up to here, and down to its inverse, may be squared
 
@@ -93,9 +94,11 @@ void face_pole(Bones& bones, const Axes& axes, const glm::dvec3& pole) {
     const Bulge bulge = bulge_of(bones, axes.along);
     const double size = glm::length(bulge.mean);
     // Where the joints lie on all sides, the plane of the bend says more than their mean.
-    const double certainty = bulge.spread > 0.0 ? smooth_step(size / (bulge_band * bulge.spread)) : 0.0;
-    const glm::dvec3 side =
-        certainty > 0.0 ? blended_normal(axes.side, bulge.mean / size, axes.along, certainty) : axes.side;
+    const double certainty = bulge.spread > on_line ? smooth_step(size / (bulge_band * bulge.spread)) : 0.0;
+    // Across once more: the smaller the bulge, the less exactly it is.
+    const glm::dvec3 side = certainty > 0.0 ? blended_normal(axes.side, normal_across(axes.along, bulge.mean),
+                                                             axes.along, certainty)
+                                            : axes.side;
     const glm::dvec3 wanted = blended_normal(side, glm::normalize(pole_side), axes.along, weight);
     const double sine_of_turn = glm::dot(axes.along, glm::cross(side, wanted));
     const double cosine_of_turn = glm::dot(side, wanted);

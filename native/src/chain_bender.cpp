@@ -16,6 +16,8 @@ namespace {
 using std::numbers::pi;
 
 constexpr double largest_turn = 0.7;  // rad, of a bone in one Newton step, about
+constexpr int patience =
+    30;  // steps; two or three are usual, bones folded on one line may creep for thousands
 
 /// Directions in the arc with the given chord, and half the turn that it makes.
 double lay_arc(const Bones& bones, double chord, PerBone<std::complex<double>>& directions) {
@@ -112,13 +114,13 @@ void Bender::blend_with_arc(std::size_t bone, double share) {
     bones_.directions[bone] = size > 1e-9 ? mixed / size : wanted;
 }
 
-bool Bender::descend(double tolerance, int max_iterations, int& iterations) {
+bool Bender::descend(double tolerance, int last_iteration, int& iterations) {
     const glm::dvec3 target(chord_, 0.0, 0.0);
     PerBone<glm::dvec3> tried;
     glm::dvec3 error = target - tip_of(bones_);
     double residual = glm::length(error);
     double share = 1.0;
-    while (residual > tolerance && iterations < max_iterations) {
+    while (residual > tolerance && iterations < last_iteration) {
         const glm::dvec3 turn = least_turn(bones_, error);
         const double size = glm::length(turn);
         if (!std::isfinite(size)) return false;
@@ -151,7 +153,8 @@ bool Bender::finish(double tolerance, int max_iterations, int& iterations) {
         if (share > 0.0) {
             for (std::size_t i = 0; i < bones_.count; ++i) blend_with_arc(i, share);
         }
-        if (descend(tolerance, max_iterations, iterations)) return true;
+        const int last_iteration = std::min(max_iterations, iterations + patience);
+        if (descend(tolerance, last_iteration, iterations)) return true;
         if (iterations >= max_iterations) return false;
     }
     return false;

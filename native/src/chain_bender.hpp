@@ -44,7 +44,7 @@ class Bender {
     void bend(double pose_chord);
     void open(double share);
     void blend_with_arc(std::size_t bone, double share);
-    bool descend(double tolerance, int max_iterations, int& iterations);
+    bool descend(double tolerance, int last_iteration, int& iterations);
 
     Bones& bones_;
     double chord_;

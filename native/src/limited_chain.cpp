@@ -81,15 +81,15 @@ class Search {
           patience_(chain.offsets.size() <= 5 ? patience_of_short : patience_of_long) {
         // So far away only the direction counts; squares stay in range.
         constexpr double far = 1e6;
-        const glm::dvec3 away = 0.5 * target / reach.unit() - 0.5 * chain.root / reach.unit();
-        const double distance = 2.0 * length_of(away);
-        goal_.target = distance <= far ? 2.0 * away : far * unit_vector(away);
+        const glm::dvec3 half_way = 0.5 * target - 0.5 * chain.root;  // the whole might overflow
+        const double distance = 2.0 * (length_of(half_way) / reach.unit());
+        goal_.target = distance <= far ? 2.0 * (half_way / reach.unit()) : far * unit_vector(half_way);
         goal_.orientation = orientation;
         goal_.tolerance = 0.999999 * settings.tolerance;  // room for what the joints' places round to
         const double inner = reach.inner / reach.unit();
         bound_ = std::max({0.0, std::min(distance, far) - 1.0, inner - distance});
         settings_.pole.reset();
-        if (settings.pole) settings_.pole = (*settings.pole - chain.root) / reach.unit();
+        if (settings.pole) settings_.pole = unit_vector(0.5 * *settings.pole - 0.5 * chain.root);
         // No farther and no nearer than the bones' lengths let the tip come.
         led_.target = std::clamp(glm::length(goal_.target), inner, 1.0) * unit_vector(goal_.target);
         led_.tolerance = goal_.tolerance;
@@ -322,11 +322,12 @@ ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& tar
     chain_joints(chain, rotations, {joints.data(), count + 1});
     report.residual = length_of(joints[count] - target);
     const double rounding = 1e-15 * (length_of(chain.root) + length_of(target));
-    if (report.residual > settings.tolerance * reach.length + rounding) {
+    const double enough = settings.tolerance * reach.length + rounding;
+    if (report.residual > enough) {
         const double distance = length_of(target - chain.root);
-        if (distance >= reach.length) {
+        if (distance > reach.length + enough) {
             report.reason = Reason::too_far;
-        } else if (distance <= reach.inner) {
+        } else if (distance < reach.inner - enough) {
             report.reason = Reason::too_near;
         } else {
             report.reason = search.is_at_rest() ? Reason::limit : Reason::iterations;

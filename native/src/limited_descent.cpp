@@ -41,6 +41,7 @@ class Descent {
 
     int run(int max_iterations, bool& is_at_rest) {
         double cost = dot(error_, error_);
+        if (!std::isfinite(cost)) return 0;  // nothing compares with it
         int stalls = 0;
         int iteration = 0;
         is_at_rest = is_done();

@@ -89,6 +89,35 @@ TEST_CASE("a tolerance near rounding is met", "[chain]") {
     }
 }
 
+TEST_CASE("bones folded on one line do not creep to a target beside it", "[chain]") {
+    RandomChains random(21);
+    for (const double noise : {0.0, 1e-9, 1e-6, 1e-3}) {
+        for (const double distance : {1e-4, 0.01, 0.05, 0.1, 0.2, 0.3, 1.0}) {
+            const Joints joints{{0, 0, 0}, {0, 1, 0}, {0, -1, 0}, noise * random.direction()};
+            const glm::dvec3 target(distance, 0.0, 0.0);
+            if (distance <= inner_reach(joints)) continue;
+            const Solved solved = solve(joints, target);
+            CAPTURE(noise, distance, solved.report.iterations);
+            check_kept(joints, solved, target);
+            REQUIRE(solved.report.reason == Reason::reached);
+        }
+    }
+}
+
+TEST_CASE("lengths are kept whatever the tolerance", "[chain]") {
+    RandomChains random(22);
+    for (int round = 0; round < 4000; ++round) {
+        const std::size_t bones = 3 + static_cast<std::size_t>(round % 3);
+        const Joints joints = random_joints(random, Shape::folded, bones);
+        ChainSettings settings;
+        settings.tolerance = std::pow(10.0, random.between(-9.0, 0.0));
+        if (round % 2 == 0) settings.pole = joints[0] + 3.0 * random.direction();
+        const double share = round % 4 < 2 ? 1.0 - std::pow(10.0, random.between(-13.0, -1.0)) : 0.5;
+        const glm::dvec3 target = joints[0] + share * length_of(joints) * random.direction();
+        check_kept(joints, solve(joints, target, settings), target);
+    }
+}
+
 TEST_CASE("a target out of reach gives the straight chain towards it", "[chain]") {
     RandomChains random(3);
     for (const Shape shape : all_shapes) {

@@ -330,6 +330,54 @@ TEST_CASE("every finite question has a finite answer, the same each time", "[lim
     }
 }
 
+TEST_CASE("targets any number of times farther away than the chain is long", "[limited_chain]") {
+    const std::vector<glm::dquat> rest(2, {1.0, 0.0, 0.0, 0.0});
+    const std::vector<JointLimits> limits(2, {glm::dvec3(-1.0), glm::dvec3(1.0)});
+    const auto solved = [&](double length, double distance) {
+        const std::vector<glm::dvec3> offsets(2, {0.0, length, 0.0});
+        const LimitedChain chain{.rest = rest, .offsets = offsets, .limits = limits};
+        ChainSettings settings;
+        settings.pole = glm::dvec3(0.0, 0.0, distance);
+        std::vector<glm::dquat> rotations = rest;
+        const ChainReport report = solve_limited_chain(chain, {distance, 0.0, 0.0}, settings, rotations);
+        CAPTURE(length, distance);
+        REQUIRE(std::isfinite(report.residual));
+        if (distance > 2.1 * length) REQUIRE(report.reason == Reason::too_far);
+        return rotations;
+    };
+    const std::vector<glm::dquat> far = solved(1.0, 1e9);
+    for (const double length : {1e-308, 1e-300, 1e-160, 1e-150, 1.0, 1e150, 1e300}) {
+        for (const double distance : {1e-300, 1e-150, 10.0, 1e200, 1e300}) {
+            const std::vector<glm::dquat> rotations = solved(length, distance);
+            CAPTURE(length, distance);
+            for (std::size_t i = 0; i < rotations.size(); ++i) {
+                REQUIRE(glm::length(rotations[i]) == Approx(1.0).epsilon(1e-12));
+                if (0.5e-6 * distance > length) REQUIRE(angle_between(rotations[i], far[i]) < 1e-9);
+            }
+        }
+    }
+}
+
+TEST_CASE("limits, not lengths, keep a chain from a target at the very end of its reach", "[limited_chain]") {
+    const std::vector<glm::dquat> rest(2, {1.0, 0.0, 0.0, 0.0});
+    const std::vector<JointLimits> limits(2, {glm::dvec3(-0.1), glm::dvec3(0.1)});
+    const auto reason = [&](const std::vector<glm::dvec3>& offsets, const glm::dvec3& target) {
+        const std::span<const glm::dquat> own(rest.data(), offsets.size());
+        const LimitedChain chain{.rest = own, .offsets = offsets, .limits = {limits.data(), offsets.size()}};
+        std::vector<glm::dquat> rotations(own.begin(), own.end());
+        return solve_limited_chain(chain, target, {}, rotations).reason;
+    };
+    const glm::dvec3 one(0.0, 1.0, 0.0), two(0.0, 2.0, 0.0);
+    for (const double x : {1.0, std::nextafter(1.0, 0.0), std::nextafter(1.0, 2.0)})
+        CHECK(reason({one}, {x, 0.0, 0.0}) == Reason::limit);
+    CHECK(reason({one}, {0.6, 0.8, 0.0}) == Reason::limit);
+    CHECK(reason({one}, {1.1, 0.0, 0.0}) == Reason::too_far);
+    CHECK(reason({one}, {0.9, 0.0, 0.0}) == Reason::too_near);
+    CHECK(reason({one, one}, {2.0, 0.0, 0.0}) == Reason::limit);
+    CHECK(reason({two, one}, {1.0, 0.0, 0.0}) == Reason::limit);
+    CHECK(reason({two, one}, {0.9, 0.0, 0.0}) == Reason::too_near);
+}
+
 TEST_CASE("spans of a limited chain have one size", "[limited_chain]") {
     RandomChains random(10);
     Arm arm = random_arm(random, 3);

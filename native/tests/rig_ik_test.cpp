@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
+#include <glm/trigonometric.hpp>
 #include <vector>
 
 #include "motus/two_bone.hpp"
@@ -157,6 +158,31 @@ TEST_CASE("the middle joint is on the pole's side, or opposite, or turned by the
                         glm::angleAxis(angle, along) * across(bend * (solve.poles[0] - root));
                     CHECK(glm::distance(across(elbow), expected) < 1e-7);
                 }
+            }
+        }
+    }
+}
+
+TEST_CASE("a pose that hardly bends faces the pole once the chain bends thrice as much", "[rig_ik]") {
+    for (const double degrees : {-5.0, -3.0, -1.0, 1.0, 3.0, 5.0}) {
+        for (const glm::dvec3& pole : {glm::dvec3(1, 0, -5), glm::dvec3(1, 0, 5), glm::dvec3(1, 5, 0)}) {
+            const double angle = glm::radians(degrees);
+            const double thrice = 3.0 * std::sin(0.5 * std::abs(angle));  // of the bones' length
+            Solve solve;
+            const int upper = solve.rig.add(-1, glm::dmat4(1.0), 1.0);
+            const glm::dquat own = glm::angleAxis(angle, glm::dvec3(1, 0, 0));
+            const int lower = solve.rig.add(upper, glm::dmat4(1.0), 1.0, transform(glm::dvec3(0.0), own));
+            solve.add_chain({{upper, lower}, lower}, glm::dvec3(0.0), exact());
+            solve.poles[0] = pole;
+            for (const double height : {1.01 * thrice, 2.0 * thrice, 0.9}) {
+                const double distance = 2.0 * std::sqrt(1.0 - height * height);
+                solve.targets[0][3] = glm::dvec4(distance, 0.0, 0.0, 1.0);
+                solve.run();
+                const glm::dvec3 elbow(solve.chain_poses(0)[1][3]);
+                const glm::dvec3 side = glm::normalize(glm::dvec3(0.0, pole.y, pole.z));
+                CAPTURE(degrees, height, pole.y, pole.z);
+                CHECK(solve.miss(0) < 1e-8);
+                CHECK(glm::distance(glm::dvec3(0.0, elbow.y, elbow.z), height * side) < 1e-6);
             }
         }
     }

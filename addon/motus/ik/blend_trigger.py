@@ -19,6 +19,7 @@ TERMS = {
     'CONSTANT': "({value}{sign}{start})",
 }
 _TERM = re.compile(r"smoothstep\([^()]*\)|clamp\(\([^()]*\)/\([^()]*\)\)|\([^()]*[<>]=[^()]*\)")
+_SETTINGS = re.compile(r'(?:^|\.)motus[.[]|\["motus"\]')
 _NAME = re.compile(r"\bv\d+\b")
 _SUM = re.compile(rf"(\d+)((?:\+(?:{_TERM.pattern}))*)$")
 
@@ -47,8 +48,26 @@ def check_elsewhere(rig, owner, system_name):
     """Refuse an output of the rig's own bones: whatever is solved on a rig waits for all of its drivers, Blend's too."""
     system = registered.get(system_name)
     if owner == rig and system and system.groups is not None:
-        raise Refused(tr("{object} cannot wait for what is solved on its own bones: choose another trigger").format(
-            object=rig.name))
+        _refuse_own(rig)
+
+
+def _check_no_own_setting(rig, owner, path):
+    """Refuse a setting of the rig's own, whichever object the path begins at: to Blender, Blend is one with all of them."""
+    if any(_holder(owner, path[:found.start()]) == rig for found in _SETTINGS.finditer(path)):
+        _refuse_own(rig)
+
+
+def _holder(owner, path):
+    """What a path leads to; None where it ends in the middle of a name."""
+    try:
+        return owner.path_resolve(path) if path else owner
+    except ValueError:
+        return None
+
+
+def _refuse_own(rig):
+    raise Refused(tr("{object} cannot wait for what is solved on its own bones: choose another trigger").format(
+        object=rig.name))
 
 
 def _entry_count(owner):
@@ -72,6 +91,8 @@ def switch(rig, entry, goal, source, start, end, interpolation):
 
     source: as output_source() gives it, or None for the frame. Returns the number of the target that it leaves.
     """
+    if source:
+        _check_no_own_setting(rig, *source[1:])
     if blend_keys.curve_of(rig, entry):
         raise Refused(tr("Blend of {bone} is keyed: remove the keys, or give frames instead of a trigger").format(
             bone=entry.name))

@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from mathutils import Matrix
 
 from ..core.bake.sampling import rotation_path
+from ..core.presence import Presence
 from ..core.refusals import Refused, check_no_tweak_mode
 from ..core.translations import tr
 from . import goal_places, stations
@@ -30,7 +31,12 @@ class Control(NamedTuple):
 
 
 def _control(obj, bone):
-    return Control(obj, bone if obj.pose and bone in obj.pose.bones else "")
+    """Of a bone that the object has or has lost; the name counts for nothing where it has no bones at all."""
+    return Control(obj, bone if obj.pose else "")
+
+
+def _has_lost(control):
+    return bool(control.bone) and control.bone not in control.object.pose.bones
 
 
 def goal_at(entry, blend):
@@ -48,7 +54,7 @@ def goal_at(entry, blend):
 
 
 def station(entry, blend):
-    """The same as a Control."""
+    """The same as a Control, of which check_movable() says whether it is there."""
     goal = goal_at(entry, blend)
     if goal is None:
         return None
@@ -57,13 +63,28 @@ def station(entry, blend):
     return _control(*goal)
 
 
-def pole(entry):
-    """The pole's Control, or None."""
-    return _control(entry.pole, entry.pole_bone) if entry.pole else None
+def pole(entry, view_layer):
+    """The pole's Control; None where there is no pole, or where it is gone, so that the chain bends as without one."""
+    if entry.pole is None or Presence(view_layer).is_deleted(entry.pole):
+        return None
+    control = _control(entry.pole, entry.pole_bone)
+    return None if _has_lost(control) else control
+
+
+def check_present(control, view_layer):
+    """Refuse a target that stands in no collection any more."""
+    if Presence(view_layer).is_deleted(control.object):
+        raise Refused(tr("{target} is in no collection any more: choose another target").format(
+            target=control.object.name))
 
 
 def check_movable(control, channels):
-    """Refuse a control whose own channels do not say where it stands. channels: "location", "rotation"."""
+    """Refuse a control that is gone, or whose own channels do not say where it stands.
+
+    channels: "location", "rotation".
+    """
+    if _has_lost(control):
+        raise Refused(tr("{object} has no bone {bone}").format(object=control.object.name, bone=control.bone))
     obj, thing = control.object, control.thing
     if obj.library:
         raise Refused(

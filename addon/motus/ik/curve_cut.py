@@ -5,14 +5,43 @@ import math
 SAME_FRAME = 1e-3
 _EXACT = {'BEZIER', 'LINEAR', 'CONSTANT'}
 """Interpolations of which a part is one of the same kind."""
+_AUTOMATIC = {'AUTO', 'AUTO_CLAMPED'}
 
 
 def around(curve, frame):
     """The last key before a frame, the one on it, and the first after it: lists of one or none."""
+    before, here, after = _divided(curve, frame, frame)
+    return before[-1:], here[:1], after[:1]
+
+
+def _divided(curve, first, last):
+    """The keys before two frames, from one to the other, and after them."""
     points = curve.keyframe_points
-    return ([point for point in points if point.co.x < frame - SAME_FRAME][-1:],
-            [point for point in points if abs(point.co.x - frame) <= SAME_FRAME][:1],
-            [point for point in points if point.co.x > frame + SAME_FRAME][:1])
+    return ([point for point in points if point.co.x < first - SAME_FRAME],
+            [point for point in points if first - SAME_FRAME <= point.co.x <= last + SAME_FRAME],
+            [point for point in points if point.co.x > last + SAME_FRAME])
+
+
+def beside(curve, first, last):
+    """The keys outside of a range whose automatic handles go by keys within it: the nearest before and after it.
+
+    Where the curve is repeated, its ends as well: Blender takes them for neighbours of one another.
+    """
+    before, _, after = _divided(curve, first, last)
+    nearest = before[-1:] + after[:1]
+    if any(modifier.type == 'CYCLES' for modifier in curve.modifiers):
+        nearest += before[:1] + after[-1:]
+    return nearest
+
+
+def hold(point):
+    """Let the handles of a key stay where they are, whatever becomes of the keys next to it."""
+    types = point.handle_left_type, point.handle_right_type
+    moving = _AUTOMATIC | ({'ALIGNED'} if 'VECTOR' in types else set())  # as the other side, which points at a key
+    if types[0] in moving:
+        point.handle_left_type = 'FREE'
+    if types[1] in moving:
+        point.handle_right_type = 'FREE'
 
 
 def cut(curve, frame):

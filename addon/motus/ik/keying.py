@@ -8,7 +8,7 @@ from mathutils import Euler, Quaternion, Vector
 from ..core import actions
 from ..core.bake.sampling import rotation_path
 from ..core.lazy import numpy as np
-from .curve_cut import SAME_FRAME, around, cut
+from .curve_cut import SAME_FRAME, around, beside, cut, hold
 
 _KEY = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing", "back",
         "amplitude", "period", "type")
@@ -76,8 +76,8 @@ class KeyWriter:
     def write(self, holder, name, frames, rows, interpolation='BEZIER', group="", instead_of=""):
         """Key a property of an Object, PoseBone or group of settings.
 
-        Keys from the first to the last frame are replaced. rows: a number or a sequence of numbers a frame. instead_of:
-        another data path by which it may be keyed already.
+        Keys from the first to the last frame are replaced; those next to them keep their handles. rows: a number or a
+        sequence of numbers a frame. instead_of: another data path by which it may be keyed already.
         """
         owner = holder.id_data
         path = instead_of if instead_of and actions.find(owner, instead_of) else holder.path_from_id(name)
@@ -93,8 +93,7 @@ class KeyWriter:
                 # Blender knows best where an action of this version keeps its curves.
                 holder.keyframe_insert(name, index=index if is_array else -1, frame=frames[0], group=group or "Motus")
                 curve = actions.find(owner, path, index)
-            kept = None if is_new else _keys(_between(curve, frames))
-            self._done.append((owner, path, index, (kept, frames)))
+            self._done.append((owner, path, index, (None, frames) if is_new else _hold_beside(curve, frames)))
             _replace(curve, frames, column, interpolation)
 
     def cut(self, owner, path, frame):
@@ -140,6 +139,16 @@ class KeyWriter:
         action = animation.action if animation else None
         self._before[owner] = animation is not None, action, actions.slot_identifier(owner)
         actions.make_local(owner)
+
+
+def _hold_beside(curve, frames):
+    """Let the keys next to a range keep their handles; returns, as they were, all keys that change, and their frames."""
+    held = beside(curve, frames[0], frames[-1])
+    touched = sorted([frames[0], frames[-1], *(point.co.x for point in held)])
+    kept = _keys(_between(curve, touched))
+    for point in held:
+        hold(point)
+    return kept, touched
 
 
 def _between(curve, frames):

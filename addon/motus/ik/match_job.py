@@ -156,8 +156,10 @@ class _Wanted:
         self._targets, self._poles = {}, {}
         for chain in chosen:
             found = controls.station(chain.found.entry, evaluated[chain.name].target_blend)
-            self._add(self._targets, chain, found or self._under_way(chain), ("location", "rotation"))
-            pole = controls.pole(chain.found.entry)
+            found = found or self._under_way(chain)
+            controls.check_present(found, self._view_layer)
+            self._add(self._targets, chain, found, ("location", "rotation"))
+            pole = controls.pole(chain.found.entry, self._view_layer)
             if pole:
                 self._add(self._poles, chain, pole, ("location",))
 

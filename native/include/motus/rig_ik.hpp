@@ -41,12 +41,15 @@ struct IkSettings {
     double pole_angle = 0.0;       ///< rad, about the line from root to target
     double bend = 1.0;             ///< >= 0: towards the pole; < 0: away from it
     double hinge_angle = 0.0;      ///< rad; the axis that a straight chain bends about is the first bone's X,
-                                   ///< turned by this about its Y
-    double tolerance = 1e-6;       ///< residual that counts as reached, as a fraction of the chain's length
-    double iterations = 100.0;     ///< of solve_chain()
-    double use_limits = 0.0;       ///< not 0: within the limits given
-    double is_on = 1.0;            ///< 0: the chain stands in its FK pose
-    double left_out = 0.0;         ///< how many of the chain's first bones stay in their FK pose; one is left
+                               ///< turned by this about its Y. Two bones whose FK pose bends otherwise, by
+                               ///< less than 8 degrees, keep to that bend while they are as straight, even
+                               ///< with a pole: so match() is exact. With three times the bend they are on
+                               ///< the pole's side
+    double tolerance = 1e-6;    ///< residual that counts as reached, as a fraction of the chain's length
+    double iterations = 100.0;  ///< of solve_chain()
+    double use_limits = 0.0;    ///< not 0: within the limits given
+    double is_on = 1.0;         ///< 0: the chain stands in its FK pose
+    double left_out = 0.0;      ///< how many of the chain's first bones stay in their FK pose; one is left
 };
 
 /// What a chain came to; a row of numbers. Residual, reason, distance, reach and tip are those of the

@@ -85,6 +85,8 @@ class FreeChainTest(unittest.TestCase):
             (dict(joints=np.zeros((257, 3))), "joints"),
             (dict(joints=[[0, 0], [1, 1]]), "joints"),
             (dict(joints=[[0, 0, 0], [0, np.nan, 0]]), "joints"),
+            (dict(joints=[[0, 0, 0], [0, 1.7e308, 0]]), "joints"),
+            (dict(target=[0, 0, 1.7e308]), "target"),
             (dict(target=[0, 0]), "target"),
             (dict(target=[0, 0, np.inf]), "target"),
             (dict(tolerance=0.0), "tolerance"),

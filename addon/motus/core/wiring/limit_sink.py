@@ -10,7 +10,7 @@ import bpy
 
 from .. import capabilities
 from ..system import Variable
-from . import drivers, outbox
+from . import constraints, drivers, outbox
 
 AXES = "xyz"
 LIMITS = ("min_{}", "max_{}")
@@ -110,7 +110,7 @@ def _name(system, channel):
 
 
 def _new(system, member, kind, channel):
-    constraint = member.thing.constraints.new(kind)
+    constraint = constraints.add(member.thing, kind)
     constraint.name = _name(system, channel)
     constraint.owner_space = member.space
     return constraint
