@@ -427,6 +427,21 @@ class IkMatchesFk(MatchTestCase):
             self.assertLess(time.process_time() - started, 2.0, operator)
 
 
+class OneKey(MatchTestCase):
+    def test_curves_with_one_key_are_continued(self):
+        """Blender works out no handles of a lone key: kept as they are they would lead the curve to zero."""
+        self.animated_arm()
+        self.reach(make_pole=True, target="")
+        for frame in (10, 20):
+            self.scene.frame_set(frame)
+            self.match(use_range=False)
+        for curve in support.addon("core.actions").fcurves(bpy.data.objects["Rig Bone 1 Target"]):
+            ends = [curve.evaluate(frame) for frame in (10, 20)]
+            for frame in range(11, 20):
+                self.assertLessEqual(min(ends) - 1e-5, curve.evaluate(frame))
+                self.assertLessEqual(curve.evaluate(frame), max(ends) + 1e-5)
+
+
 class Gone(MatchTestCase):
     """Targets and poles that were removed, or have lost their bone."""
 
@@ -498,9 +513,17 @@ class Gone(MatchTestCase):
 
     def test_name_of_a_bone_of_what_has_none(self):
         """It counts for nothing."""
-        self.reach().target_bone = "Goal"
+        entry = self.reach(make_pole=True)
+        entry.target_bone = entry.pole_bone = "Goal"
         self.match()
         self.assertRecorded(self.rigged, self.recorded_poses)
+        target = bpy.data.objects["Target"]
+        target.animation_data_clear()
+        evaluated = self.rigged.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        bones, world = evaluated.pose.bones, evaluated.matrix_world
+        target.location = (world @ bones["Bone 0"].head).lerp(world @ bones["Bone 1"].tail, 0.8)
+        bpy.context.view_layer.update()
+        self.assertLess((world @ bones["Bone 1"].tail - target.location).length, 1e-5)
 
 
 class Undo(MatchTestCase):

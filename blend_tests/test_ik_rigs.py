@@ -139,15 +139,11 @@ class TestRandomRigs(RigTestCase):
                     self.assertLessEqual(off, 1e-4 * reach)
 
     def test_what_a_strongly_sheared_chain_can_reach_it_does(self):
-        strongly = [("FULL", "Parent", (1.0, 2.0, 0.7)), ("FULL", "Chain.0", (1.0, 2.0, 1.0)),
-                    ("FULL", "Chain.0", (1.5, 1.0, 0.6))]
-        # The length depends on the direction: straight at the target the chain is shorter than it was animated.
-        longer_bent = [("FIX_SHEAR", "Parent", (1.0, 1.1 + 0.01 * seed, 0.95)) for seed in range(6)]
-        for mode, scaled, scale in strongly + longer_bent:
-            with self.subTest(scaled, mode=mode, scale=scale):
+        for scaled, scale in (("Parent", (1.0, 2.0, 0.7)), ("Chain.0", (1.0, 2.0, 1.0)), ("Chain.0", (1.5, 1.0, 0.6))):
+            with self.subTest(scaled, scale=scale):
                 support.empty_scene()
                 generator = samples.new_generator(f"{scaled} {scale}")
-                rig = samples.random_rig(generator, 2, mode)
+                rig = samples.random_rig(generator, 2)
                 rig.pose.bones[scaled].scale = scale
                 for bone in rig.pose.bones:
                     bone.rotation_mode = 'QUATERNION'

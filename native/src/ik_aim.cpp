@@ -57,7 +57,6 @@ IkAim::IkAim(std::size_t longest)
       joints_(longest + 1),
       to_spaces_(longest),
       best_(longest),
-      start_(longest),
       slopes_(longest),
       rest_(longest),
       offsets_(longest),
@@ -161,25 +160,11 @@ void IkAim::keep(const IkPose& pose, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) best_[i] = pose.posed(i).rotation;
 }
 
-void IkAim::try_from_start(IkPose& pose, const AimGoal& goal, AimReport& report) {
-    const auto solution = std::span(rest_).first(goal.count);  // free: only chains with limits use it
-    for (std::size_t i = 0; i < goal.count; ++i) solution[i] = pose.posed(i).rotation;
-    std::copy_n(start_.begin(), goal.count, best_.begin());
-    report.iterations += finish(pose, goal, goal.target, report.reach);
-    if (glm::distance(pose.joints()[goal.count], goal.target) <= goal.tolerance * report.reach) {
-        report.reason = Reason::reached;
-    } else {
-        for (std::size_t i = 0; i < goal.count; ++i) pose.put(i, solution[i], 1.0);
-    }
-}
-
 AimReport IkAim::turn(IkPose& pose, const AimGoal& goal) {
     AimReport report;
     report.distance = glm::distance(pose.root(), goal.target);
     measure(pose, goal.count, report, goal);
     Line line = line_to_target(pose, goal, report.reach);
-    const double reach_at_start = report.reach;
-    for (std::size_t i = 0; i < goal.count; ++i) start_[i] = pose.posed(i).rotation;
 
     // Lengths that depend on the direction (sheared spaces) are those of the round before: one round is
     // enough for a rigid chain, but for the rounding of single precision that makes every chain a little
@@ -224,10 +209,6 @@ AimReport IkAim::turn(IkPose& pose, const AimGoal& goal) {
             if (is_there) report.reason = Reason::reached;
         }
     }
-    constexpr double rigid = 1e-5;  // of the reach: what single precision makes of it
-    const bool is_short = report.distance > report.reach && goal.limits.empty() && goal.softness == 0.0;
-    if (is_short && std::abs(report.reach - reach_at_start) > rigid * report.reach)
-        try_from_start(pose, goal, report);
     return report;
 }
 

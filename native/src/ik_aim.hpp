@@ -75,9 +75,6 @@ class IkAim {
     /// vectors are enough: the error left is their square. False where they are not, the pose as it was.
     [[nodiscard]] bool nudge(IkPose& pose, std::size_t count) const;
     void keep(const IkPose& pose, std::size_t count);
-    /// Of a chain whose lengths depend on its pose (sheared spaces), that came out straight and too short:
-    /// whether it is long enough bent as it is animated. Else leaves it straight.
-    void try_from_start(IkPose& pose, const AimGoal& goal, AimReport& report);
     /// Brings the tip nearer to `end` from the rotations that were kept; returns how many steps it took.
     int finish(IkPose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
 
@@ -85,7 +82,6 @@ class IkAim {
     std::vector<glm::dvec3> joints_;     // where they are to be
     std::vector<glm::dmat3> to_spaces_;  // inverse of what each bone was turned in
     std::vector<glm::dquat> best_;
-    std::vector<glm::dquat> start_;                  // the pose's
     std::vector<std::array<glm::dvec3, 3>> slopes_;  // of the tip by each bone's turn about X, Y and Z
     // of chains with limits
     std::vector<glm::dquat> rest_;

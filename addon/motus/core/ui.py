@@ -107,7 +107,7 @@ def draw_bake(layout, system, owner):
 
 
 def split(layout):
-    """A column with its labels on the left of the fields; in a narrow region within them, where they are not clipped."""
+    """A column with its labels on the left of the fields; in a narrow region within the fields, or as near as can be."""
     region = bpy.context.region
     layout.use_property_split = region is None or region.width / bpy.context.preferences.system.ui_scale > NARROW
     return layout.column()

@@ -25,8 +25,11 @@ def _divided(curve, first, last):
 def beside(curve, first, last):
     """The keys outside of a range whose automatic handles go by keys within it: the nearest before and after it.
 
-    Where the curve is repeated, its ends as well: Blender takes them for neighbours of one another.
+    Where the curve is repeated, its ends as well: Blender takes them for neighbours of one another. None of a curve with
+    one key: Blender works out its handles only once there are more.
     """
+    if len(curve.keyframe_points) < 2:
+        return []
     before, _, after = _divided(curve, first, last)
     nearest = before[-1:] + after[:1]
     if any(modifier.type == 'CYCLES' for modifier in curve.modifiers):
@@ -35,7 +38,7 @@ def beside(curve, first, last):
 
 
 def hold(point):
-    """Let the handles of a key stay where they are, whatever becomes of the keys next to it."""
+    """Let the handles of a key stay where they are, whatever becomes of the keys next to it; not those that point at one."""
     types = point.handle_left_type, point.handle_right_type
     moving = _AUTOMATIC | ({'ALIGNED'} if 'VECTOR' in types else set())  # as the other side, which points at a key
     if types[0] in moving:

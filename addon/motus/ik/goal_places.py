@@ -70,10 +70,13 @@ def _take_own(found, goals, posed):
 
 
 def world_matrix(target, bone=""):
-    """World matrix of an evaluated object or its bone; None where it has no such bone."""
-    if not bone:
+    """World matrix of an evaluated object or its bone; None where it has no such bone.
+
+    Of an object without bones the name counts for nothing: it is left from an earlier target, and no panel shows it.
+    """
+    if not bone or target.pose is None:
         return target.matrix_world
-    posed = target.pose and target.pose.bones.get(bone)
+    posed = target.pose.bones.get(bone)
     return target.matrix_world @ posed.matrix if posed else None
 
 

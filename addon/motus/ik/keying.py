@@ -76,7 +76,7 @@ class KeyWriter:
     def write(self, holder, name, frames, rows, interpolation='BEZIER', group="", instead_of=""):
         """Key a property of an Object, PoseBone or group of settings.
 
-        Keys from the first to the last frame are replaced; those next to them keep their handles. rows: a number or a
+        Keys from the first to the last frame are replaced; those next to them keep automatic handles as they are. rows: a number or a
         sequence of numbers a frame. instead_of: another data path by which it may be keyed already.
         """
         owner = holder.id_data

@@ -110,7 +110,7 @@ def _without_pole(context, entry):
         return ""
     if Presence(context.view_layer).is_deleted(pole):
         return tr("{pole} is in no collection any more: the chain bends as without a pole").format(pole=pole.name)
-    if bone and not (pole.pose and bone in pole.pose.bones):
+    if bone and pole.pose and bone not in pole.pose.bones:
         return tr("{object} has no bone {bone}: the chain bends as without a pole").format(object=pole.name, bone=bone)
     return ""
 

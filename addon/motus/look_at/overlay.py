@@ -47,9 +47,9 @@ def _target_of(entry):
     target, bone = entry.target, entry.target_bone
     if target is None:
         return None
-    if not bone:
+    if not bone or target.pose is None:
         return target.matrix_world.translation
-    return _place(target, bone) if target.pose and bone in target.pose.bones else None
+    return _place(target, bone) if bone in target.pose.bones else None
 
 
 def _place(rig, bone):

@@ -96,9 +96,9 @@ def _targets(entries, places, presence):
             found[row] = reasons.NO_TARGET
         elif presence.is_deleted(target):
             found[row] = reasons.TARGET_DELETED
-        elif not entry.target_bone:
+        elif not entry.target_bone or target.pose is None:  # without bones a name is left from an earlier target
             points[row] = target.matrix_world.translation
-        elif target.pose and entry.target_bone in target.pose.bones:
+        elif entry.target_bone in target.pose.bones:
             points[row] = target.matrix_world @ target.pose.bones[entry.target_bone].head
         else:
             found[row] = reasons.NO_TARGET_BONE

@@ -60,8 +60,7 @@ def _wire(system, owner, group, kind):
             anchor.keep(settings, member.thing.name, proxy_sink.add(system, group, index, carrier))
         else:
             limit_sink.add(system, group, index, carrier, target, direct)
-        if active:
-            member.thing.constraints.active = active  # the user's, which stays so when ours go
+        member.thing.constraints.active = active
         if member.thing.id_data != owner:
             of_owner(system, member.thing.id_data).leader = owner
 

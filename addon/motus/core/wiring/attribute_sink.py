@@ -13,7 +13,7 @@ from bpy.app.handlers import persistent
 from .. import native
 from ..lazy import numpy as np
 from ..system import Variable, groups_of, registered
-from . import constraints, drivers, limit_sink, outbox
+from . import drivers, limit_sink, outbox
 from .scratch import scratch
 
 ATTRIBUTE = "motus_transform"
@@ -33,7 +33,7 @@ def prepare(mesh, group):
 def add(system, group, index, hub):
     """Drive member `index` of the group by its row of the hub's attribute."""
     member = group.members[index]
-    constraint = constraints.add(member.thing, 'GEOMETRY_ATTRIBUTE')
+    constraint = member.thing.constraints.new('GEOMETRY_ATTRIBUTE')
     constraint.name = _name(system)
     constraint.target = hub
     constraint.attribute_name = ATTRIBUTE

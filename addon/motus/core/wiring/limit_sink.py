@@ -10,7 +10,7 @@ import bpy
 
 from .. import capabilities
 from ..system import Variable
-from . import constraints, drivers, outbox
+from . import drivers, outbox
 
 AXES = "xyz"
 LIMITS = ("min_{}", "max_{}")
@@ -110,7 +110,7 @@ def _name(system, channel):
 
 
 def _new(system, member, kind, channel):
-    constraint = constraints.add(member.thing, kind)
+    constraint = member.thing.constraints.new(kind)
     constraint.name = _name(system, channel)
     constraint.owner_space = member.space
     return constraint

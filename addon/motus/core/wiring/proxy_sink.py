@@ -9,7 +9,7 @@ copies its transform on top of its own.
 import bpy
 
 from ..system import Variable
-from . import constraints, drivers, outbox
+from . import drivers, outbox
 
 KEY = "motus_proxy"
 """Custom property of a proxy: the object whose bone copies it."""
@@ -29,7 +29,7 @@ def add(system, group, index, carrier):
         for axis in range(3):
             slot = Variable(id_type, carrier, outbox.out_path(system, first + axis, group.key))
             drivers.copy_value(proxy, path, slot, axis)
-    constraint = constraints.add(bone, 'COPY_TRANSFORMS')
+    constraint = bone.constraints.new('COPY_TRANSFORMS')
     constraint.name = f"Motus {system.label}"
     constraint.target = proxy
     constraint.owner_space = 'LOCAL'

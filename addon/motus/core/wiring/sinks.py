@@ -3,7 +3,7 @@
 import bpy
 
 from ..system import groups_of, of_owner
-from . import attribute_sink, constraints, drivers, limit_sink, outbox, proxy_sink
+from . import attribute_sink, drivers, limit_sink, outbox, proxy_sink
 
 _DRIVEN = (".influence", ".to_min_x_rot", ".to_min_x_scale")
 """A sink is known by the driver of one of these: the influence, or what a relative one has instead."""
@@ -130,7 +130,10 @@ def remove(found):
         paths = {constraint.path_from_id() for _, constraint in ours}
         drivers.remove_where(obj, lambda path, paths=paths: path.rpartition(".")[0] in paths)
         for thing, constraint in ours:
-            constraints.remove(thing, constraint)
+            active = thing.constraints.active
+            kept = None if active == constraint else active
+            thing.constraints.remove(constraint)
+            thing.constraints.active = kept  # which removing any other one forgets
         drivers.drop_empty_animation(obj)
         obj.update_tag()
 
