@@ -4,8 +4,8 @@
 //
 // FABRIK (Aristidou and Lasenby 2011) would pay only for some 5 bones well within reach, 1.1 us against 1.6;
 // it takes 6 times longer with 20 bones, and 150 times with 5 at 0.999 of the reach. Even there it is not
-// used: it changes the angle of one joint by 79 degrees where this changes none by more than 29, and where one
-// handed over to the other the chain would jump by 0.4 of its length (medians; bench/chain_bench.cpp).
+// used: it changes the angle of one joint by 79 degrees where this changes none by more than 29, and where
+// one handed over to the other the chain would jump by 0.4 of its length (medians; bench/chain_bench.cpp).
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
