@@ -16,8 +16,7 @@ namespace {
 using std::numbers::pi;
 
 constexpr double largest_turn = 0.7;  // rad, of a bone in one Newton step, about
-constexpr int patience =
-    30;  // steps; two or three are usual, bones folded on one line may creep for thousands
+constexpr int patience = 30;          // steps: usual are two or three, folded bones may creep for thousands
 
 /// Directions in the arc with the given chord, and half the turn that it makes.
 double lay_arc(const Bones& bones, double chord, PerBone<std::complex<double>>& directions) {
