@@ -308,6 +308,13 @@ class Problems(LookAtTestCase):
         self.assertNeutral(self.before)
         self.assertEqual(self.told("reason"), self.reasons.NO_TARGET_BONE)
 
+    def test_a_name_of_a_bone_left_from_an_earlier_target(self):
+        bpy.context.view_layer.update()
+        aimed = self.poses()
+        self.entry.target_bone = "Nose"
+        self.assertSamePoses(self.poses(), aimed, 0.0)
+        self.assertEqual(self.told("reason"), float(support.addon("core.native").module.Reason.REACHED))
+
     def test_a_setting_that_is_no_number(self):
         self.rig["bad"] = float("nan")
         curve = self.rig.driver_add("motus.look_at.entries[0].weight")

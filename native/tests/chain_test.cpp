@@ -108,7 +108,10 @@ TEST_CASE("lengths are kept whatever the tolerance", "[chain]") {
     RandomChains random(22);
     for (int round = 0; round < 4000; ++round) {
         const std::size_t bones = 3 + static_cast<std::size_t>(round % 3);
-        const Joints joints = random_joints(random, Shape::folded, bones);
+        const glm::dvec3 line = random.direction();
+        Joints joints{glm::dvec3(0.0)};
+        for (std::size_t i = 0; i < bones; ++i)
+            joints.push_back(joints.back() + random.between(0.1, 1.0) * (random.chance(0.5) ? line : -line));
         ChainSettings settings;
         settings.tolerance = std::pow(10.0, random.between(-9.0, 0.0));
         if (round % 2 == 0) settings.pole = joints[0] + 3.0 * random.direction();
