@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 
-#include "pair.hpp"
+#include "motus/two_bone.hpp"
 #include "smooth.hpp"
+#include "wide.hpp"
 
 namespace motus {
 
@@ -35,7 +36,7 @@ namespace motus {
     return smooth_step((sine - sine_of_1) / (sine_of_8 - sine_of_1));
 }
 
-/// What the elbow's side depends on. Real: double, or Pair for two at once.
+/// What the elbow's side depends on. Real: double, or several at once.
 template <class Real>
 struct BendSide {
     glm::vec<3, Real> along;  ///< unit, root to target
@@ -46,9 +47,73 @@ struct BendSide {
     Real bend;                ///< 1 or -1
 };
 
-/// bend_normal() where the pole is near the line and fades out.
+/// One of several.
 template <class Real>
-[[nodiscard]] glm::vec<3, Real> faded_normal(BendSide<Real> side);
+[[nodiscard, gnu::always_inline]] inline BendSide<double> lane(const BendSide<Real>& side, int index) {
+    return {lane(side.along, index), lane(side.pole, index), lane(side.plane, index),
+            lane(side.near, index),  lane(side.band, index), lane(side.bend, index)};
+}
+
+/// faded_normal() without a plane that decides by itself, and of lengths whose squares do not keep their
+/// digits.
+[[nodiscard]] glm::dvec3 faded_slowly(const BendSide<double>& side);
+
+// Between which squares of lengths keep their digits, and between which their squares do too.
+inline constexpr double least_square = 1e-200, largest_square = 1e200;
+inline constexpr double least_to_square = 1e-100, largest_to_square = 1e100;
+
+/// A normal of any length, across the unit vector `along`.
+template <class Real>
+struct Start {
+    glm::vec<3, Real> normal;
+    Real length;
+    glm::vec<3, Real> along;
+};
+
+/// blended_normal() of normals that need not be divided by their lengths first. share: the weight over the
+/// length of `to`.
+template <class Real>
+inline glm::vec<3, Real> blended(const Start<Real>& from, const glm::vec<3, Real>& to, Real share,
+                                 Real weight) {
+    using std::sqrt;
+    // Of unit vectors: rest from + weight to + rest weight (1 - from . to) along x from. Here times length^2.
+    const Real rest = Real(1.0) - weight;
+    const Real detour = rest * (from.length * weight - share * glm::dot(from.normal, to));
+    const Real scale = from.length * from.length;
+    const glm::vec<3, Real> sum = from.normal * (rest * from.length) +
+                                  glm::cross(from.along, from.normal) * detour + to * (scale * share);
+    const Real square = glm::dot(sum, sum);
+    const auto is_long = square > Real(1e-20) * (scale * scale);
+    return select(is_long, sum, from.normal) * (Real(1.0) / select(is_long, sqrt(square), from.length));
+}
+
+/// bend_normal() where the pole is near the line and fades out. Not inlined, for the sake of the frequent
+/// branch there.
+template <class Real>
+[[gnu::noinline]] glm::vec<3, Real> faded_normal(BendSide<Real> side) {
+    using std::max, std::sqrt;
+    using Vector = glm::vec<3, Real>;
+    const Vector across = glm::cross(side.along, side.pole);
+    const Real square = glm::dot(across, across);
+    const Real far_square = max(glm::dot(side.pole, side.pole), side.near * side.near);
+    const Real size = glm::dot(side.plane, side.plane);
+    const Vector plane = side.plane - side.along * glm::dot(side.plane, side.along);
+    const Real plane_square = glm::dot(plane, plane);
+
+    const Real inverse = Real(1.0) / (side.band * sqrt(far_square));
+    const Real x = sqrt(square) * inverse;
+    const Real slope =
+        x * (Real(3.0) - Real(2.0) * x);  // smooth_step(x) / x: on the line `across` has no direction
+    Vector normal = blended<Real>({plane, sqrt(plane_square), side.along}, across,
+                                  side.bend * inverse * slope, x * slope);
+
+    const auto is_slow = !((square > Real(least_square)) & (far_square < Real(largest_square)) &
+                           (size > Real(least_to_square)) & (size < Real(largest_to_square)) &
+                           (plane_square >= Real(pole_band * pole_band) * size));
+    for (int i = 0; any(is_slow) && i < lane_count<Real>; ++i)
+        if (lane(is_slow, i)) set_lane(normal, i, faded_slowly(lane(side, i)));
+    return normal;
+}
 
 /// The unit normal n for which n x along points to the elbow's side; see TwoBone::plane. The pole within
 /// 1e100.

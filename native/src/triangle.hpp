@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pair.hpp"
+#include "wide.hpp"
 
 namespace motus {
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "two_bone_checks.hpp"
+#include "two_bone_lanes.hpp"
 
 using namespace motus;
 using namespace motus::checks;
@@ -262,9 +263,15 @@ TEST_CASE("many chains are solved as one is", "[two_bone]") {
     };
     for (int i = 0; i < 20001; ++i) chains.push_back(any_kind());
     std::vector<TwoBoneSolution> solutions(chains.size());
-    solve_two_bones(chains, solutions);
-    for (std::size_t i = 0; i < chains.size(); ++i)
-        REQUIRE(same_bits(solutions[i], solve_two_bone(chains[i])));
+    std::vector<TwoBoneKernel> kernels(two_bone_kernels().begin(), two_bone_kernels().end());
+    kernels.push_back({"public", &solve_two_bones});
+    for (const TwoBoneKernel& kernel : kernels) {
+        INFO(kernel.name);
+        solutions.assign(chains.size(), {});
+        kernel.solve(chains, solutions);
+        for (std::size_t i = 0; i < chains.size(); ++i)
+            REQUIRE(same_bits(solutions[i], solve_two_bone(chains[i])));
+    }
     CHECK_NOTHROW(solve_two_bones({}, {}));
     CHECK_THROWS_AS(solve_two_bones(chains, std::span(solutions).first(7)), std::invalid_argument);
 }
