@@ -48,6 +48,8 @@ def run_all(tests):
 
 def main(test_file, picture_folder, *patterns):
     support.enable()
+    # Drawn in software, eight samples of each pixel would take most of the time.
+    bpy.context.preferences.system.viewport_aa = 'OFF'
     window_support.picture_folder = Path(picture_folder)
     steps = run_all(load_tests(test_file, patterns))
     # Persistent, because each test opens a new file.
