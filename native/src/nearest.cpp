@@ -49,8 +49,8 @@ struct Candidate {
 }
 
 /// Least distance from the origin to anywhere on a segment, by the squared distance written as a Bézier
-/// polynomial, which lies above its least coefficient. Where all of the segment is nearly as far away, as an arc
-/// is from its centre, this is far closer than what the chord says; near the segment the chord says more.
+/// polynomial, which lies above its least coefficient. Where all of the segment is nearly as far away, as an
+/// arc is from its centre, this is far closer than what the chord says; near the segment the chord says more.
 class SquaredDistance {
   public:
     explicit SquaredDistance(std::size_t size) : size_(size) {
@@ -183,8 +183,7 @@ Nearest nearest(const Curve& curve, const glm::dvec3& point) {
     const bernstein::Points segment = seen_from(point, curve.segment(search.best().segment));
     const Candidate best = polished({segment.data(), size}, search.best());
     const glm::dvec3 position = bernstein::position(curve.segment(best.segment), best.t);
-    return {parameter(curve, best.segment, best.t), position, glm::distance(position, point),
-            search.parts()};
+    return {parameter(curve, best.segment, best.t), position, glm::distance(position, point), search.parts()};
 }
 
 }  // namespace motus

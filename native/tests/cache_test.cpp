@@ -1,14 +1,14 @@
 #include "motus/cache.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <functional>
-#include <new>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "allocations.hpp"
 #include "curve_checks.hpp"
+#include "frame_tables.hpp"
 #include "motus/arc_length.hpp"
 #include "motus/frames.hpp"
 
@@ -28,23 +28,6 @@ struct WordBytes {
 };
 using WordCache = Cache<std::string, std::string, ConstantHash, WordBytes>;
 constexpr std::size_t roomy = 1000;
-
-/// Allocations until one fails; below 0 none does.
-thread_local int allocations_left = -1;
-
-/// Runs `work` with so many allocations granted; whether they were enough.
-template <class Work>
-bool with_allocations(int count, Work&& work) {
-    allocations_left = count;
-    bool enough = true;
-    try {
-        work();
-    } catch (const std::bad_alloc&) {
-        enough = false;
-    }
-    allocations_left = -1;
-    return enough;
-}
 
 /// Counts how often a value is made.
 struct Maker {
@@ -68,23 +51,6 @@ class CacheOff {
 };
 
 }  // namespace
-
-// The test program's own, so that they can fail.
-void* operator new(std::size_t size) {
-    if (allocations_left == 0) throw std::bad_alloc();
-    if (allocations_left > 0) --allocations_left;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return std::malloc(size > 0 ? size : 1);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 TEST_CASE("the cache tells keys apart by content and makes each once", "[cache]") {
     WordCache cache(8, roomy);

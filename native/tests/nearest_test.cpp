@@ -10,8 +10,8 @@ using namespace motus::checks;
 
 namespace {
 
-/// An arc of radius 1 about the origin as a Bézier curve: the Taylor polynomials of cosine and sine. It is off by
-/// angle^(degree + 1) / (degree + 1)!.
+/// An arc of radius 1 about the origin as a Bézier curve: the Taylor polynomials of cosine and sine. It is
+/// off by angle^(degree + 1) / (degree + 1)!.
 Curve nearly_an_arc(double angle, std::size_t degree) {
     std::vector<glm::dvec3> points(degree + 1, glm::dvec3(0.0));
     double coefficient = 1.0;  // of t^k in the exponential of i angle t, but for the power of i
