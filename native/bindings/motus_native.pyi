@@ -154,6 +154,9 @@ def frames(
     **options: object,
 ) -> _Array: ...
 
+# Seconds that a lagging orientation remembers.
+LAG_MEMORY: float
+
 # (locations (n, 3), rotations (n, 4)) of followers at one time. Options as in frames(), without speed.
 def follow(
     curve: Curve,
@@ -388,6 +391,7 @@ def pose_to_bone(
 ) -> _Array: ...
 
 class Lattice:
+    MAX_PULLS: int
     """A grid of points that deforms what is in it; points are counted with u fastest, then v, then w."""
 
     def __init__(
