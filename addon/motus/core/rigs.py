@@ -12,6 +12,7 @@ from mathutils import Matrix
 from . import copies, presence
 from .lazy import numpy as np
 from .per_thread import kept
+from .stored import Damaged
 from .wiring.scratch import scratch
 
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
@@ -149,6 +150,8 @@ def plan(rig, key, make):
     key: a string that stands for all that the plan is made of, the rig's fingerprint included. Kept by each thread for
     itself: a plan is not shared between threads.
     """
+    if rig.pose is None or not isinstance(key, str):
+        raise Damaged("no rig, or nothing that is known of it")
     plans = kept("plans", OrderedDict)
     place = (key, rig.name)
     found = plans.get(place)

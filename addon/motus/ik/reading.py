@@ -52,7 +52,7 @@ def gather(rig, text, depsgraph):
 
 def gather_wired(rig, data, depsgraph):
     """The same for a group's data as the wiring has kept it; of the poses only what IkPlan.solve reads."""
-    wired = _plan(rig, data[PLAN])
+    wired = _plan(rig, data.get(PLAN))
     return _gather(rig, wired, rigs.poses(rig, wired.still, wired.posed), depsgraph)
 
 

@@ -1,8 +1,6 @@
 """Look At: what a group's solver reads of Blender, and the one call of the native module."""
 
-import json
-
-from ..core import native, rigs
+from ..core import native, rigs, stored
 from ..core.lazy import numpy as np
 from ..core.presence import Presence
 from ..core.system import Problem
@@ -18,11 +16,17 @@ NUMBERS = (
     "weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit", "head_limit", "eyes_limit")
 
 
+_AXIS = (float, float, float)
+_FORM = {"fingerprint": int, "heads": [
+    {"name": str, "body": [str], "eyes": [str], "head_forward": _AXIS, "eyes_forward": _AXIS}]}
+"""Of what groups.py notes."""
+
+
 class Wired:
     """What is known of a group between two changes of the rig: the plan, and which bones look where."""
 
     def __init__(self, rig, rows, text):
-        heads = json.loads(text)["heads"]
+        heads = stored.parse(text, _FORM)["heads"]
         self.still = rigs.still(rig, tuple(rows))
         self.names = [head["name"] for head in heads]
         self.head_forward = np.array([head["head_forward"] for head in heads], dtype=float).reshape(-1, 3)
@@ -31,13 +35,14 @@ class Wired:
             rigs.parents(rig, list(rows)), [[rows[name] for name in head["body"]] for head in heads],
             [rows[head["name"]] for head in heads], [[rows[name] for name in head["eyes"]] for head in heads])
         self.columns = {name: column for column, name in enumerate(native.module.LookAtPlan.SETTINGS)}
+        self.members = len(self.plan.rows)
         report = native.module.LookAtPlan.REPORT
         self.told = [report.index(name) for name in OUTPUTS]
 
 
 def solve(context):
     """Turns of the group's bones at the context's frame. Never raises for a user's error."""
-    text = context.data[PLAN]
+    text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     try:
         wired = rigs.plan(context.owner, text, lambda rig, rows: Wired(rig, rows, text))
     except (KeyError, ValueError):  # bones that are gone, or hang together otherwise
@@ -46,10 +51,12 @@ def solve(context):
         problem = _solve(context, rigs.read(context.owner, wired.still), wired)
         if problem:
             return problem
-    return TARGET_LOOPS if context.data[LOOPED] else None
+    return TARGET_LOOPS if looped else None
 
 
 def _solve(context, arrays, wired):
+    if (wired.members, len(wired.names) * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
+        raise stored.Damaged("another number of members or outputs")
     entries = context.settings.entries
     places = [entries.find(name) for name in wired.names]
     if min(places) < 0:

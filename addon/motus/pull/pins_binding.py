@@ -46,7 +46,9 @@ def diagonal(positions):
 def anchors(mesh):
     """The numbers of a mesh's vertices, int32 (n,); None where it has none."""
     attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is None or attribute.data_type != 'INT' or len(attribute.data) != len(mesh.vertices):
+    if attribute is None or (attribute.data_type, attribute.domain) != ('INT', 'POINT'):
+        return None
+    if len(attribute.data) != len(mesh.vertices):
         return None
     found = np.empty(len(mesh.vertices), np.int32)
     attribute.data.foreach_get("value", found)
@@ -74,6 +76,9 @@ def mark(mesh, vertex, used):
     numbers = anchors(mesh)
     if numbers is None:
         active = mesh.attributes.active_index
+        other = mesh.attributes.get(ATTRIBUTE)
+        if other is not None:
+            mesh.attributes.remove(other)
         mesh.attributes.new(ATTRIBUTE, 'INT', 'POINT')
         mesh.attributes.active_index = active
         numbers = anchors(mesh)

@@ -124,7 +124,7 @@ def _refresh(system, owner):
         for offset, (index, _) in enumerate(places if old else ()):
             constraint = thing.constraints[index]
             constraint.mute = old[min(offset, len(old) - 1)][1]
-            thing.constraints.move(index, old[0][0] + offset)
+            thing.constraints.move(index, min(old[0][0] + offset, len(thing.constraints) - 1))
 
 
 def refresh_others(system, owner):
@@ -212,11 +212,11 @@ def _tag(system, owner):
     owner.update_tag()
     for _, hub in outbox.hubs(system, owner):
         hub.data.update_tag()
-    hub = of_owner(system, owner).hub
+    hub = outbox.hub_of(system, owner)
     if hub and system.member_data:
         # Reading a list of settings item by item in every solve would be dear where there are many members.
         data = [float(value) for value in system.member_data(owner)]
-        if len(data) != len(hub.data.get(outbox.MEMBER_DATA_KEY, data)):
+        if not outbox.has_room(hub.data, len(data)):
             return False
         hub.data[outbox.MEMBER_DATA_KEY] = data
     return True
