@@ -8,6 +8,8 @@ it is saved, that is noted on the object, so that the file means the same wherev
 import bpy
 from bpy.app.handlers import persistent
 
+from . import handlers
+
 KEY = "motus_deleted"
 """Custom property of an object that stood in a collection, and did not any more when the file was saved."""
 LARGE_SCENE = 8  # objects for each target
@@ -92,13 +94,15 @@ def _forget(*_):
     _seen.clear()
 
 
+def _watched():
+    return (bpy.app.handlers.save_pre, _note), (bpy.app.handlers.load_post, _forget)
+
+
 def register():
     """Note before files are saved what is known of their objects."""
-    bpy.app.handlers.save_pre.append(_note)
-    bpy.app.handlers.load_post.append(_forget)
+    handlers.add(_watched())
 
 
 def unregister():
     """Stop that."""
-    bpy.app.handlers.load_post.remove(_forget)
-    bpy.app.handlers.save_pre.remove(_note)
+    handlers.remove(_watched())

@@ -17,7 +17,7 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native, presence
+from .. import handlers, native, presence
 from ..system import of_owner, registered
 from . import anchor, geometry_sink, outbox, overrides, proxy_sink, relations, sinks
 
@@ -232,8 +232,8 @@ def _forget(*_):
 
 
 @persistent
-def _loaded(*_):
-    """Before the first evaluation."""
+def loaded(*_):
+    """Before the first evaluation of a file."""
     _forget()
     _try(lambda: (overrides.complete_references(), _heal_overrides()))
 
@@ -258,23 +258,18 @@ def _heal_order(depsgraph):
             attaching.refresh_changed(system, owner)
 
 
-_HANDLERS = (bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.frame_change_post)
+def _watched_handlers():
+    found = bpy.app.handlers
+    return ((found.depsgraph_update_post, _heal), (found.frame_change_post, _heal), (found.depsgraph_update_post, _updated),
+            (found.load_post, loaded), (found.save_pre, overrides.complete_references))
 
 
 def register():
     """Watch for what was noticed."""
-    for handlers in _HANDLERS:
-        handlers.append(_heal)
-    bpy.app.handlers.depsgraph_update_post.append(_updated)
-    bpy.app.handlers.load_post.append(_loaded)
-    bpy.app.handlers.save_pre.append(overrides.complete_references)
+    handlers.add(_watched_handlers())
 
 
 def unregister():
     """Stop watching."""
-    bpy.app.handlers.save_pre.remove(overrides.complete_references)
-    bpy.app.handlers.load_post.remove(_loaded)
-    bpy.app.handlers.depsgraph_update_post.remove(_updated)
-    for handlers in _HANDLERS:
-        handlers.remove(_heal)
+    handlers.remove(_watched_handlers())
     _forget()

@@ -6,11 +6,11 @@ from array import array
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native
+from .. import handlers, native
 from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
 from ..system import Context, Vertices, groups_of, of_owner, registered
-from . import geometry_sink, healing, outbox
+from . import geometry_sink, healing, outbox, revival
 from .attribute_sink import ATTRIBUTE, store_own_poses, write, write_neutral
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
@@ -209,18 +209,23 @@ def _fill_namespace(*_):
     bpy.app.driver_namespace.update(_FUNCTIONS)
 
 
+def _watched():
+    found = bpy.app.handlers
+    return (found.load_post, _fill_namespace), (found.save_pre, store_own_poses)
+
+
 def register():
     """Make the driver functions known, now and after every file load."""
     _fill_namespace()
-    bpy.app.handlers.load_post.append(_fill_namespace)
-    bpy.app.handlers.save_pre.append(store_own_poses)
+    handlers.add(_watched())
     healing.register()
+    revival.register()
 
 
 def unregister():
     """Take the driver functions back."""
+    revival.unregister()
     healing.unregister()
-    bpy.app.handlers.save_pre.remove(store_own_poses)
-    bpy.app.handlers.load_post.remove(_fill_namespace)
+    handlers.remove(_watched())
     for name in _FUNCTIONS:
         bpy.app.driver_namespace.pop(name, None)
