@@ -165,9 +165,22 @@ def _heal_overrides():
     overrides.forget()
     if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
         return
+    _release_overrides()
     for system, owner in _attached():
         if overrides.is_lost(system, owner):
             attaching.refresh(system, owner)
+
+
+def _release_overrides():
+    """Take off overrides again what was taken off them, and came back from their library."""
+    for obj in bpy.data.objects:
+        if not obj.override_library or obj.library or not obj.is_property_set("motus"):
+            continue
+        for system in registered.values():
+            settings = of_owner(system, obj)
+            if settings.is_released and not settings.is_active:
+                sinks.release(system, obj)
+                overrides.unmark(system, obj)
 
 
 def _heal_edited(depsgraph):
