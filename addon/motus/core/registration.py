@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import bake, menus, overlay, preferences, presence, system, teardown, translations, ui, wiring
+from . import bake, deleted, menus, overlay, preferences, system, teardown, translations, ui, wiring
 
 _undo = []
 
@@ -31,7 +31,7 @@ def _register(systems, extra_classes, extra_add_menu):
         _register_classes(one.classes)
     _register_classes(preferences.classes + ui.classes + bake.classes + overlay.classes + menus.classes + extra_classes)
     _register_settings(systems)
-    _call(presence.register, presence.unregister)
+    _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
     _call(overlay.register, overlay.unregister)
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)

@@ -53,6 +53,11 @@ def is_lost(system, owner):
     return False
 
 
+def has_marks():
+    """Whether there is anything to compare."""
+    return bool(_known)
+
+
 def has_new_marks():
     """Whether any mark is another than when it was last looked at: a library was reloaded, or there was an undo."""
     for (key, name), digest in _known.items():

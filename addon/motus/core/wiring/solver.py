@@ -28,6 +28,7 @@ def motus_solve(self, name, frame, depsgraph, *values):
     name, _, key = name.partition(".")
     try:
         keep_state()
+        healing.note_use()
         system = registered[name]
         out = self[outbox.out_key(system, key)]
         _solve(system, key, self, memoryview(out), frame, depsgraph, values)
@@ -56,6 +57,7 @@ def motus_direct(self, name, slot, frame, depsgraph, *values):
     out = None
     try:
         keep_state()
+        healing.note_use()
         system = registered[name]
         carrier = self.id_data
         out = array('d', carrier[outbox.out_key(system, key)])
