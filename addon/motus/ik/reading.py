@@ -92,7 +92,7 @@ def _gather(rig, wired, poses, depsgraph):
     listed = _Listed(rig, known.places)
     off = {}
     targets = goal_places.read_targets(listed, wired, posed, known, depsgraph, off)
-    is_astray = wired.is_blended and goal_places.blend(targets, rig, listed, wired.further, depsgraph, off)
+    is_astray = wired.is_blended and goal_places.blend(targets, rig, listed, wired.further, off)
     if known.weights is not None:
         goal_places.turn(targets, known.offsets, known.weights)
     if known.muted:

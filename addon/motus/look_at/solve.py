@@ -1,8 +1,7 @@
 """Look At: what a group's solver reads of Blender, and the one call of the native module."""
 
-from ..core import native, rigs, stored
+from ..core import deleted, native, rigs, stored
 from ..core.lazy import numpy as np
-from ..core.presence import Presence
 from ..core.system import Problem
 from . import reasons
 from .groups import LOOPED, OUTPUTS, PLAN
@@ -61,7 +60,7 @@ def _solve(context, arrays, wired):
     places = [entries.find(name) for name in wired.names]
     if min(places) < 0:
         return BONES_CHANGED
-    points, found = _targets(entries, places, Presence(context.depsgraph.view_layer, context.depsgraph.scene))
+    points, found = _targets(entries, places)
     settings = _settings(entries, places, wired.columns)
     settings[:, wired.columns["weight"]] *= context.settings.influence
     muted = settings[:, wired.columns["is_on"]] == 0.0
@@ -92,7 +91,7 @@ def _settings(entries, places, columns):
     return values
 
 
-def _targets(entries, places, presence):
+def _targets(entries, places):
     """World places of what is looked at, (heads, 3), and for each head why there is none."""
     points = np.zeros((len(places), 3))
     found = np.full(len(places), reasons.REACHED)
@@ -101,7 +100,7 @@ def _targets(entries, places, presence):
         target = entry.target
         if target is None:
             found[row] = reasons.NO_TARGET
-        elif presence.is_deleted(target):
+        elif deleted.is_deleted(target):
             found[row] = reasons.TARGET_DELETED
         elif not entry.target_bone or target.pose is None:  # without bones a name is left from an earlier target
             points[row] = target.matrix_world.translation

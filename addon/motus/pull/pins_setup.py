@@ -5,6 +5,7 @@ import bpy
 from ..core import libraries, wiring
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
+from ..core.system import forget
 from ..core.translations import tr
 from ..core.wiring import readers
 from . import mesh_arrays as arrays
@@ -80,7 +81,7 @@ def remove(obj, indices):
     rewire(obj)
     if not left:
         keys.drop_empty(obj)
-        obj.motus.property_unset("pull")
+        forget(system(), obj)
 
 
 def reorder(obj, index, place):

@@ -3,7 +3,7 @@
 import bpy
 
 from .. import actions, copies
-from ..system import groups_of, of_owner, registered
+from ..system import drop_dead_copy, groups_of, of_owner, registered
 from . import (
     anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, override_drivers,
     overrides, proxy_sink, readers, solver_driver)
@@ -21,6 +21,7 @@ def _attach(system, owner):
     _detach(system, owner)
     settings = of_owner(system, owner)
     settings.is_active = True
+    settings.is_released = False
     settings.order_proxy = order.proxy_for(system, settings)
     groups = groups_of(system, owner)
     for group, kind in zip(groups, carriers.kinds(system, owner, groups)):
@@ -82,6 +83,7 @@ def detach(system, owner):
 
 def _detach(system, owner):
     settings = of_owner(system, owner)
+    drop_dead_copy(owner)
     override_drivers.drop_stand_ins(owner)
     remove(sinks(system, owner))
     remove_orphans(system, owner)
@@ -107,8 +109,8 @@ def _detach(system, owner):
 
 
 def refresh(system, owner):
-    """Wire again after a change of what is driven or read: targets, members, channels."""
-    if not is_attached(system, owner):
+    """Wire again after a change of what is driven or read: targets, members, channels. What is linked stays as it is."""
+    if owner.library or not is_attached(system, owner):
         return
     _refresh(system, owner)
     refresh_others(system, owner)

@@ -7,12 +7,12 @@ from contextlib import suppress
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native, stored
+from .. import handlers, native, stored
 from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
 from ..stored import Damaged, Newer
 from ..system import Context, Vertices, groups_of, of_owner, registered
-from . import attribute_sink, geometry_sink, healing, outbox
+from . import attribute_sink, geometry_sink, healing, outbox, revival
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
@@ -29,6 +29,7 @@ def motus_solve(self, name, frame, depsgraph, *values):
     # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
     try:
         keep_state()
+        healing.note_use()
         system, key = _called(name)
         box = outbox.opened(system, self, key)
         owner = outbox.owner_of(system, self)
@@ -61,6 +62,7 @@ def motus_direct(self, name, slot, frame, depsgraph, *values):
     box = None
     try:
         keep_state()
+        healing.note_use()
         system, key = _called(name)
         carrier = self.id_data
         found = outbox.opened(system, carrier, key)
@@ -226,18 +228,23 @@ def _fill_namespace(*_):
     bpy.app.driver_namespace.update(_FUNCTIONS)
 
 
+def _watched():
+    found = bpy.app.handlers
+    return (found.load_post, _fill_namespace), (found.save_pre, attribute_sink.store_own_poses)
+
+
 def register():
     """Make the driver functions known, now and after every file load."""
     _fill_namespace()
-    bpy.app.handlers.load_post.append(_fill_namespace)
-    bpy.app.handlers.save_pre.append(attribute_sink.store_own_poses)
+    handlers.add(_watched())
     healing.register()
+    revival.register()
 
 
 def unregister():
     """Take the driver functions back."""
+    revival.unregister()
     healing.unregister()
-    bpy.app.handlers.save_pre.remove(attribute_sink.store_own_poses)
-    bpy.app.handlers.load_post.remove(_fill_namespace)
+    handlers.remove(_watched())
     for name in _FUNCTIONS:
         bpy.app.driver_namespace.pop(name, None)

@@ -49,6 +49,11 @@ INTERFACE = {
         "{bone} de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
     "A pin of {object} is from its library and cannot be removed here: mute it":
         "Un alfiler de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
+    "Released": "Liberado",
+    "What the library has wired on this override was taken off it":
+        "Lo que la biblioteca había conectado en esta redefinición se ha quitado de ella",
+    "The wagons of {object} are from its library and cannot be uncoupled here: remove the train":
+        "Los vagones de {object} vienen de su biblioteca y no se pueden desenganchar aquí: quita el tren",
     "This target is from the library of {object} and cannot be removed here":
         "Este objetivo viene de la biblioteca de {object} y no se puede quitar aquí",
 
