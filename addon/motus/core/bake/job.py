@@ -34,14 +34,6 @@ def _candidates(thing):
             yield leader, [one]
 
 
-def frame_range(start, end, step):
-    """The frames from start to end inclusive; floats where the step is not whole."""
-    if end < start:
-        raise Refused(tr("The range is empty: the end frame comes before the start frame"))
-    count = int(math.floor((end - start) / step + 1e-6)) + 1
-    return [start + step * index for index in range(count)]
-
-
 def bake(scene, view_layer, owner, systems, frames):
     """Bake in steps: a generator of how many frames are done. Nothing is changed before the last one."""
     tracks = _tracks(owner, systems)

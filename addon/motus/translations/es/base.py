@@ -98,8 +98,8 @@ INTERFACE = {
     "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de capturar",
     "Baked {frames} frames of {objects} objects": "Capturados {frames} fotogramas de {objects} objetos",
     "Unbaked {objects} objects": "Deshecha la captura de {objects} objetos",
-    "Baking frame {done} of {all} (Esc cancels)": "Capturando el fotograma {done} de {all} (Esc cancela)",
-    "Baking was cancelled: nothing has changed": "Se canceló la captura: nada ha cambiado",
+    "Step {done} of {all} (Esc cancels)": "Paso {done} de {all} (Esc cancela)",
+    "Cancelled: nothing has changed": "Cancelado: no ha cambiado nada",
     "Select an object, or name one": "Selecciona un objeto o indica su nombre",
     "There is no object {object} in the scene": "No hay ningún objeto {object} en la escena",
     "The range is empty: the end frame comes before the start frame":
