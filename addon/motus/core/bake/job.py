@@ -53,7 +53,7 @@ def bake(scene, view_layer, owner, systems, frames):
 
 
 def unbake(thing, name=""):
-    """Put back what was before baking; returns the objects that were baked together.
+    """Put back what was before baking; returns (objects that were baked together, those that could not be restored whole).
 
     thing: the owner or one of its members. name: of a system that has to be among the baked ones.
     """
@@ -63,11 +63,13 @@ def unbake(thing, name=""):
     if not baked or (name and name not in [one.name for one in systems]):
         raise Refused(tr("{object} is not baked").format(object=thing.name))
     for one in baked:
-        keys.restore(one)
+        check_local(one)
+        check_no_tweak_mode(one)
+    partial = [one for one in baked if not keys.restore(one)]
     for one in systems:
         system.of_owner(one, owner).is_baked = False
         wiring.set_muted(one, owner, False)
-    return baked
+    return baked, partial
 
 
 def _is_baked_with(owner, thing):

@@ -63,9 +63,12 @@ class MOTUS_OT_unbake(bpy.types.Operator):
     def execute(self, context):
         try:
             thing = _named_object(context, self.object)
-            baked = job.unbake(thing, self.system)
+            baked, partial = job.unbake(thing, self.system)
         except Refused as error:
             self.report({'ERROR'}, str(error))
             return {'CANCELLED'}
         self.report({'INFO'}, tr("Unbaked {objects} objects").format(objects=len(baked)))
+        if partial:
+            self.report({'WARNING'}, tr("Not all that these were before baking is in the file any more: {objects}").format(
+                objects=", ".join(one.name for one in partial)))
         return {'FINISHED'}

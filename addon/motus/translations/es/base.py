@@ -98,6 +98,8 @@ INTERFACE = {
     "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de capturar",
     "Baked {frames} frames of {objects} objects": "Capturados {frames} fotogramas de {objects} objetos",
     "Unbaked {objects} objects": "Deshecha la captura de {objects} objetos",
+    "Not all that these were before baking is in the file any more: {objects}":
+        "El archivo ya no contiene todo lo que estos eran antes de la captura: {objects}",
     "Step {done} of {all} (Esc cancels)": "Paso {done} de {all} (Esc cancela)",
     "Cancelled: nothing has changed": "Cancelado: no ha cambiado nada",
     "Select an object, or name one": "Selecciona un objeto o indica su nombre",
