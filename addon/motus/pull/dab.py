@@ -13,6 +13,7 @@ from ..core.translations import tr
 from . import meshes
 from .brush import AXIS_INDEX, Space
 from .history import Done, History
+from .properties import is_finite
 from .puller import Puller
 from .surface import Surface
 
@@ -186,6 +187,8 @@ class Session:
 
     def repeat(self, dab, write=False):
         """Do a dab whose numbers are known: a Done, whose displacement is local. False where there is nothing to do."""
+        if not is_finite((*dab.displacement, dab.radius)):
+            raise Refused(tr("The displacement or the radius of this pull is too large"))
         dab = dab._replace(displacement=tuple(np.asarray(dab.displacement, np.float32).tolist()))
         if dab.radius <= 0.0 or not (dab.strength if dab.kind == 'SMOOTH' else any(dab.displacement)):
             return False

@@ -102,7 +102,7 @@ def replay(session, dabs):
             session.begin_stroke()
         if dab.vertex >= len(session.current):
             raise no_such_vertex(session, dab.vertex)
-        displacement = np.array(dab.displacement, np.float32) * brush.strength
+        displacement = brush.strength * np.array(dab.displacement, float)
         done = Done(dab.kind, dab.vertex, displacement, dab.radius * brush.radius, dab.strength)
         has_acted = session.repeat(done) or has_acted
     session.flush()

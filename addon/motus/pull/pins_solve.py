@@ -77,16 +77,15 @@ def _apply(owner, mesh, shape, row, reached, offsets):
 
 def move(offsets, positions, row, reached, weights):
     """Let one pin act on what those before it have left: positions + offsets, of which the offsets are changed."""
-    way = [row.strength * along for along in row.displacement]
     keywords = {"mirror": row.mirror, **row.profile}
     if row.limits is None and weights is None:
-        native.module.pull(offsets, (0.0, 0.0, 0.0), way, row.radius, reach=reached.reaches, out=offsets, **keywords)
+        native.module.pull(offsets, (0.0, 0.0, 0.0), row.way, row.radius, reach=reached.reaches, out=offsets, **keywords)
         return
     indices, reaches = reached.compact
     if row.limits is not None:
         keywords |= dict(zip(("clamp_axis", "minimum", "maximum"), row.limits))
     before = positions[indices] + offsets[indices]
-    after = native.module.pull(before, (0.0, 0.0, 0.0), way, row.radius, weights=weights, reach=reaches, **keywords)
+    after = native.module.pull(before, (0.0, 0.0, 0.0), row.way, row.radius, weights=weights, reach=reaches, **keywords)
     offsets[indices] += after - before
 
 

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from ..core.lazy import numpy as np
+from .properties import is_finite
 
 FLOATS = {"strength": 1, "radius": 1, "scale_factor": 1, "minimum": 1, "maximum": 1, "displacement": 3, "place": 3,
           "metric": 9}
@@ -30,6 +31,11 @@ class Row(NamedTuple):
     vertex_group: str
 
     @property
+    def way(self):
+        """How far the root goes."""
+        return tuple(self.strength * along for along in self.displacement)
+
+    @property
     def reach(self):
         """The distance from the root at and beyond which nothing moves."""
         return self.radius ** 0.5 if self.falloff == "classic" else self.radius
@@ -51,7 +57,8 @@ class Row(NamedTuple):
         numbers = (self.strength, self.radius, self.scale_factor, *self.displacement, *self.place, *self.metric,
                    *(self.curve or ()), *(end for end in (self.limits or ())[1:] if end is not None))
         ends = [end for end in (self.limits or ())[1:] if end is not None]
-        return bool(np.isfinite(numbers).all()) and self.radius > 0.0 and ends == sorted(ends)
+        is_number = bool(np.isfinite(numbers).all()) and is_finite(self.way)
+        return is_number and self.radius > 0.0 and ends == sorted(ends)
 
 
 def read(pins):

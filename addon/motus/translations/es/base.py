@@ -298,6 +298,7 @@ INTERFACE = {
     "{view} of {curve}": "{view} de {curve}",
     "Removed from {objects}": "Quitado de {objects}",
     "Nothing here follows a path": "Aquí nada sigue una trayectoria",
+    "Nothing here is a wagon of a train": "Aquí nada es un vagón de un tren",
     "Go to Object Mode first": "Pasa antes al modo Objeto",
     "Select the object that shall follow": "Selecciona el objeto que ha de seguir la curva",
     "Choose a curve to follow": "Elige la curva que se sigue",
