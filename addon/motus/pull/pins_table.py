@@ -29,6 +29,7 @@ class Row(NamedTuple):
     mirror: str
     limits: Any
     vertex_group: str
+    shape: str
 
     @property
     def way(self):
@@ -75,7 +76,7 @@ def read(pins):
         falloff = pin.falloff.lower()
         rows.append(Row(
             falloff=falloff, distance=pin.distance.lower(), mirror="".join(sorted(pin.mirror)).lower(),
-            curve=tuple(pin.curve) if falloff == "curve" else None, vertex_group=pin.vertex_group,
+            curve=tuple(pin.curve) if falloff == "curve" else None, vertex_group=pin.vertex_group, shape=pin.shape,
             limits=None if low is None and high is None else (AXES.index(pin.clamp_axis), low, high), **own))
     return rows
 
