@@ -239,6 +239,17 @@ class FitTest(support.SceneTestCase):
         self.assert_refused("Far has vertices at infinity", objects="Far")
         self.assert_refused("margin is not a finite number", objects="Far", margin=math.nan)
 
+    def test_sizes_that_blender_cannot_scale_to(self):
+        cases.ball("Ball")
+        for margin in (1e19, 1e30, 3e38):
+            self.assert_refused("too large or too small", objects="Ball", margin=margin)
+        for size in (1e-30, 1e25):
+            tiny = cases.ball("Ball")
+            tiny.data.transform(Matrix.Scale(size, 4))
+            self.assert_refused("too large or too small", objects=tiny.name)
+        lattice = fit(objects="Ball", margin=1e17)
+        self.assertTrue(all(0.0 < side < math.inf for side in lattice.scale))
+
     def test_nothing_selected_in_edit_mode(self):
         sheet = cases.grid()
         cases.only(sheet)

@@ -262,6 +262,24 @@ class Train(PathTestCase):
         self.assertPlace(self.wagons[3], np.array((43.0, 0.0, 0.0)))
         self.assertEqual(self.wagons[3].motus.path.leader, self.wagons[0])
 
+    def test_select_the_leader(self):
+        self.line(100.0)
+        self.couple(self.names[:2], gap=2.0)
+        layer = bpy.context.view_layer
+        layer.objects.active = self.wagons[1]
+        self.assertEqual(bpy.ops.motus.path_select_leader(), {'FINISHED'})
+        self.assertEqual((layer.objects.active, bpy.context.selected_objects), (self.wagons[0], [self.wagons[0]]))
+        for lone in (self.wagons[0], self.wagons[3], None):
+            layer.objects.active = lone
+            with self.assertRaisesRegex(RuntimeError, "^Error: Nothing here is a wagon of a train"):
+                bpy.ops.motus.path_select_leader()
+            self.assertEqual(layer.objects.active, lone)
+        layer.objects.active = self.wagons[1]
+        for collection in self.wagons[0].users_collection:
+            collection.objects.unlink(self.wagons[0])
+        with self.assertRaisesRegex(RuntimeError, "Wagon 0 is not in this view layer"):
+            bpy.ops.motus.path_select_leader()
+
     def test_remove_the_train(self):
         self.cubic()
         before = [state(wagon) for wagon in self.wagons]

@@ -151,10 +151,7 @@ def picture(name):
     """Generator: takes a picture of the whole screen; its value is the path of the PNG file."""
     request = picture_folder / f"{name}.request"
     path = request.with_suffix(".png")
-    for _ in range(2):  # whatever is marked for redrawing gets drawn before
-        for one in window().screen.areas:
-            one.tag_redraw()
-        yield 0.3
+    yield 0.6  # whatever is marked for redrawing gets drawn before; nothing is marked here, or a missing mark would not show
     request.touch()
     for _ in range(200):
         if path.exists():

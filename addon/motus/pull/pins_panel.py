@@ -14,7 +14,9 @@ LOST = Problem("This pin has lost its place: bind it to another vertex, or remov
 AMBIGUOUS = Problem("Several vertices may be the root of this pin: bind it to one of them")
 NOT_USABLE = Problem("A setting of this pin is not a usable number")
 WITHOUT_GROUP = Problem("The vertex group of this pin is gone")
-SENTENCES = {solve.LOST: LOST, solve.AMBIGUOUS: AMBIGUOUS, solve.NOT_USABLE: NOT_USABLE, solve.WITHOUT_GROUP: WITHOUT_GROUP}
+WITHOUT_SHAPE = Problem("The shape of this pin is gone from the mesh: remove the pin")
+SENTENCES = {solve.LOST: LOST, solve.AMBIGUOUS: AMBIGUOUS, solve.NOT_USABLE: NOT_USABLE, solve.WITHOUT_GROUP: WITHOUT_GROUP,
+             solve.WITHOUT_SHAPE: WITHOUT_SHAPE}
 
 
 def state_of(context, obj, index):
@@ -81,6 +83,9 @@ def draw_pin(layout, context):
         ui.draw_message(layout, sentence.sentence, 'ERROR')
     column = layout.column()
     column.use_property_split = True
+    if pin.shape:
+        column.prop(pin, "strength")
+        return
     for name in ("strength", "radius", "falloff"):
         column.prop(pin, name)
     if pin.falloff == 'CLASSIC':

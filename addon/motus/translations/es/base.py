@@ -107,8 +107,10 @@ INTERFACE = {
     "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de capturar",
     "Baked {frames} frames of {objects} objects": "Capturados {frames} fotogramas de {objects} objetos",
     "Unbaked {objects} objects": "Deshecha la captura de {objects} objetos",
-    "Baking frame {done} of {all} (Esc cancels)": "Capturando el fotograma {done} de {all} (Esc cancela)",
-    "Baking was cancelled: nothing has changed": "Se canceló la captura: nada ha cambiado",
+    "Not all that these were before baking is in the file any more: {objects}":
+        "El archivo ya no contiene todo lo que estos eran antes de la captura: {objects}",
+    "Step {done} of {all} (Esc cancels)": "Paso {done} de {all} (Esc cancela)",
+    "Cancelled: nothing has changed": "Cancelado: no ha cambiado nada",
     "Select an object, or name one": "Selecciona un objeto o indica su nombre",
     "There is no object {object} in the scene": "No hay ningún objeto {object} en la escena",
     "The range is empty: the end frame comes before the start frame":
@@ -305,6 +307,7 @@ INTERFACE = {
     "{view} of {curve}": "{view} de {curve}",
     "Removed from {objects}": "Quitado de {objects}",
     "Nothing here follows a path": "Aquí nada sigue una trayectoria",
+    "Nothing here is a wagon of a train": "Aquí nada es un vagón de un tren",
     "Go to Object Mode first": "Pasa antes al modo Objeto",
     "Select the object that shall follow": "Selecciona el objeto que ha de seguir la curva",
     "Choose a curve to follow": "Elige la curva que se sigue",
