@@ -26,7 +26,7 @@ class Machine:
 
     def __init__(self, spent, build, still, frame):
         self.now, self.build, self.still, self.frame = spent, build, still, frame
-        self.built, self.stills, self.frames, self.first_still = set(), [], 0, None
+        self.built, self.stills, self.frames, self.samples, self.first_still = set(), [], 0, 0, None
 
     def clock(self):
         return self.now
@@ -38,9 +38,9 @@ class Machine:
 
     def render(self, shot, width):
         if shot.still == demo_plan.FILM:
-            self.now += 2 * self.frame  # to see what one takes
-            self.frames = demo_plan.film_frames(shot.end - self.now, self.frame, 24, 96)
-            self.now += self.frames * self.frame
+            self.now += 3 * self.frame  # to see what one takes
+            self.frames, self.samples = demo_plan.fit_film(shot.end - self.now, self.frame, 4, 24, 96)
+            self.now += self.frames * self.frame * self.samples / 4
         else:
             self.now += self.still * (width / 1280.0) ** 2
             self.stills.append((shot.scene.name, shot.still, width))
@@ -133,7 +133,17 @@ class Time(unittest.TestCase):
     def test_time_that_is_there_is_used(self):
         machine = Machine(15.0, 2.0, 5.0, 0.3).run(16)
         self.assertEqual(machine.stills, [(scene.name, still, 1280) for scene in scenes(16) for still in (0, 1)])
-        self.assertEqual(machine.frames, 96)
+        self.assertEqual((machine.frames, machine.samples), (96, 4))
+
+    def test_a_film_has_fewer_samples_before_it_is_cut_short(self):
+        fits = demo_plan.fit_film
+        self.assertEqual(fits(100.0, 1.0, 4, 24, 96), (96, 4))
+        self.assertEqual(fits(100.0, 1.2, 4, 24, 96), (96, 3))
+        self.assertEqual(fits(100.0, 2.0, 4, 24, 96), (96, 2))
+        self.assertEqual(fits(100.0, 4.0, 4, 24, 96), (50, 2))
+        self.assertEqual(fits(-5.0, 4.0, 4, 24, 96), (24, 2))
+        self.assertEqual(fits(demo_plan.NEVER, 60.0, 4, 24, 1078), (1078, 4))
+        self.assertEqual(fits(100.0, 1.0, 1, 24, 4), (4, 1))
 
     def test_stills_are_fewer_and_then_smaller_where_time_is_short(self):
         some = Machine(110.0, 8.0, 10.0, 1.0).run(16)

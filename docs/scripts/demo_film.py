@@ -7,6 +7,7 @@ Blender can denoise what Cycles makes.
 """
 
 import sys
+import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
@@ -32,7 +33,7 @@ class Quality:
 
 
 FULL = Quality(1280, 8, 40, 60.0, 640, 4, float("inf"))
-QUICK = Quality(640, 4, 8, 15.0, 320, 2, 12)
+QUICK = Quality(320, 2, 4, 4.0, 160, 1, 4)
 
 
 class Progress:
@@ -162,11 +163,14 @@ def render_film(shot, scene, folder, quality, progress):
     _set_size(scene, quality.film_width)
     whole_lap = scene.frame_start, scene.frame_end
     first, last = whole_lap if shot.end == demo_plan.NEVER else (_frame_at(scene, moment) for moment in demo.film)
-    cost = _frame_cost(scene, folder, last, progress)
+    cost = _frame_cost(scene, last, progress)
     # The end is the best of it: a shorter film starts later.
     longest = min(last - first + 1, quality.film_frames)
-    frames = demo_plan.film_frames(shot.end - progress.seconds(), cost, scene.render.fps, longest)
-    progress.say(f"{demo.name}: film of {frames} frames, {cost:.1f} s each, {frames * cost / 60.0:.1f} minutes")
+    frames, samples = demo_plan.fit_film(
+        shot.end - progress.seconds(), cost, quality.film_samples, scene.render.fps, longest)
+    cost *= samples / quality.film_samples
+    scene.eevee.taa_render_samples = samples
+    progress.say(f"{demo.name}: film of {frames} frames, {samples} samples, {cost:.1f} s each: {frames * cost / 60.0:.1f} minutes")
     scene.frame_start, scene.frame_end = last - frames + 1, last
     film = _set_film_output(demo, scene, folder)
     report = _frame_reporter(progress, frames)
@@ -180,17 +184,25 @@ def render_film(shot, scene, folder, quality, progress):
     return film
 
 
-def _frame_cost(scene, folder, frame, progress):
-    """Seconds that a frame of the film takes, by rendering one twice: the first time compiles shaders."""
-    _set_format(scene, "PNG")
-    scene.render.filepath = str(folder / "film_test.png")
-    for number in (frame - 1, frame):
-        scene.frame_set(number)
-        began = progress.seconds()
-        bpy.ops.render.render(write_still=True)
-        cost = max(progress.seconds() - began, 1e-3)
-    Path(scene.render.filepath).unlink()
-    return cost
+def _frame_cost(scene, last, progress):
+    """Seconds that a frame of the film takes, seen in the last three; the first of them compiles shaders as well."""
+    whole_lap = scene.frame_start, scene.frame_end
+    scene.frame_start, scene.frame_end = last - 2, last
+    times = []
+
+    def note(*_arguments):
+        times.append(progress.seconds())
+
+    bpy.app.handlers.render_post.append(note)
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            _set_format(scene, "PNG")
+            scene.render.filepath = str(Path(folder, "frame_"))
+            bpy.ops.render.render(animation=True)
+    finally:
+        bpy.app.handlers.render_post.remove(note)
+        scene.frame_start, scene.frame_end = whole_lap
+    return max((times[-1] - times[0]) / 2.0, 1e-3)
 
 
 def _use_eevee(demo, scene, samples, reflections):

@@ -18,7 +18,7 @@ TOTAL = 540.0  # seconds from the start of the command to the last picture: 10 m
 LEAST = 150.0  # seconds for the pictures, however long building has taken
 FILM_SHARE = 0.3  # of the seconds for the pictures
 STILLS = 2  # of a scene, at most, where its name is not given
-WIDTHS = (1280, 960, 640)  # of stills, pixels
+NARROWER = (960, 640)  # stills where there is no time for wider ones, pixels
 NEVER = float("inf")
 FILM = -1
 
@@ -71,7 +71,7 @@ def follow(shots, widest, clock, show, render):
     does not. An optional still that could not have the full width is left out. The width of a film is None.
     """
     costs = collections.deque(maxlen=2)  # seconds for a still one pixel wide
-    widths = [width for width in WIDTHS if width <= widest]
+    widths = [widest, *(width for width in NARROWER if width < widest)]
     for shot in shots:
         cost = max(costs, default=0.0)
         if shot.is_optional and cost * widest**2 > shot.end - clock():
@@ -86,9 +86,15 @@ def follow(shots, widest, clock, show, render):
         costs.append((clock() - began) / width**2)
 
 
-def film_frames(seconds, cost, fps, longest):
-    """How many frames a film has that may take so many seconds, at `cost` seconds a frame: a second of film at least."""
-    return int(min(longest, max(seconds / cost, fps)))
+def fit_film(seconds, cost, samples, fps, longest):
+    """(frames, samples) of a film that may take so many seconds, where a frame of so many samples takes `cost` seconds.
+
+    Fewer samples, down to half, if that makes the film longer; a second of film at least.
+    """
+    fewer = max(samples // 2, 1)
+    fitting = (number for number in range(samples, fewer, -1) if longest * cost * number / samples <= seconds)
+    samples, cost = next(((number, cost * number / samples) for number in fitting), (fewer, cost * fewer / samples))
+    return int(min(longest, max(seconds / cost, fps))), samples
 
 
 if __name__ == "__main__":
