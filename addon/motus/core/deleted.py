@@ -86,8 +86,14 @@ def _updated(_scene=None, depsgraph=None):
     # Animations are rendered in a thread of their own.
     if not _stood or threading.get_ident() != _MAIN_THREAD:
         return
-    if _is_new[0] or depsgraph is None or depsgraph.id_type_updated('COLLECTION'):
+    if _is_new[0] or depsgraph is None or have_collections_changed(depsgraph):
         look(depsgraph and depsgraph.view_layer)
+
+
+def have_collections_changed(depsgraph):
+    """Whether objects may have come into or gone out of collections since the last evaluation."""
+    # A scene's own collection is a part of it; 3.4 says no more than that the scene was updated.
+    return depsgraph.id_type_updated('COLLECTION') or depsgraph.id_type_updated('SCENE')
 
 
 @persistent
