@@ -151,7 +151,7 @@ def plan(rig, key, make):
     itself: a plan is not shared between threads.
     """
     plans = kept("plans", OrderedDict)
-    place = (key, rig.name)
+    place = key, rig.name, rig.library and rig.library.name
     found = plans.get(place)
     copy = copies.number_of(rig.data)
     if found is not None and copy and found.copy == copy:

@@ -296,8 +296,9 @@ def _heal_order(depsgraph):
 
 def _watched_handlers():
     found = bpy.app.handlers
-    return ((found.depsgraph_update_post, _heal), (found.frame_change_post, _heal_after_frame), (found.depsgraph_update_post, _updated),
-            (found.load_post, loaded), (found.save_pre, overrides.complete_references))
+    return (
+        (found.depsgraph_update_post, _heal), (found.frame_change_post, _heal_after_frame),
+        (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references))
 
 
 def register():
