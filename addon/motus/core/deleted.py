@@ -4,8 +4,8 @@ One that came along with what was appended has never stood in a collection, and 
 hidden or excluded, as for Blender's own constraints. The two are told apart by what was seen since the file was opened; when
 it is saved, that is noted on the object, so that the file means the same wherever it is opened.
 
-Solvers run in threads of Blender's, while the main thread may edit collections. So they only look a name up, and leave it here
-the first time. A handler looks where the objects of these names stand, and has Blender evaluate again what asked for one of them.
+Solvers run in threads of Blender's, while the main thread may edit collections. So they only look a name up, and leave it
+here the first time. A handler looks where the objects of these names stand; where that has changed, Blender evaluates again.
 """
 
 import threading
@@ -19,7 +19,7 @@ KEY = "motus_deleted"
 """Custom property of an object that stood in a collection, and did not any more when the file was saved."""
 
 _stood = {}
-"""Name of each local object that was asked for -> whether it has stood in a collection. Not references: undo invalidates those."""
+"""Name of each local object that was asked for -> whether it has stood in a collection. No references: undo spoils those."""
 _deleted = set()
 _is_new = [False]
 _changes = [0]
