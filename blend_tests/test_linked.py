@@ -62,3 +62,67 @@ class OperatorsTest(LinkedTestCase):
             if keywords:
                 self.assert_as_before(name)
         self.assertGreater(called, 100)
+
+
+class SameNameTest(support.SceneTestCase):
+    """A local owner and a linked one of the same name."""
+
+    def setUp(self):
+        super().setUp()
+        live_scenes.build()
+        path = str(self.folder / "library.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+        with bpy.data.libraries.load(path, link=True) as (_, wanted):
+            wanted.objects = ["Keyed", "Grid", "Arm", "Target"]
+        for obj in wanted.objects:
+            bpy.context.scene.collection.objects.link(obj)
+        self.linked = {obj.name: obj for obj in wanted.objects}
+        self.states = live_scenes.states((1, 30))
+
+    def local(self, name):
+        return bpy.data.objects[name, None]
+
+    def place(self, obj):
+        return obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation.copy()
+
+    def test_driven_later(self):
+        """The local one is wired anew for it, the linked one goes on as it was."""
+        car, linked = self.local("Keyed"), self.linked["Keyed"]
+        support.addon("core.actions").remove(car, ("motus.path.",))
+        car.driver_add("motus.path.distance_factor").driver.expression = "0.01 * frame"
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        course = bpy.data.objects["Course"].evaluated_get(depsgraph)
+        curve = support.addon("core.curves").read_evaluated(course, depsgraph, 0).curve
+        for frame in (50, 20, 70, 30):
+            bpy.context.scene.frame_set(frame)
+            wanted = curve.position(curve.t_at_length(0.01 * frame * curve.length()))
+            np.testing.assert_allclose(self.place(car), np.ravel(wanted), atol=1e-4, err_msg=f"frame {frame}")
+        self.assertFalse(support.addon("core.wiring.healing").has_driven_settings(linked, linked.motus.path))
+
+    def test_deleted(self):
+        """Of a linked target and a local one that was deleted only the second counts as gone."""
+        deleted = support.addon("core.deleted")
+        bpy.context.scene.frame_set(2)
+        bpy.context.scene.collection.objects.unlink(self.local("Target"))
+        bpy.context.view_layer.update()
+        self.assertTrue(deleted.is_deleted(self.local("Target")))
+        self.assertFalse(deleted.is_deleted(self.linked["Target"]))
+
+    def test_what_they_hang_on(self):
+        """Each is compared with what it hung on itself."""
+        relations = support.addon("core.wiring.relations")
+        found = []
+
+        def note(_scene, depsgraph):
+            found.append(relations.have_changed(depsgraph))
+
+        bpy.app.handlers.depsgraph_update_post.insert(0, note)
+        self.addCleanup(bpy.app.handlers.depsgraph_update_post.remove, note)
+        for obj in (self.linked["Target"], self.local("Target")):
+            obj.update_tag()
+            bpy.context.view_layer.update()
+            obj.parent_type = 'OBJECT'
+            obj.parent = bpy.data.objects["Gauge"]
+            obj.update_tag()
+            bpy.context.view_layer.update()
+        self.assertEqual(found, [False, True, False, True])

@@ -64,6 +64,50 @@ class SolversTest(support.SceneTestCase):
         self.assertEqual(asked, set())
 
 
+class NestedTest(support.SceneTestCase):
+    """A solver that Blender runs within another one's to_curve(), as it may do while modifiers are computed in parallel."""
+
+    def setUp(self):
+        super().setUp()
+        live_scenes.build()
+        for name, length in (("Outer", 2.0), ("Inner", 3.0)):
+            course = bpy.data.objects["Course"].copy()
+            course.data = course.data.copy()
+            course.name, course.scale = name, (length, 1.0, 1.0)
+            course.modifiers.new("Lattice", 'LATTICE')
+            bpy.context.scene.collection.objects.link(course)
+        bpy.context.view_layer.update()
+
+    def test_both_are_right(self):
+        curves, per_thread = support.addon("core.curves"), support.addon("core.per_thread")
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        outer, inner = (bpy.data.objects[name].evaluated_get(depsgraph) for name in ("Outer", "Inner"))
+        wanted = [curves.read_evaluated(one, depsgraph, 0).curve.length() for one in (outer, inner)]
+        found = {}
+
+        class Nesting:
+            """The outer curve, in whose to_curve() another solver reads the inner one."""
+
+            def __getattr__(self, name):
+                return getattr(outer, name)
+
+            def to_curve(self, *arguments, **keywords):
+                found["inner"] = curves.read_evaluated(inner, depsgraph, 0).curve.length()
+                found["kept"] = per_thread.kept("test", lambda: "inner")
+                return outer.to_curve(*arguments, **keywords)
+
+        def solve():
+            self.assertEqual(per_thread.kept("test", lambda: "outer"), "outer")
+            found["outer"] = curves.read_evaluated(Nesting(), depsgraph, 0).curve.length()
+            found["still kept"] = per_thread.kept("test", lambda: "other")
+
+        thread = threading.Thread(target=solve, daemon=True)
+        thread.start()
+        thread.join(timeout=30)
+        self.assertEqual(found, {
+            "outer": wanted[0], "inner": wanted[1], "kept": "inner", "still kept": "outer"})
+
+
 class DeletedTest(support.SceneTestCase):
     """Objects that pointers keep in the file: noticed in the evaluation that follows, however they went."""
 

@@ -13,7 +13,7 @@ def has_geometry_attribute_constraint():
 
 
 def keeps_settings_apart():
-    """Settings of add-ons are no custom properties (5.0); of a file of an older Blender they are there as such too, a dead copy."""
+    """Settings of add-ons are no custom properties (5.0). Those of a file of an older Blender are such too."""
     return bpy.app.version >= (5, 0, 0)
 
 

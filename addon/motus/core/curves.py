@@ -6,6 +6,7 @@ from typing import Any
 
 from . import native
 from .lazy import numpy as np
+from .per_thread import aside
 from .system import Problem
 
 ALL_SPLINES = -1
@@ -22,8 +23,9 @@ RATIONAL = Problem("NURBS splines with different weights cannot be followed: mak
 HIGH_ORDER = Problem("NURBS splines of an order above 6 cannot be followed: lower the order")
 PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONAL, HIGH_ORDER)
 
-# A second to_curve() on an object frees the first one's result, and drivers run in several threads.
-_temporary_curve = threading.Lock()
+# A second to_curve() on an object frees the first one's result, and drivers run in several threads. Within to_curve() Blender
+# may evaluate another driver in the same thread (modifiers are computed in parallel), which is then done before it returns.
+_temporary_curve = threading.RLock()
 
 
 class Unreadable(Exception):
@@ -56,7 +58,8 @@ def read(curve_object, splines, depsgraph, index, matrix):
     if curve_object.modifiers or curve_object.data.shape_keys:
         with _temporary_curve:
             try:
-                deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
+                with aside():
+                    deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
                 curve, tilt = _read_splines(deformed.splines, index, is_polygon)
             finally:
                 curve_object.to_curve_clear()

@@ -4,8 +4,8 @@ One that came along with what was appended has never stood in a collection, and 
 hidden or excluded, as for Blender's own constraints. The two are told apart by what was seen since the file was opened; when
 it is saved, that is noted on the object, so that the file means the same wherever it is opened.
 
-Solvers run in threads of Blender's, while the main thread may edit collections. So they only look a name up, and leave it here
-the first time. A handler looks where the objects of these names stand, and has Blender evaluate again what asked for one of them.
+Solvers run in threads of Blender's, while the main thread may edit collections. So they only look a name up, and leave it
+here the first time. A handler looks where the objects of these names stand; where that has changed, Blender evaluates again.
 """
 
 import threading
@@ -19,7 +19,7 @@ KEY = "motus_deleted"
 """Custom property of an object that stood in a collection, and did not any more when the file was saved."""
 
 _stood = {}
-"""Name of each local object that was asked for -> whether it has stood in a collection. Not references: undo invalidates those."""
+"""Name of each local object that was asked for -> whether it has stood in a collection. No references: undo spoils those."""
 _deleted = set()
 _is_new = [False]
 _changes = [0]
@@ -86,8 +86,14 @@ def _updated(_scene=None, depsgraph=None):
     # Animations are rendered in a thread of their own.
     if not _stood or threading.get_ident() != _MAIN_THREAD:
         return
-    if _is_new[0] or depsgraph is None or depsgraph.id_type_updated('COLLECTION'):
+    if _is_new[0] or depsgraph is None or have_collections_changed(depsgraph):
         look(depsgraph and depsgraph.view_layer)
+
+
+def have_collections_changed(depsgraph):
+    """Whether objects may have come into or gone out of collections since the last evaluation."""
+    # A scene's own collection is a part of it; 3.4 says no more than that the scene was updated.
+    return depsgraph.id_type_updated('COLLECTION') or depsgraph.id_type_updated('SCENE')
 
 
 @persistent

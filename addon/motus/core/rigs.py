@@ -154,7 +154,7 @@ def plan(rig, key, make):
     if rig.pose is None or not isinstance(key, str):
         raise Damaged("no rig, or nothing that is known of it")
     plans = kept("plans", OrderedDict)
-    place = (key, rig.name)
+    place = key, rig.name, rig.library and rig.library.name
     found = plans.get(place)
     copy = copies.number_of(rig.data)
     if found is not None and copy and found.copy == copy:
