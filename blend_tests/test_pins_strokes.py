@@ -281,6 +281,22 @@ class KeptTest(StrokesTestCase):
         middle = int(((flat - 0.5 * (before[200] + before[201])) ** 2).sum(axis=1).argmin())
         self.assertLess(np.abs(found[middle] - 0.5 * (after[200] + after[201])).max(), 2 * ULP)
 
+    def test_joined(self):
+        """What joins in moves by what it has under that name, and what has nothing there stays."""
+        grid, _, before, after = self.stroked()
+        copied = grid.copy()
+        copied.data = grid.data.copy()
+        plain = cases.new_grid(name="Plain")
+        bpy.context.scene.collection.objects.link(copied)
+        bpy.context.view_layer.objects.active = grid
+        for obj in (grid, copied, plain):
+            obj.select_set(True)
+        bpy.ops.object.join()
+        parts = np.split(evaluated(grid), 3)  # in whichever order Blender has joined them
+        for wanted, count in ((after, 2), (before, 1)):
+            self.assertEqual(sum(np.abs(part - wanted).max() <= ULP for part in parts), count)
+        self.assertIsNone(problem(grid))
+
     def test_without_a_root_there_is_nothing_to_bind_or_mirror(self):
         self.stroked()
         self.assert_refused("keeps the shape of a stroke", motus.pin_rebind)
