@@ -3,6 +3,7 @@
 import itertools
 import subprocess
 import sys
+import tempfile
 import unittest
 from pathlib import Path
 
@@ -86,6 +87,20 @@ class Names(unittest.TestCase):
                 self.assertTrue((CLONE / "addon" / "motus" / "demo" / f"{scene.module}.py").is_file())
                 self.assertGreaterEqual(len(scene.stills), demo_plan.STILLS)
                 self.assertLess(*scene.film)
+
+
+class Quick(unittest.TestCase):
+    def test_a_scene_is_rendered_whole(self):
+        with tempfile.TemporaryDirectory(prefix="motus test ") as folder:
+            done = subprocess.run([str(CLONE / "motus"), "demo", "pull", "--quick", "--output", folder], cwd="/", text=True,
+                                  check=False, timeout=600, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            sizes = {path.name: path.stat().st_size for path in Path(folder).rglob("pull*.*")}
+            scene = next(scene for scene in demo_plan.SCENES if scene.name == "pull")
+            for number in range(1, len(scene.stills) + 1):  # a picture of one colour has less than a kilobyte
+                self.assertGreater(sizes[f"pull_{number:02d}.png"], 10_000)
+            self.assertTrue(sizes.keys() & {"pull.mp4", "pull_0216.png"}, sizes)
+            self.assertIn("film of 4 frames", done.stdout)
 
 
 class Shares(unittest.TestCase):
