@@ -11,7 +11,7 @@ import support
 from mathutils import Euler, Quaternion, Vector
 
 core = support.addon("core.system")
-curves = support.addon("core.curves")
+deleted = support.addon("core.deleted")
 TILT = Euler((0.3, -0.2, 0.1)).to_quaternion()
 STEP = 0.25
 
@@ -48,7 +48,7 @@ def pose(target, radius, speed, seconds, index=0):
 def solve(context, target, radius, speed):
     global solve_calls
     solve_calls += 1
-    if target is None or curves.is_deleted(context.settings.target):
+    if target is None or deleted.is_deleted(context.settings.target):
         return NO_TARGET
     for index in range(len(context.locations)):
         location, rotation = pose(target, radius, speed, context.frame / context.fps, index)

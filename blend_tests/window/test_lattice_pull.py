@@ -165,3 +165,41 @@ def test_the_panel_is_drawn():
         x, y = window_support.centre()
         window_support.press('ESC', x, y)
         yield
+
+
+def test_what_is_pulled_is_drawn():
+    """During the drag and after it, without anything else that has the viewport drawn."""
+    build()
+    _, x, y = yield from start()
+    paths = [(yield from window_support.picture("lattice_before"))]
+    window_support.move(x + 60, y + 60)
+    paths.append((yield from window_support.picture("lattice_during")))
+    button('RELEASE', x + 60, y + 60)
+    paths.append((yield from window_support.picture("lattice_after")))
+    region = window_support.region()
+    before, during, after = (viewport(path, region) for path in paths)
+    assert np.abs(during - before).max(axis=2).mean() > 0.005, "nothing was drawn during the drag"
+    assert np.abs(after - before).max(axis=2).mean() > 0.005, "nothing was drawn after the drag"
+
+
+def test_reset_is_drawn():
+    lattice = build().modifiers[0].object
+    rest = points()
+    for point in lattice.data.points:
+        point.co_deform *= 0.5
+    cases.only(lattice)
+    yield
+    pulled = yield from window_support.picture("lattice_pulled")
+    with window_support.override():
+        assert bpy.ops.motus.lattice_reset() == {'FINISHED'}
+    reset = yield from window_support.picture("lattice_reset")
+    assert (points() == rest).all()
+    region = window_support.region()
+    assert np.abs(viewport(reset, region) - viewport(pulled, region)).max(axis=2).mean() > 0.005, "nothing was drawn"
+
+
+def viewport(path, region):
+    """Of a picture the part that is the region, (height, width, 3)."""
+    width, height, values = window_support.pixels(path)
+    picture = np.array(values, np.float32).reshape(height, width, 4)
+    return picture[region.y:region.y + region.height, region.x:region.x + region.width, :3]

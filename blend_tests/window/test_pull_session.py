@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 import pull_support as pull
 import window_support
+from mathutils import Euler
 
 brush = lambda: bpy.context.scene.motus.pull  # noqa: E731
 
@@ -248,3 +249,45 @@ def in_mode(mode):
     pull.undo()
     yield
     assert np.array_equal(pull.places(), one)
+
+
+def evaluated():
+    """(n, 3) of what Blender shows of the grid."""
+    mesh = bpy.data.objects["Grid"].evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    values = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", values)
+    return values.reshape(-1, 3)
+
+
+def test_a_stroke_becomes_a_pin():
+    """Nothing is seen to change by it; with the pin's strength at 0 the mesh is as before the stroke."""
+    pull.build()
+    brush().strength = 0.03
+    flat = pull.places()
+    yield from pull.session()
+    yield from pull.drag('LEFTMOUSE', *ends(150, 60), steps=25)
+    yield from pull.key('RET')
+    stroked = evaluated()
+    assert stroked[:, 2].max() > 0.1
+    window_support.region().data.view_rotation = Euler((1.0, 0.0, 0.4)).to_quaternion()
+    before = yield from window_support.picture("stroke")
+    with window_support.override():
+        assert bpy.ops.motus.pin_add(from_last=True) == {'FINISHED'}
+    pin, = bpy.data.objects["Grid"].motus.pull.pins
+    assert np.array_equal(pull.places(), flat)
+    assert np.abs(evaluated() - stroked).max() < 2.5e-7
+    pinned = yield from window_support.picture("stroke_pinned")
+    pin.strength = 0.0
+    without = yield from window_support.picture("stroke_strength_0")
+    assert np.array_equal(evaluated().ravel(), flat)
+    before, pinned, without = (viewport(path) for path in (before, pinned, without))
+    assert np.abs(pinned - before).mean() < 1e-3, np.abs(pinned - before).mean()
+    assert np.abs(without - before).mean() > 5e-3, np.abs(without - before).mean()
+
+
+def viewport(path):
+    """The middle of the viewport in a picture, (height, width, 3)."""
+    width, height, values = window_support.pixels(path)
+    (x, y), one = window_support.centre(), window_support.region()
+    picture = np.array(values, np.float32).reshape(height, width, 4)
+    return picture[y - one.height // 3:y + one.height // 3, x - one.width // 3:x + one.width // 3, :3]

@@ -99,3 +99,56 @@ def test_escape_cancels_the_bake():
     assert not owner.motus.bake.is_baked
     assert owner.animation_data.action is None
     assert follows(owner)
+
+
+class MOTUS_OT_test_timers(bpy.types.Operator):
+    """Counts the ticks of timers until it is told to stop."""
+
+    bl_idname = "motus.test_timers"
+    bl_label = "Count Ticks"
+    ticks, is_over = 0, False
+
+    def invoke(self, context, _event):
+        context.window_manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, _context, event):
+        counter = MOTUS_OT_test_timers
+        counter.ticks += event.type == 'TIMER'
+        return {'FINISHED'} if counter.is_over else {'PASS_THROUGH'}
+
+
+def count_ticks(seconds):
+    """Generator: how many events of timers there are in that time."""
+    counter = MOTUS_OT_test_timers
+    counter.ticks, counter.is_over = 0, False
+    bpy.utils.register_class(counter)
+    with window_support.override():
+        bpy.ops.motus.test_timers('INVOKE_DEFAULT')
+    yield seconds
+    ticks, counter.is_over = counter.ticks, True
+    window_support.move(*window_support.centre())
+    yield 0.3
+    bpy.utils.unregister_class(counter)
+    return ticks
+
+
+def test_a_bake_that_fails_leaves_no_timer():
+    owner, _ = new_orbit()
+    job = support.addon("core.bake.job")
+    before = yield from count_ticks(0.5)
+
+    def failing(*_arguments):
+        yield 1
+        raise ZeroDivisionError
+
+    kept, job.bake = job.bake, failing
+    try:
+        with window_support.override():
+            bpy.ops.motus.bake('INVOKE_DEFAULT', object="Owner", frame_start=1, frame_end=10)
+        yield 0.5
+    finally:
+        job.bake = kept
+    after = yield from count_ticks(0.5)
+    assert after <= before + 2, (before, after)
+    assert not owner.motus.bake.is_baked

@@ -124,7 +124,8 @@ class Timing:
     """Distance as a function of time. Immutable; made by one of the static methods."""
 
     @staticmethod
-    def eased(duration: float, length: float, ease_in: float = 0.0, ease_out: float = 0.0) -> Timing: ...
+    def eased(duration: float, length: float, ease_in: float = 0.0, ease_out: float = 0.0,
+              after: str = "rest") -> Timing: ...
     @staticmethod
     def constant(speed: float) -> Timing: ...
     @staticmethod

@@ -153,7 +153,7 @@ class MOTUS_PG_ik(SystemSettings, bpy.types.PropertyGroup):
         min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=_touch)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_ik_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Chain", options={'HIDDEN'})
-    active_entry: bpy.props.IntProperty(name="Active Chain", options=set(), get=_get_active, set=_set_active)
+    active_entry: bpy.props.IntProperty(name="Active Chain", options={'SKIP_SAVE'}, get=_get_active, set=_set_active)
 
     @contextmanager
     def unwired(self):

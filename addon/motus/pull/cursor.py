@@ -43,9 +43,9 @@ def register():
 
 def unregister():
     """Stop drawing."""
+    _failed.clear()
     while _handle:
         bpy.types.WindowManager.draw_cursor_remove(_handle.pop())
-    _failed.clear()
 
 
 def renew():

@@ -129,12 +129,19 @@ class ObjectMesh:
             return None
         return arrays.positions(seen)
 
-    def is_muted(self):
-        """Whether the shape key that is written has no effect on what is seen."""
+    def follows_whole(self):
+        """Whether all vertices follow, and what is written is the shape that pins are measured on."""
+        mask = self.mask()
+        has_mask = self.hidden() is not None or (mask is not None and mask.any())
+        return not has_mask and (self.key is None or self.key == self.mesh.shape_keys.reference_key)
+
+    def share_seen(self):
+        """How much of what is written is seen: the value of a shape key."""
         keys = self.mesh.shape_keys
-        if self.key is None or self.key == keys.reference_key or not keys.use_relative:
-            return False
-        return (self.key.mute or self.key.value == 0.0) and not self.obj.show_only_shape_key
+        is_whole = self.key is None or self.key == keys.reference_key or not keys.use_relative
+        if is_whole or self.obj.show_only_shape_key:
+            return 1.0
+        return 0.0 if self.key.mute else self.key.value
 
     def _write_key(self, flat):
         keys = self.mesh.shape_keys
@@ -162,6 +169,11 @@ def _followers(keys, leader):
             return found
         found += more
         names |= {key.name for key in more}
+
+
+def not_seen(key):
+    """The sentence on a shape key of which nothing is seen."""
+    return tr("The shape key {key} is not seen, as its value is 0 or it is muted").format(key=key.name)
 
 
 def nearest(positions, place, metric, hidden=None):

@@ -62,6 +62,10 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     vertex_group: bpy.props.StringProperty(
         name="Vertex Group", description="Its weights tell how far each vertex follows; empty moves all", options=set(),
         update=_touch_owner, override=OVERRIDABLE)
+    shape: bpy.props.StringProperty(
+        name="Shape", description="Name of the mesh's attribute that says how far each vertex goes, where the pin was made of "
+                                  "a stroke; empty for a pull at one root", options=set(), update=_touch_owner,
+        override=OVERRIDABLE)
     metric: _vector(
         "Metric", "Matrix, row by row, that takes the object's vectors to those that are measured", 9,
         default=UNIT_METRIC)

@@ -93,9 +93,11 @@ def _ensure_curve(settings):
 
 
 class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
-    """The last pull, so that it can be kept as a pin."""
+    """The last stroke, so that it can be kept as a pin."""
 
     object: bpy.props.StringProperty(name="Object", description="Name of the object that was pulled", options=set())
+    is_shape: bpy.props.BoolProperty(
+        name="Shape", description="The stroke did more than a pull at one root: a pin of it keeps the shape", options=set())
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
     place: bpy.props.FloatVectorProperty(
         name="Place", description="Where the root was before, in the object", size=3, subtype='XYZ', options=set())

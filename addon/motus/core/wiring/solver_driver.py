@@ -1,5 +1,7 @@
 """The driver that calls the solver, and the variables by which it waits for what it reads."""
 
+import bpy
+
 from ..system import BonesOwn, Setting, Transform, Variable, input_variables, of_owner
 from . import drivers, healing, outbox, waiting
 
@@ -33,7 +35,7 @@ def waits(system, owner, key):
     animation = owner.animation_data
     curve = animation and animation.drivers.find(outbox.out_path(system, group=key), index=outbox.STATUS)
     targets = [variable.targets[0] for variable in curve.driver.variables if variable.type == 'TRANSFORMS'] if curve else ()
-    return [(target.id, target.bone_target) for target in targets]
+    return [(target.id if isinstance(target.id, bpy.types.Object) else None, target.bone_target) for target in targets]
 
 
 def renamed_reads(system, owner):
