@@ -13,7 +13,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 CLONE = HERE.parents[1]
-HANGS_AFTER = 180  # seconds without a line from the driver, which gives every test less
+HANGS_AFTER = 700  # seconds without a line from the driver, which gives every test less
 SKIPPED = 77
 
 

@@ -44,7 +44,7 @@ def press(key, x, y, **modifiers):
         window().event_simulate(type=key, value=value, x=x, y=y, **modifiers)
 
 
-def until(condition, seconds=30.0):
+def until(condition, seconds=120.0):
     """Generator: waits until `condition()` is true, or these seconds are over; its value is what the condition gave last."""
     end = time.monotonic() + seconds
     while not (found := condition()) and time.monotonic() < end:
