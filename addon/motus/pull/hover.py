@@ -133,10 +133,8 @@ def _on_change(*_arguments):
 
 @persistent
 def _on_load(*_arguments):
-    from . import cursor
     stage.clear()
     drop()
-    cursor.renew()
 
 
 def _watchers():

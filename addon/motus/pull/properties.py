@@ -2,8 +2,8 @@
 
 import bpy
 
-CURVE_SAMPLES = 32
-"""Forces of the user's curve at equal steps from the radius to the root."""
+from . import falloff_curve
+from .falloff_curve import CURVE_SAMPLES
 
 LARGEST = 1e18
 """Its square is just within single precision."""
@@ -88,7 +88,6 @@ KEYWORDS = tuple(BrushKeywords.__annotations__)
 def _ensure_curve(settings):
     # Only the brush keeps a curve; the operator has the same property.
     if isinstance(settings, MOTUS_PG_brush) and settings.falloff == 'CURVE':
-        from . import falloff_curve
         falloff_curve.ensure(settings)
 
 
