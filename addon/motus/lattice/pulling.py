@@ -185,8 +185,7 @@ class Held:
         return (self._start + moves @ np.linalg.inv(self._matrix[:3, :3]).T).astype(np.float32)
 
     def _write(self, points):
-        self._lattice.data.points.foreach_set("co_deform", points.ravel())
-        self._lattice.data.update_tag()
+        shapes.set_lattice_points(self._lattice.data, points)
 
     def _measure(self):
         self._context.view_layer.update()

@@ -1,6 +1,6 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
-from ..core import curves, native
+from ..core import curves, deleted, native
 from ..core.lazy import numpy as np
 from ..core.system import Deformed, Matrix, Problem, Setting, Splines
 from . import motion
@@ -25,7 +25,7 @@ def solve(context, matrix, splines, deformed, **numbers):
     settings = context.settings
     if matrix is None or splines is None or settings.curve is None:
         return NO_CURVE
-    if curves.is_deleted(settings.curve):
+    if deleted.is_deleted(settings.curve):
         return CURVE_DELETED
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS

@@ -94,6 +94,7 @@ INTERFACE = {
     "{modifier} of {object} has no influence there": "{modifier} de {object} no tiene influencia ahí",
     "{objects} without a lattice": "{objects} sin jaula",
     "{object} deforms nothing that is shown": "{object} no deforma nada que se muestre",
+    "The lattice would be too large or too small for Blender": "La jaula sería demasiado grande o pequeña para Blender",
     "{object} has no geometry": "{object} no tiene geometría",
     "{object} has no lattice modifier {modifier}": "{object} no tiene el modificador de jaula {modifier}",
     "{object} has no shape that a lattice deforms: meshes, curves, surfaces, texts and lattices have":
