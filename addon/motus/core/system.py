@@ -262,7 +262,7 @@ def of_owner(system, owner):
 
 
 def forget(system, owner):
-    """Take the settings of a system off an object; with the last that say anything all of Motus, so that the file holds nothing."""
+    """Take a system's settings off an object; with the last that say anything all of Motus, so that the file holds nothing."""
     drop_dead_copy(owner)
     owner.motus.property_unset(system.name)
     reference = owner.override_library and owner.override_library.reference
