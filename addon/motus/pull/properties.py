@@ -2,6 +2,8 @@
 
 import bpy
 
+from ..core import viewports
+
 CURVE_SAMPLES = 32
 """Forces of the user's curve at equal steps from the radius to the root."""
 
@@ -135,7 +137,7 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
         name="Size Pressure", description="The pen's pressure sets the radius", default=False, options=set())
     show_inset: bpy.props.BoolProperty(
         name="Inset View", description="Show a perspective view in the corner while pulling", default=False,
-        options=set())
+        options=set(), update=lambda _brush, _context: viewports.redraw())
     last: bpy.props.PointerProperty(
         type=MOTUS_PG_pull_record, name="Last Pull", description="What was pulled last")
 
