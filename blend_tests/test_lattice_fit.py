@@ -322,6 +322,23 @@ class RemoveTest(support.SceneTestCase):
         bpy.ops.motus.lattice_remove(objects=ball.name)
         self.assertEqual([one.name for one in ball.modifiers], ["Own"])
 
+    def test_a_lattice_that_followed_a_path_is_still_a_fitted_one(self):
+        ball = cases.ball()
+        cases.curve("Course")
+        for release in ("alone", "as a wagon"):
+            with self.subTest(release):
+                lattice = fit(objects=ball.name, use_parent=False)
+                if release == "alone":
+                    bpy.ops.motus.path_follow_add(object=lattice.name, curve="Course")
+                else:
+                    cases.link("Engine", None)
+                    bpy.ops.motus.path_train_add(objects=f"Engine,{lattice.name}", curve="Course")
+                bpy.ops.motus.path_follow_remove(object=lattice.name)
+                self.assertTrue(lattice.motus.lattice.is_fitted)
+                self.assertIsNone(lattice.motus.path.curve)
+                bpy.ops.motus.lattice_remove(objects=ball.name)
+                self.assertEqual(len(bpy.data.lattices), 0)
+
     def test_what_cannot_be_applied_is_left(self):
         twin = cases.ball("Twin")
         cases.link("Other", twin.data)

@@ -3,6 +3,7 @@
 
 import bpy
 import numpy as np
+import support
 from path_cases import CLIMB, PathTestCase, circle_knots, dense, positions_at
 
 def state(obj):
@@ -157,6 +158,19 @@ class Remove(PathTestCase):
         after = state(car)
         self.assertEqual(after.pop("matrix").translation, before.pop("matrix").translation)
         self.assertEqual(after, before)
+
+    def test_nothing_is_left_in_a_file_of_an_older_blender(self):
+        """Of whose settings Blender 5 makes a custom property too, which keeps alive what they point to."""
+        if not support.addon("core.capabilities").keeps_settings_apart():
+            self.skipTest("settings are one with custom properties")
+        self.cubic()
+        car = self.follow()
+        before = len(bpy.data.objects) - 1
+        car["motus"] = {"path": {"curve": bpy.data.objects["Course"], "order_proxy": car.motus.path.order_proxy}}
+        self.assertGreater(car.motus.path.order_proxy.users, 1)
+        bpy.ops.motus.path_follow_remove(object="Car")
+        self.assertEqual(len(bpy.data.objects), before)
+        self.assertEqual(list(car.keys()), [])
 
     def test_removed_settings_are_the_defaults_again(self):
         self.cubic()

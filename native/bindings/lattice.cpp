@@ -228,6 +228,7 @@ resolution: points along u, v and w, 1 to 64.  basis: one name, or one each: 'be
 degree resolution - 1), or Blender's 'linear', 'cardinal', 'catmull_rom', 'bspline'.
 Points are counted with u fastest, then v, then w. Any space, any unit of length.
 Raises ValueError or TypeError that names the argument, as its methods do.)");
+    lattice.attr("MAX_PULLS") = max_lattice_pulls;
     lattice.def(py::init(&make_lattice), "origin"_a, "axes"_a, "resolution"_a, "basis"_a = "bspline");
     lattice.def_property_readonly("resolution", [](const Lattice& self) {
         return py::make_tuple(self.resolution[0], self.resolution[1], self.resolution[2]);
@@ -255,6 +256,7 @@ places: (k, 3), before they are deformed.  displacements: (p, 3), wanted; 0 hold
 displacement that each place takes part in; None: one each.  shares: (k,) with pulls, such as the barycentric coordinates
 of a point of a triangle; None: 1.  influence: (k,), point_weights: (n,), as of deform().
 outside_only: points inside follow those of the outside, as with Blender's Outside.
+MAX_PULLS displacements at most, where they move more points than that: the work grows with the cube of the smaller number.
 max_gain: > 0; bounds the points' movement to so many times what the pulls would need at full influence by themselves.
 Returns ((n, 3), (p, 3)): displacements to be added to those of the points, and what is left of those wanted.)");
 

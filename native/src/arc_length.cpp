@@ -11,9 +11,9 @@ namespace {
 
 // About 100 kB each: a shot with as many paths, or as many steps back of one that is being edited.
 constexpr std::size_t cached_tables = 128;
-// For curves of many thousand segments: with the frame tables' limit and the inverses that are built later,
-// half as much again, no more than 256 MB in all.
-constexpr std::size_t cached_bytes = std::size_t{48} << 20;
+// For curves of many thousand segments, of which at least one of 10,000 has room: with the frame tables'
+// limit and the inverses that are built later, no more than 512 MB in all.
+constexpr std::size_t cached_bytes = std::size_t{96} << 20;
 
 }  // namespace
 

@@ -4,8 +4,10 @@
 #include <limits>
 #include <numeric>
 
+#include "allocations.hpp"
 #include "lattice_checks.hpp"
 #include "motus/lattice.hpp"
+#include "symmetric_function.hpp"
 
 using namespace motus;
 using namespace motus::lattice_checks;
@@ -147,4 +149,113 @@ TEST_CASE("the inside follows the outside", "[lattice]") {
                                0.5 * (at(2, 1, 0) + at(2, 1, 2))) /
                               3.0;
     CHECK(glm::distance(at(2, 1, 1), wanted) < 1e-14);
+}
+
+TEST_CASE("a thousand pulls take memory for what they move", "[lattice]") {
+    Dice dice(11);
+    Lattice lattice;
+    lattice.resolution = {32, 32, 32};
+    std::vector<LatticePart> parts;
+    std::vector<glm::dvec3> displacements;
+    for (std::size_t pull = 0; pull < 300; ++pull) {
+        parts.push_back({pull, dice.place(lattice)});
+        displacements.push_back(dice.point(1.0));
+    }
+    std::vector<glm::dvec3> out(point_count(lattice)), left;
+    for (const bool outside : {false, true}) {
+        LatticePullOptions options;
+        options.outside_only = outside;
+        const std::size_t bytes = checks::bytes_allocated_by(
+            [&] { left = pull_lattice(lattice, parts, displacements, options, out); });
+        CHECK(bytes <
+              20'000'000);  // with whole rows 157 million, and 4 GB for a thousand in 64 * 64 * 64 points
+        for (std::size_t pull = 0; pull < parts.size(); pull += 7) {
+            const glm::dvec3 moved = moved_by(lattice_weights(lattice, parts[pull].place), out);
+            CHECK(glm::distance(moved + left[pull], displacements[pull]) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("more pulls than points are solved by the points", "[lattice]") {
+    Dice dice(12);
+    Lattice lattice;
+    lattice.resolution = {3, 2, 4};
+    std::vector<LatticePart> parts;
+    std::vector<glm::dvec3> displacements;
+    // Four times those of a field that the lattice can do, and one point pulled away from it.
+    std::vector<glm::dvec3> field(point_count(lattice));
+    for (glm::dvec3& v : field) v = dice.point(1.0);
+    for (std::size_t pull = 0; pull < 3 * max_lattice_pulls; ++pull) {
+        parts.push_back({pull, dice.place(lattice)});
+        displacements.push_back(moved_by(lattice_weights(lattice, parts[pull].place), field));
+    }
+    std::vector<glm::dvec3> out(point_count(lattice));
+    for (const glm::dvec3& rest : pull_lattice(lattice, parts, displacements, {}, out))
+        CHECK(glm::length(rest) < 1e-10);
+    displacements[5] += glm::dvec3(1.0, 0.0, 0.0);
+    const auto left = pull_lattice(lattice, parts, displacements, {}, out);
+    CHECK(left[5].x > 0.9);
+    // Least squares: what is left pulls no lattice point either way.
+    std::vector<glm::dvec3> force(out.size(), glm::dvec3(0.0));
+    for (std::size_t pull = 0; pull < parts.size(); ++pull) {
+        const LatticeWeights weights = lattice_weights(lattice, parts[pull].place);
+        for (std::size_t i = 0; i < weights.points.size(); ++i)
+            force[weights.points[i]] += weights.weights[i] * left[pull];
+    }
+    CHECK(size_of(force) < 1e-9);
+}
+
+TEST_CASE("more pulls than can be solved are refused", "[lattice]") {
+    Lattice lattice;
+    lattice.resolution = {16, 16, 16};
+    Dice dice(13);
+    std::vector<LatticePart> parts;
+    for (std::size_t pull = 0; pull <= max_lattice_pulls; ++pull)
+        parts.push_back({pull, dice.place(lattice)});
+    const std::vector<glm::dvec3> displacements(parts.size(), glm::dvec3(0.0, 0.0, 1.0));
+    std::vector<glm::dvec3> out(point_count(lattice));
+    CHECK_THROWS_WITH(pull_lattice(lattice, parts, displacements, {}, out),
+                      Catch::Contains("displacements: at most 1000"));
+    lattice.resolution = {32, 32, 32};
+    lattice.basis.fill(LatticeBasis::bernstein);
+    out.resize(point_count(lattice));
+    parts.resize(600);
+    CHECK_THROWS_WITH(pull_lattice(lattice, parts, {displacements.data(), 600}, {}, out),
+                      Catch::Contains("displacements: too many"));
+}
+
+TEST_CASE("a function of a symmetric matrix times vectors", "[lattice]") {
+    Dice dice(14);
+    for (const std::size_t size : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{40}}) {
+        // Sums of fewer outer products than its size: half of the eigenvalues are 0.
+        std::vector<double> matrix(size * size, 0.0);
+        for (std::size_t term = 0; term < (size + 1) / 2; ++term) {
+            std::vector<double> v(size);
+            for (double& value : v) value = dice.number(-1, 1);
+            for (std::size_t i = 0; i < size; ++i)
+                for (std::size_t j = 0; j < size; ++j) matrix[i * size + j] += v[i] * v[j];
+        }
+        std::vector<glm::dvec3> columns(size);
+        for (glm::dvec3& row : columns) row = dice.point(1.0);
+        const auto times = [&](const std::vector<glm::dvec3>& vectors) {
+            std::vector<glm::dvec3> product(size, glm::dvec3(0.0));
+            for (std::size_t i = 0; i < size; ++i)
+                for (std::size_t j = 0; j < size; ++j) product[i] += matrix[i * size + j] * vectors[j];
+            return product;
+        };
+        const auto largest_gap = [](const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b) {
+            double gap = 0.0;
+            for (std::size_t i = 0; i < a.size(); ++i) gap = std::max(gap, glm::distance(a[i], b[i]));
+            return gap;
+        };
+        const double scale = static_cast<double>(size);
+        CHECK(largest_gap(times_function(matrix, columns, [](double) { return 1.0; }), columns) <
+              1e-14 * scale);
+        CHECK(largest_gap(times_function(matrix, columns, [](double x) { return x; }), times(columns)) <
+              1e-14 * scale * scale);
+        const auto inverse = [](double x) { return x > 1e-6 ? 1.0 / x : 0.0; };
+        // A A^+ A = A.
+        CHECK(largest_gap(times(times_function(matrix, times(columns), inverse)), times(columns)) <
+              1e-12 * scale * scale);
+    }
 }

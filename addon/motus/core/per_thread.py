@@ -5,6 +5,7 @@ been called, and what is local to it goes with it.
 """
 
 import threading
+from contextlib import contextmanager
 
 from . import native
 
@@ -37,3 +38,19 @@ def kept(name, make):
     if found is None:
         found = mine[name] = make()
     return found
+
+
+@contextmanager
+def aside():
+    """What the thread keeps is left alone meanwhile, by whoever asks for it.
+
+    While Blender waits for a computation that it has spread over threads, it may evaluate another driver within this one.
+    """
+    thread = threading.get_ident()
+    mine = _kept.pop(thread, None)
+    try:
+        yield
+    finally:
+        _kept.pop(thread, None)
+        if mine is not None:
+            _kept[thread] = mine

@@ -131,6 +131,11 @@ class MOTUS_OT_path_wagon_remove(bpy.types.Operator):
         if index >= len(settings.wagons):
             self.report({'ERROR'}, tr("There is no such wagon"))
             return {'CANCELLED'}
+        try:
+            targets.check_uncouplable(obj, index)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
         setup.uncouple(obj, index)
         settings.active_wagon = max(0, min(settings.active_wagon, len(settings.wagons) - 1))
         return {'FINISHED'}

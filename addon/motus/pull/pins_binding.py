@@ -48,7 +48,9 @@ def diagonal(positions):
 def anchors(mesh):
     """The numbers of a mesh's vertices, int32 (n,); None where it has none."""
     attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is None or attribute.data_type != 'INT' or len(attribute.data) != len(mesh.vertices):
+    if attribute is None or (attribute.data_type, attribute.domain) != ('INT', 'POINT'):
+        return None
+    if len(attribute.data) != len(mesh.vertices):
         return None
     found = np.empty(len(mesh.vertices), np.int32)
     attribute.data.foreach_get("value", found)
@@ -75,6 +77,8 @@ def mark(mesh, vertex, used):
         return 0
     numbers = anchors(mesh)
     if numbers is None:
+        if ATTRIBUTE in mesh.attributes:  # of another kind
+            _remove_attribute(mesh, ATTRIBUTE)
         _new_attribute(mesh, ATTRIBUTE, 'INT')
         numbers = anchors(mesh)
     own = int(numbers[vertex])

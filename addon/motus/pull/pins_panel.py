@@ -22,7 +22,7 @@ SENTENCES = {solve.LOST: LOST, solve.AMBIGUOUS: AMBIGUOUS, solve.NOT_USABLE: NOT
 def state_of(context, obj, index):
     """How a pin is, as last evaluated: solve.OK where that is not known."""
     found = wiring.output(system(), obj, f"pin{index}", context.view_layer.depsgraph)
-    return solve.OK if found is None else int(found)
+    return int(found) if found in solve.PROBLEM_OF else solve.OK
 
 
 def draw_list(layout, context):
@@ -65,7 +65,9 @@ def _draw_problems(layout, context, obj):
         ui.draw_message(layout, NOT_FIRST.sentence, 'ERROR')
     states = [state_of(context, obj, index) for index in range(len(settings.pins))]
     if not any(states):
-        ui.draw_problem(layout, context, system(), obj)
+        problem = ui.draw_problem(layout, context, system(), obj)
+        if problem and problem.blocking and problem not in solve.PROBLEMS:
+            layout.operator("motus.pin_restore", text="Refresh", icon='FILE_REFRESH')
     elif settings.active_pin >= len(states) or states[settings.active_pin] == solve.OK:
         worst = next(state for state in states if state != solve.OK)
         ui.draw_message(layout, solve.PROBLEM_OF[worst].sentence, 'ERROR')

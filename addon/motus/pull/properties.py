@@ -3,9 +3,8 @@
 import bpy
 
 from ..core import viewports
-
-CURVE_SAMPLES = 32
-"""Forces of the user's curve at equal steps from the radius to the root."""
+from . import falloff_curve
+from .falloff_curve import CURVE_SAMPLES
 
 LARGEST = 1e18
 """Its square is just within single precision."""
@@ -90,7 +89,6 @@ KEYWORDS = tuple(BrushKeywords.__annotations__)
 def _ensure_curve(settings):
     # Only the brush keeps a curve; the operator has the same property.
     if isinstance(settings, MOTUS_PG_brush) and settings.falloff == 'CURVE':
-        from . import falloff_curve
         falloff_curve.ensure(settings)
 
 

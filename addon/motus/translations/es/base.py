@@ -22,6 +22,10 @@ INTERFACE = {
     "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale":
         "Reflejado por una escala negativa, que las restricciones de rotación no conservan: aplica la escala",
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
+    "What this file holds for the solver is damaged: press Refresh, or set it up again":
+        "Lo que este archivo guarda para el solucionador está dañado: pulsa Actualizar, o configúralo de nuevo",
+    "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh":
+        "Creado por una versión más nueva de Motus, cuyos datos esta no puede leer: actualiza Motus, o pulsa Actualizar",
     "Not evaluated: the add-on's driver functions are not available in this file yet":
         "Sin evaluar: las funciones de los controladores del complemento aún no están disponibles en este archivo",
     "This copy of Motus is built for Python {pythons}, but this Blender runs Python {python}: install a Motus release that contains it":
@@ -45,6 +49,11 @@ INTERFACE = {
         "{bone} de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
     "A pin of {object} is from its library and cannot be removed here: mute it":
         "Un alfiler de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
+    "Released": "Liberado",
+    "What the library has wired on this override was taken off it":
+        "Lo que la biblioteca había conectado en esta redefinición se ha quitado de ella",
+    "The wagons of {object} are from its library and cannot be uncoupled here: remove the train":
+        "Los vagones de {object} vienen de su biblioteca y no se pueden desenganchar aquí: quita el tren",
     "This target is from the library of {object} and cannot be removed here":
         "Este objetivo viene de la biblioteca de {object} y no se puede quitar aquí",
 
