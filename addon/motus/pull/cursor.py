@@ -104,7 +104,7 @@ def _draw_in(context, view, place):
         hit = session.pick(*view.ray(*place))
         color = SMOOTHING if pulling.is_stroking and pulling.is_smooth else DOWN if pulling.sign < 0.0 else UP
     if context.scene.motus.pull.show_inset:
-        inset.start(view.area)
+        inset.start()
     gpu.state.blend_set('ALPHA')
     scale = context.preferences.system.ui_scale
     if hit is None:

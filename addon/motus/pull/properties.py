@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core import viewports
 from . import falloff_curve
 from .falloff_curve import CURVE_SAMPLES
 
@@ -134,7 +135,7 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
         name="Size Pressure", description="The pen's pressure sets the radius", default=False, options=set())
     show_inset: bpy.props.BoolProperty(
         name="Inset View", description="Show a perspective view in the corner while pulling", default=False,
-        options=set())
+        options=set(), update=lambda _brush, _context: viewports.redraw())
     last: bpy.props.PointerProperty(
         type=MOTUS_PG_pull_record, name="Last Pull", description="What was pulled last")
 
