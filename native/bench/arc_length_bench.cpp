@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "motus/arc_length.hpp"
+#include "motus/nearest.hpp"
 #include "stopwatch.hpp"
 
 using namespace motus;
@@ -162,4 +163,17 @@ int main() {
     run("S curve", Curve::bezier(Points{{0, 0, 0}, {3, 0, 0}, {1, 4, 0}, {4, 4, 0}}));
     run("cusp", Curve::bezier(Points{{0, 0, 0}, {4, 4, 0}, {0, 4, 0}, {4, 0, 0}}));
     run("cyclic spline", random_spline(20));
+
+    // A quarter of a circle: all of it is as far away, to 1e-9.
+    const Curve arc = Curve::bezier(Points{{1, 0, 0},
+                                           {1.00000000625, 0.196349533525, 0},
+                                           {0.95593920208, 0.392699157297, 0},
+                                           {0.86781806787, 0.577513221277, 0},
+                                           {0.73925876301, 0.73925876301, 0},
+                                           {0.577513221277, 0.86781806787, 0},
+                                           {0.392699157297, 0.95593920208, 0},
+                                           {0.196349533525, 1.00000000625, 0},
+                                           {0, 1, 0}});
+    std::printf("nearest point of an arc, from its centre %8.1f us\n",
+                bench::nanoseconds([&] { bench::keep(nearest(arc, glm::dvec3(0.0)).distance); }) * 1e-3);
 }
