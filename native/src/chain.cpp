@@ -169,10 +169,6 @@ Reason reason_of(const Bones& bones, double distance) {
     return Reason::iterations;
 }
 
-double length_of(const glm::dvec3& v) {
-    return std::hypot(v.x, v.y, v.z);
-}
-
 }  // namespace
 
 ChainReport solve_chain(std::span<glm::dvec3> joints, const glm::dvec3& target,

@@ -27,8 +27,7 @@ Solve three_chains() {
     RandomRig random(77);
     Solve solve;
     for (int i = 0; i < 3; ++i) {
-        const Limb limb =
-            add_limb(solve.rig, random, 2 + i, 1.0, transform(random.vector(), random.rotation()));
+        const Limb limb = add_limb(solve.rig, random, 2 + i, 1.0, random.place());
         solve.add_chain({limb.bones, i == 1 ? limb.hand : limb.bones.back()}, 0.5 * random.vector(), exact());
         solve.settings.back().rotation_weight = 0.5;
         solve.settings.back().stretch = 0.5;
@@ -260,7 +259,7 @@ TEST_CASE("own transforms are taken apart as Blender does", "[rig_ik]") {
     for (int i = 0; i < 50; ++i) {
         Rig rig;
         const glm::dvec3 scale = i % 2 == 0 ? random.scale() : -random.scale();
-        const glm::dmat4 own = transform(random.vector(), random.rotation(), scale);
+        const glm::dmat4 own = random.place(scale);
         rig.add(-1, glm::dmat4(1.0), 1.0, own);
         const OwnTransform parts = own_transform(rig.basis, 0);
         CHECK(difference(glm::dmat3(transform(parts.location, parts.rotation, parts.scale)),

@@ -84,8 +84,7 @@ TEST_CASE("without a plane the bends mirror each other", "[two_bone]") {
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
         const glm::dvec3 line = glm::normalize(chain.target - chain.root);
-        if (i % 2 == 0)
-            chain.pole = chain.root + 3.0 * line + 1e-3 * random.between(0.0, 1.0) * random.direction();
+        if (i % 2 == 0) chain.pole = chain.root + 3.0 * line + random.at_distance(0.0, 1e-3);
         chain.bend = 1;
         const glm::dvec3 towards = solve_two_bone(chain).elbow - chain.root;
         chain.bend = -1;

@@ -55,14 +55,14 @@ ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& tar
                                 const ChainSettings& settings, std::span<glm::dquat> rotations,
                                 const std::optional<glm::dquat>& orientation = std::nullopt);
 
-/// Joints of a chain: joints.size() == offsets.size() + 1.
+/// Joints of a chain: joints.size() == offsets.size() + 1, else std::invalid_argument; limits are not read.
 void chain_joints(const LimitedChain& chain, std::span<const glm::dquat> rotations,
                   std::span<glm::dvec3> joints);
 
 /// Frames, +Y along the bones, of a chain of which only joints are known: frames.size() == joints.size() - 1
-/// >= 1. The first by the smallest rotation from +Y to its bone, each other one by the smallest from bone to
-/// bone, half a turn about X at opposites. A bone without length has the frame of the one before it (the
-/// first: the identity).
+/// >= 1, else std::invalid_argument. The first by the smallest rotation from +Y to its bone, each other one
+/// by the smallest from bone to bone, half a turn about X at opposites. A bone without length has the frame
+/// of the one before it (the first: the identity).
 void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frames);
 
 }  // namespace motus
