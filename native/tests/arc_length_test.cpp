@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <stdexcept>
 #include <thread>
 
 #include "curve_checks.hpp"
@@ -296,4 +297,13 @@ TEST_CASE("building is bounded where the speed is mostly rounding", "[arc_length
         CHECK(path.length() <= 20.0 * size);
         CHECK(path.t_at_length(0.5 * path.length()) <= 1.0);
     }
+}
+
+TEST_CASE("positions at several distances want room for each", "[arc_length]") {
+    const ArcLength path(RandomCurves(1).bezier(3));
+    const std::vector<double> distances(3, 0.1);
+    std::vector<glm::dvec3> positions(2);
+    CHECK_THROWS_AS(positions_at_length(path, distances, Extend::clamp, positions), std::invalid_argument);
+    positions.resize(4);
+    CHECK_THROWS_AS(positions_at_length(path, distances, Extend::clamp, positions), std::invalid_argument);
 }

@@ -54,7 +54,8 @@ double largest_jump(const Frames& frames, std::size_t count = 400) {
             high = s1;
         }
     }
-    for (int i = 0; i < 30; ++i) {
+    // A bank that changes sides by a strong curvature takes a millionth of the length for it.
+    for (int i = 0; i < 36; ++i) {
         const double middle = 0.5 * (low + high);
         const glm::dquat q = frames.at(middle, speed);
         const bool first = angle_between(frames.at(low, speed), q) > angle_between(q, frames.at(high, speed));

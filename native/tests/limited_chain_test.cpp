@@ -398,3 +398,22 @@ TEST_CASE("spans of a limited chain have one size", "[limited_chain]") {
     rotations.clear();
     REQUIRE_THROWS_AS(solve(arm, {}, rotations), std::invalid_argument);
 }
+
+TEST_CASE("joints and frames of a chain want spans of its size", "[limited_chain]") {
+    Random random(11);
+    const Arm arm = random_arm(random, 3);
+    for (const std::size_t size : {0u, 3u, 5u}) {
+        Joints joints(size);
+        CHECK_THROWS_AS(chain_joints(arm.chain(), arm.rotations, joints), std::invalid_argument);
+    }
+    Joints joints(4);
+    const std::vector<glm::dquat> few(2, glm::dquat(1.0, 0.0, 0.0, 0.0));
+    CHECK_THROWS_AS(chain_joints(arm.chain(), few, joints), std::invalid_argument);
+    LimitedChain chain = arm.chain();
+    chain.rest = few;
+    CHECK_THROWS_AS(chain_joints(chain, arm.rotations, joints), std::invalid_argument);
+    for (const std::size_t size : {0u, 2u, 4u}) {
+        std::vector<glm::dquat> frames(size);
+        CHECK_THROWS_AS(bone_frames(joints, frames), std::invalid_argument);
+    }
+}

@@ -273,4 +273,14 @@ TEST_CASE("plans refuse bones that are not above each other", "[rig_look_at]") {
     std::vector<glm::dquat> rows(9);
     CHECK_THROWS_AS(good.solve(figure.view(), figure.world, {&figure.input, 1}, rows, {&report, 1}),
                     std::invalid_argument);
+    // Another rig of as many bones.
+    Figure same(2);
+    std::vector<int> others = same.parents;
+    others[2] = 0;
+    const LookAtPlan own(same.parents, {&head, 1});
+    RigView view = same.view();
+    std::vector<glm::dquat> row(1);
+    CHECK_NOTHROW(own.solve(view, same.world, {&same.input, 1}, row, {&report, 1}));
+    view.parents = others;
+    CHECK_THROWS_AS(own.solve(view, same.world, {&same.input, 1}, row, {&report, 1}), std::invalid_argument);
 }
