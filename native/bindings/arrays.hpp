@@ -41,8 +41,10 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
 
 [[nodiscard]] inline std::string shape_of(const py::array& array) {
     std::string text = "(";
-    for (py::ssize_t axis = 0; axis < array.ndim(); ++axis)
-        text += (axis > 0 ? ", " : "") + std::to_string(array.shape(axis));
+    for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) {
+        if (axis > 0) text += ", ";
+        text += std::to_string(array.shape(axis));
+    }
     return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
@@ -65,6 +67,13 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
         if (!std::isfinite(values[i])) value_error(name, "every value must be finite");
     }
     return result;
+}
+
+/// The memory that doubles() copies from, where that is an array's own; of other objects nothing.
+[[nodiscard]] inline std::span<const double> memory_of(py::handle object) {
+    if (!py::isinstance<DoubleArray>(object)) return {};
+    const auto array = py::reinterpret_borrow<DoubleArray>(object);
+    return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 /// A number: int, float or an array of no dimension. TypeError for others, ValueError where it is not finite.

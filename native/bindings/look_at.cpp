@@ -43,7 +43,7 @@ constexpr double entry_cost = 1500.0;  // ns, rough
 [[nodiscard]] glm::dvec3 unit(const glm::dvec3& v, const char* name) {
     const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
     if (largest == 0.0) value_error(name, "must have a length");
-    return glm::normalize(v / largest);
+    return v / (largest * glm::length(v / largest));
 }
 
 /// What Python gets: of one target values, of many arrays.

@@ -47,10 +47,10 @@ struct LimitedChain {
 /// bends, and one between two ways in which narrow limits make a chain give way. Other starts are tried only
 /// where that does not reach; of equal residuals the earlier start's is kept. settings.plane: normal that a
 /// straight pose bends in, turned with its line from root to tip to the target's. settings.max_iterations is
-/// for each start (thrice with an orientation); the report counts all. Reason: reached, limit (within reach
-/// of the bones' lengths, but not of the limits), iterations, too_far or too_near. Deterministic; never NaN;
-/// allocates nothing. Lengths and coordinates as for solve_chain. Sizes other than stated:
-/// std::invalid_argument.
+/// for each start (thrice with an orientation, and once more without it where that leaves a target that can
+/// be reached); the report counts all. Reason: reached, limit (within reach of the bones' lengths, but not of
+/// the limits), iterations, too_far or too_near. Deterministic; never NaN; allocates nothing. Lengths and
+/// coordinates as for solve_chain. Sizes other than stated: std::invalid_argument.
 ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& target,
                                 const ChainSettings& settings, std::span<glm::dquat> rotations,
                                 const std::optional<glm::dquat>& orientation = std::nullopt);
