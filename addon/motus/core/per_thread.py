@@ -16,10 +16,9 @@ _kept = {}
 def keep_state():
     """Let this thread keep its Python state; to make one anew takes longer than most solves do.
 
-    The native module does it once a thread, and for a bounded number of threads.
+    The native module does it once a thread, and for a bounded number of threads. Returns whether it is kept.
     """
-    if native.module is not None:
-        native.module.keep_thread_state()
+    return native.module is not None and native.module.keep_thread_state()
 
 
 def kept(name, make):
