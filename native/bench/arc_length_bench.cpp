@@ -3,10 +3,10 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "../tests/random.hpp"
 #include "motus/arc_length.hpp"
 #include "motus/nearest.hpp"
 #include "stopwatch.hpp"
@@ -79,10 +79,9 @@ void print_row(const char* name, double nanoseconds, double error, double refere
 }
 
 [[nodiscard]] std::vector<double> random_distances(std::size_t count, double length) {
-    std::mt19937_64 engine(1);
-    std::uniform_real_distribution<double> distribution(0.0, length);
+    test::Random random(1);
     std::vector<double> s(count);
-    for (double& value : s) value = distribution(engine);
+    for (double& value : s) value = random.between(0.0, length);
     return s;
 }
 
@@ -137,14 +136,9 @@ void run(const std::string& name, const Curve& curve) {
 }
 
 [[nodiscard]] Curve random_spline(std::size_t count) {
-    std::mt19937_64 engine(2);
-    std::uniform_real_distribution<double> distribution(-1.0, 1.0);
+    test::Random random(2);
     std::vector<glm::dvec3> points(count);
-    for (glm::dvec3& p : points) {
-        p.x = distribution(engine);
-        p.y = distribution(engine);
-        p.z = distribution(engine);
-    }
+    for (glm::dvec3& p : points) p = random.in_cube();
     std::vector<glm::dvec3> left(count);
     std::vector<glm::dvec3> right(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -56,8 +56,8 @@ py::tuple follow_curve(const py::object& curve, const py::object& timing, const 
     const auto rows = static_cast<py::ssize_t>(count);
     auto location_rows = output<double>(locations, "locations", {rows, 3});
     auto rotation_rows = output<double>(rotations, "rotations", {rows, 4});
-    require_apart(along.values(), "offsets", values_of(location_rows), "locations");
-    require_apart(along.values(), "offsets", values_of(rotation_rows), "rotations");
+    require_apart(memory_of(offsets), "offsets", values_of(location_rows), "locations");
+    require_apart(memory_of(offsets), "offsets", values_of(rotation_rows), "rotations");
     require_apart(values_of(location_rows), "locations", values_of(rotation_rows), "rotations");
     const std::span<glm::dvec3> location_out = points_of(location_rows);
     const std::span<glm::dquat> rotation_out = quaternions_in(rotation_rows.mutable_data(), count);
