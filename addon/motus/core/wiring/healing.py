@@ -19,7 +19,8 @@ from bpy.app.handlers import persistent
 
 from .. import deleted, handlers, native
 from ..system import of_owner, registered
-from . import anchor, attaching, carriers, drivers, geometry_sink, outbox, overrides, relations, sinks
+from . import anchor, attaching, carriers, drivers, geometry_sink, outbox, overrides, relations
+from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
 log = logging.getLogger(__name__)
@@ -180,7 +181,7 @@ def _release_overrides():
         for system in registered.values():
             settings = of_owner(system, obj)
             if settings.is_released and not settings.is_active:
-                sinks.release(system, obj)
+                release(system, obj)
                 overrides.unmark(system, obj)
 
 
@@ -206,9 +207,9 @@ def _heal_joined(grown):
         has_settings = obj.is_property_set("motus")
         for system in registered.values():
             is_wired = has_settings and of_owner(system, obj).is_active
-            if system.groups is not None and not is_wired and sinks.has_sinks(system, obj):
-                joined = [rig for rig in sinks.makers(system, obj) if not rig.users_collection]
-                sinks.release(system, obj)
+            if system.groups is not None and not is_wired and has_sinks(system, obj):
+                joined = [rig for rig in makers(system, obj) if not rig.users_collection]
+                release(system, obj)
                 for rig in joined:
                     _discard(rig)
         if not has_settings:
