@@ -138,6 +138,7 @@ class PagesTest(support.SceneTestCase):
                 if prop.identifier != "rna_type" and not prop.is_hidden:
                     self.assertIn(f"| `{prop.identifier}` |", section, f"run ./motus docs: {identifier}")
 
+    @support.in_one_blender
     def test_links_and_pictures_exist(self):
         for page in [*DOCS.glob("*.md"), DOCS.parent / "README.md"]:
             for link in re.findall(r"\]\(([^)#]+)", page.read_text(encoding="utf-8")):

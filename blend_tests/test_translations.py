@@ -96,6 +96,7 @@ class SpanishTest(unittest.TestCase):
     def test_complete(self):
         self.assertEqual(sorted(english_texts() - self.known), [])
 
+    @support.in_one_blender
     def test_no_sentence_is_put_together(self):
         """An f-string has no entry to look up: sentences are templates, filled after their translation."""
         folder = Path(support.addon().__file__).parent
@@ -110,11 +111,13 @@ class SpanishTest(unittest.TestCase):
     def test_nothing_stale(self):
         self.assertEqual(sorted(self.known - english_texts()), [])
 
+    @support.in_one_blender
     def test_placeholders_are_kept(self):
         for messages in self.contexts.values():
             for english, spanish in messages.items():
                 self.assertEqual(sorted(_placeholders(spanish)), sorted(_placeholders(english)), english)
 
+    @support.in_one_blender
     def test_tooltips_have_no_full_stop(self):
         for messages in self.contexts.values():
             for english, spanish in messages.items():

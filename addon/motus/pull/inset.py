@@ -132,20 +132,23 @@ def _draw_view(context, place):
     from gpu_extras.presets import draw_texture_2d
 
     x, y, width, height = place
+    viewport = gpu.state.active_framebuffer_get()
     buffer = _buffer(width, height)
     corners = [context.object.matrix_world @ Vector(corner) for corner in context.object.bound_box]
     matrices = camera(context.region_data.view_rotation, corners, width / height)
     buffer.draw_view3d(
         context.scene, context.view_layer, context.space_data, context.region, *matrices,
         do_color_management=capabilities.has_textures_in_display_colors())
-    gpu.state.depth_mask_set(False)
-    gpu.state.blend_set('NONE')
-    draw_texture_2d(buffer.texture_color, (x, y), width, height)
-    gpu.state.blend_set('ALPHA')
-    corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
-    drawing.line(corners, FRAME, 1.5 * context.preferences.system.pixel_size)
-    gpu.state.blend_set('NONE')
-    gpu.state.depth_mask_set(True)
+    # Making a buffer leaves the window bound, which Blender overwrites with the viewport.
+    with viewport.bind():
+        gpu.state.depth_mask_set(False)
+        gpu.state.blend_set('NONE')
+        draw_texture_2d(buffer.texture_color, (x, y), width, height)
+        gpu.state.blend_set('ALPHA')
+        corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
+        drawing.line(corners, FRAME, 1.5 * context.preferences.system.pixel_size)
+        gpu.state.blend_set('NONE')
+        gpu.state.depth_mask_set(True)
 
 
 def _buffer(width, height):
