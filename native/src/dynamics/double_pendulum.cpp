@@ -173,8 +173,8 @@ void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& 
     integrate(pendulum, start, &pivot, times, out);
 }
 
-void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts, double time,
-                      std::span<DoublePendulumState> out) {
+void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
+                      double time, std::span<DoublePendulumState> out) {
     require_valid(pendulum);
     for (const DoublePendulumState& start : starts) require_valid(start);
     require(std::isfinite(time), "time must be finite");

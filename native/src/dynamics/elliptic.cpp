@@ -18,8 +18,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
     double mean = (x + y + z) / 3.0;
     constexpr double precise = 2.5e-3;  // the series below is then right to the last digit
     for (;;) {
-        const double spread =
-            std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)}) / mean;
+        const double spread = std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)}) / mean;
         if (spread < precise) break;
         const double lambda = std::sqrt(x) * std::sqrt(y) + std::sqrt(z) * (std::sqrt(x) + std::sqrt(y));
         x = 0.25 * (x + lambda);
@@ -58,7 +57,8 @@ double incomplete_integral(double sine, double cosine, double delta) {
 double amplitude(double u, double modulus, double complement) {
     if (complement <= 0.0) return 2.0 * std::atan(std::tanh(0.5 * u));
     // Descending: the modulus is brought to 0, where the amplitude is the argument.
-    constexpr std::size_t most = 16;  // the complement's exponent halves each time, and then the digits double
+    constexpr std::size_t most =
+        16;  // the complement's exponent halves each time, and then the digits double
     std::array<double, most> complements{};
     double a = 1.0;
     double b = complement;
@@ -79,7 +79,8 @@ double amplitude(double u, double modulus, double complement) {
         const double lower_complement = 2.0 * std::sqrt(above) / (1.0 + above);
         const double sine = std::sin(angle);
         // asin(lower * sine) without the digits that a sine near 1 loses.
-        angle = 0.5 * (angle + std::atan2(lower * sine, std::hypot(std::cos(angle), lower_complement * sine)));
+        angle =
+            0.5 * (angle + std::atan2(lower * sine, std::hypot(std::cos(angle), lower_complement * sine)));
     }
     return angle;
 }

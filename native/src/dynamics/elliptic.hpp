@@ -1,7 +1,7 @@
 // Elliptic functions by the modulus k and its complement k' = sqrt(1 - k^2), both given: near k = 1 the one
 // has lost the digits of the other. Private to the library.
-// Abramowitz, Stegun, "Handbook of Mathematical Functions" (1964), 16.4, 17.6; Carlson, "Numerical computation
-// of real or complex elliptic integrals" (1995).
+// Abramowitz, Stegun, "Handbook of Mathematical Functions" (1964), 16.4, 17.6; Carlson, "Numerical
+// computation of real or complex elliptic integrals" (1995).
 #pragma once
 
 namespace motus::dynamics {

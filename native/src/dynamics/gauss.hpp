@@ -92,8 +92,8 @@ struct GaussStep {
     double length = 0.0;
     Drive drive;
     bool converged = false;
-    double tail = 0.0;  ///< relative size of the last coefficient of the step's polynomials: the error is some
-                        ///< tenth of its square
+    double tail = 0.0;  ///< relative size of the last coefficient of the step's polynomials: the error is
+                        ///< some tenth of its square
 };
 
 template <class Lanes, class System>

@@ -52,8 +52,7 @@ void make_step(const GaussStep<LimitedSystem>& step) {
         const State k2 = slope(moved(y, k1, 0.5 * h), i + 0.5);
         const State k3 = slope(moved(y, k2, 0.5 * h), i + 0.5);
         const State k4 = slope(moved(y, k3, h), i + 1);
-        for (std::size_t d = 0; d < y.size(); ++d)
-            y[d] += h / 6.0 * (k1[d] + 2.0 * (k2[d] + k3[d]) + k4[d]);
+        for (std::size_t d = 0; d < y.size(); ++d) y[d] += h / 6.0 * (k1[d] + 2.0 * (k2[d] + k3[d]) + k4[d]);
         for (std::size_t d = 2; d < y.size(); ++d)
             y[d] = std::clamp(y[d], -system.most_velocity, system.most_velocity);
     }

@@ -33,7 +33,8 @@ struct MotionBytes {
 };
 
 template <class System>
-using MotionCache = Cache<MotionSettings<System>, MotionTable<System>, MotionHash<System>, MotionBytes<System>>;
+using MotionCache =
+    Cache<MotionSettings<System>, MotionTable<System>, MotionHash<System>, MotionBytes<System>>;
 
 /// The one cache of a system's tables. It is never destroyed: other threads may still use it when the process
 /// ends.
@@ -46,7 +47,8 @@ template <class System>
 }
 
 template <class System>
-[[nodiscard]] std::shared_ptr<const MotionTable<System>> motion_table(const MotionSettings<System>& settings) {
+[[nodiscard]] std::shared_ptr<const MotionTable<System>> motion_table(
+    const MotionSettings<System>& settings) {
     return motion_cache<System>().get(settings, [](const MotionSettings<System>& key) {
         return std::make_shared<const MotionTable<System>>(key);
     });

@@ -79,12 +79,13 @@ class MotionTable {
         std::size_t node = 0;
         double rest = 0.0;  ///< from the node on
 
-        /// The node that has to be there: beyond the time, since how the interval was made counts for all within.
+        /// The node that has to be there: beyond the time, since how the interval was made counts for all
+        /// within.
         [[nodiscard]] std::size_t last() const { return rest == 0.0 ? node : node + 1; }
     };
 
-    /// Of a step; one of half the length has a 256th of it. An error of the momenta becomes one of the velocities
-    /// that is larger the smaller `inertia` is.
+    /// Of a step; one of half the length has a 256th of it. An error of the momenta becomes one of the
+    /// velocities that is larger the smaller `inertia` is.
     static constexpr double largest_tail = 1e-5;
     static constexpr double needless = 1.0 / 1024.0;  ///< of the largest: half as many steps would do
     static constexpr int highest_level = 12;

@@ -34,10 +34,9 @@ using Row = std::array<double, size + 1>;
 [[nodiscard]] bool solve(std::array<Row, size>& rows) {
     constexpr double lost = 1e-12;
     for (std::size_t column = 0; column < size; ++column) {
-        const auto pivot = std::max_element(rows.begin() + static_cast<std::ptrdiff_t>(column), rows.end(),
-                                            [&](const Row& a, const Row& b) {
-                                                return std::abs(a[column]) < std::abs(b[column]);
-                                            });
+        const auto pivot = std::max_element(
+            rows.begin() + static_cast<std::ptrdiff_t>(column), rows.end(),
+            [&](const Row& a, const Row& b) { return std::abs(a[column]) < std::abs(b[column]); });
         if (std::abs((*pivot)[column]) < lost) return false;
         std::swap(rows[column], *pivot);
         for (std::size_t row = 0; row < size; ++row) {
@@ -138,7 +137,8 @@ glm::dquat RotationTrack::evaluate(double time) const {
 
 std::size_t RotationTrack::bytes() const noexcept {
     return times_.capacity() * sizeof(double) + inputs_.capacity() * sizeof(glm::dquat) +
-           turns_.capacity() * sizeof(glm::dvec3) + states_.capacity() * sizeof(State) + is_reset_.capacity() / 8;
+           turns_.capacity() * sizeof(glm::dvec3) + states_.capacity() * sizeof(State) +
+           is_reset_.capacity() / 8;
 }
 
 }  // namespace motus::dynamics

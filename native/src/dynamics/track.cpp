@@ -18,7 +18,8 @@ namespace {
     return {(d * offset - b * velocity) / determinant, (a * velocity - c * offset) / determinant};
 }
 
-/// Whether a cycle comes back to every state of the filter without an input, so that none is the one to repeat.
+/// Whether a cycle comes back to every state of the filter without an input, so that none is the one to
+/// repeat.
 [[nodiscard]] bool is_resonant(const Step& cycle) {
     const double determinant = (1.0 - cycle.ee) * (1.0 - cycle.uu) - cycle.eu * cycle.ue;
     constexpr double lost = 1e-12;  // the closing would have no digits left
@@ -86,7 +87,8 @@ void Track::evaluate(double time, std::span<double> out) const {
 void Track::evaluate(double time, std::span<double> out, std::span<double> velocity) const {
     require(std::isfinite(time), "time must be finite");
     require(out.size() == dimensions_, "out must have a value for each dimension");
-    require(velocity.empty() || velocity.size() == dimensions_, "velocity must have a value for each dimension");
+    require(velocity.empty() || velocity.size() == dimensions_,
+            "velocity must have a value for each dimension");
     const Place place = place_of(time, times_, is_loop_);
     const std::size_t last = times_.size() - 1;
     const std::size_t next = place.sample + 1;

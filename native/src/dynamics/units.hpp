@@ -27,8 +27,8 @@ inline void require(bool holds, const char* problem) {
     return std::clamp(std::ilogb(value), -most, most);
 }
 
-/// Seconds in a unit of time, and the gravity in it; the rod's length is the unit of length. A power of two, by
-/// which times are scaled without rounding.
+/// Seconds in a unit of time, and the gravity in it; the rod's length is the unit of length. A power of two,
+/// by which times are scaled without rounding.
 struct TimeUnit {
     int exponent = 0;
     double gravity = 0.0;

@@ -1,7 +1,7 @@
 // Motions known to more digits than doubles have.
-// Double pendulum: both masses 1 kg, both rods 1 m, g = 9.81 m/s^2, both angles 2 pi / 3 at rest; extrapolation
-// (Gragg, Bulirsch, Stoer) in 50-digit arithmetic, right to 1e-36 up to 10 s. Errors grow about as exp(1.6 t).
-// Single pendulum: periods for the largest angle, rod 1 m, g = 9.81 m/s^2.
+// Double pendulum: both masses 1 kg, both rods 1 m, g = 9.81 m/s^2, both angles 2 pi / 3 at rest;
+// extrapolation (Gragg, Bulirsch, Stoer) in 50-digit arithmetic, right to 1e-36 up to 10 s. Errors grow about
+// as exp(1.6 t). Single pendulum: periods for the largest angle, rod 1 m, g = 9.81 m/s^2.
 #pragma once
 #include <array>
 

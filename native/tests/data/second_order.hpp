@@ -1,5 +1,5 @@
-// Responses of  y + k1 y' + k2 y'' = x + k3 x'  to a unit step at time 0, known to 20 digits by the closed form,
-// which an independent integration confirms to 1e-13.
+// Responses of  y + k1 y' + k2 y'' = x + k3 x'  to a unit step at time 0, known to 20 digits by the closed
+// form, which an independent integration confirms to 1e-13.
 #pragma once
 #include <array>
 

@@ -34,11 +34,10 @@ std::array<double, 2> accelerations(const DoublePendulum& p, const DoublePendulu
     const double t1 = s.theta1 + lean, t2 = s.theta2 + lean;
     const auto [m1, m2, l1, l2] = std::array{p.mass1, p.mass2, p.length1, p.length2};
     const double d = 2.0 * m1 + m2 - m2 * std::cos(2.0 * t1 - 2.0 * t2);
-    const double a1 =
-        (-g * (2.0 * m1 + m2) * std::sin(t1) - m2 * g * std::sin(t1 - 2.0 * t2) -
-         2.0 * std::sin(t1 - t2) * m2 *
-             (s.omega2 * s.omega2 * l2 + s.omega1 * s.omega1 * l1 * std::cos(t1 - t2))) /
-        (l1 * d);
+    const double a1 = (-g * (2.0 * m1 + m2) * std::sin(t1) - m2 * g * std::sin(t1 - 2.0 * t2) -
+                       2.0 * std::sin(t1 - t2) * m2 *
+                           (s.omega2 * s.omega2 * l2 + s.omega1 * s.omega1 * l1 * std::cos(t1 - t2))) /
+                      (l1 * d);
     const double a2 = (2.0 * std::sin(t1 - t2) *
                        (s.omega1 * s.omega1 * l1 * (m1 + m2) + g * (m1 + m2) * std::cos(t1) +
                         s.omega2 * s.omega2 * l2 * m2 * std::cos(t1 - t2))) /
@@ -100,11 +99,13 @@ TEST_CASE("the double pendulum keeps its energy", "[double_pendulum]") {
         CHECK(std::abs(energy({}, at({}, high, time)) - 14.715) < 1e-10 * range);
     // Whatever the masses and lengths.
     for (const DoublePendulum pendulum :
-         {DoublePendulum{1.0, 1e-3, 1.0, 1.0}, DoublePendulum{1e-3, 1.0, 1.0, 1.0}, DoublePendulum{1.0, 1.0, 1.0, 0.05},
-          DoublePendulum{1.0, 1.0, 0.05, 1.0}, DoublePendulum{3.0, 1.0, 100.0, 70.0}, DoublePendulum{1.0, 2.0, 1.0, 1.0, 0.0}}) {
+         {DoublePendulum{1.0, 1e-3, 1.0, 1.0}, DoublePendulum{1e-3, 1.0, 1.0, 1.0},
+          DoublePendulum{1.0, 1.0, 1.0, 0.05}, DoublePendulum{1.0, 1.0, 0.05, 1.0},
+          DoublePendulum{3.0, 1.0, 100.0, 70.0}, DoublePendulum{1.0, 2.0, 1.0, 1.0, 0.0}}) {
         const DoublePendulumState start{2.0, -2.5, 1.0, 3.0};
-        const double scale = std::abs(energy(pendulum, start)) +
-                             (pendulum.mass1 + pendulum.mass2) * pendulum.gravity * (pendulum.length1 + pendulum.length2);
+        const double scale = std::abs(energy(pendulum, start)) + (pendulum.mass1 + pendulum.mass2) *
+                                                                     pendulum.gravity *
+                                                                     (pendulum.length1 + pendulum.length2);
         CHECK(std::abs(energy(pendulum, at(pendulum, start, 20.0)) - energy(pendulum, start)) < 1e-9 * scale);
     }
 }
@@ -113,8 +114,8 @@ TEST_CASE("the double pendulum solves the textbook's equations", "[double_pendul
     std::mt19937_64 random(2);
     const auto draw = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
     for (int i = 0; i < 20; ++i) {
-        const DoublePendulum pendulum{0.2 + draw(), 0.2 + draw(), 0.3 + draw(), 0.3 + draw(), 15.0 * draw(),
-                                      i % 2 == 0 ? 0.0 : 0.5 * draw()};
+        const DoublePendulum pendulum{0.2 + draw(), 0.2 + draw(),  0.3 + draw(),
+                                      0.3 + draw(), 15.0 * draw(), i % 2 == 0 ? 0.0 : 0.5 * draw()};
         const DoublePendulumState start{6.0 * draw() - 3.0, 6.0 * draw() - 3.0, 6.0 * draw() - 3.0,
                                         6.0 * draw() - 3.0};
         const double time = i % 3 == 0 ? -1.2 : 1.9;
@@ -129,7 +130,8 @@ TEST_CASE("each state of a double pendulum depends on its own time alone", "[dou
     std::vector<DoublePendulumState> playback(times.size());
     double_pendulum(pendulum, high, times, playback);
     // Another pendulum, by a hair, whose table has to be made up to there at once.
-    for (const std::size_t frame : {299U, 7U, 123U}) CHECK(at(pendulum, high, times[frame]) == playback[frame]);
+    for (const std::size_t frame : {299U, 7U, 123U})
+        CHECK(at(pendulum, high, times[frame]) == playback[frame]);
     const DoublePendulum same{2.0, 2.0, 0.9, 0.8};  // the same motion, in a table of its own until asked
     CHECK(largest_difference(at(same, high, times[40]), playback[40]) == 0.0);
 }

@@ -89,8 +89,9 @@ TEST_CASE("the single pendulum solves its equation", "[pendulum]") {
 
 TEST_CASE("the closed form and the integrated motion are one", "[pendulum]") {
     // Hardly any damping, which is enough to have it integrated.
-    for (const PendulumState start : {PendulumState{1.0, 0.5}, PendulumState{-2.0, -3.0}, PendulumState{2.0, 9.0},
-                                      PendulumState{8.0, -9.0}, PendulumState{3.1, 0.0}}) {
+    for (const PendulumState start :
+         {PendulumState{1.0, 0.5}, PendulumState{-2.0, -3.0}, PendulumState{2.0, 9.0},
+          PendulumState{8.0, -9.0}, PendulumState{3.1, 0.0}}) {
         for (const double time : {0.1, 3.3, -2.0, 20.0}) {
             const PendulumState closed = at({1.3, 9.81, 0.0}, start, time);
             const PendulumState stepped = at({1.3, 9.81, 1e-300}, start, time);
@@ -120,7 +121,8 @@ TEST_CASE("a pendulum that hangs, stands, or just reaches the top", "[pendulum]"
           Approx(at(pendulum, {0.0, 4.0}, 3.0).angle).epsilon(1e-8));
     // Without gravity nothing turns it.
     CHECK(at({2.0, 0.0, 0.0}, {1.0, 3.0}, 5.0).angle == 16.0);
-    CHECK(at({2.0, 0.0, 0.5}, {1.0, 3.0}, 5.0).angle == Approx(1.0 + 6.0 * (1.0 - std::exp(-2.5))).epsilon(1e-13));
+    CHECK(at({2.0, 0.0, 0.5}, {1.0, 3.0}, 5.0).angle ==
+          Approx(1.0 + 6.0 * (1.0 - std::exp(-2.5))).epsilon(1e-13));
 }
 
 TEST_CASE("a pendulum that rotates keeps its turns and its energy", "[pendulum]") {
@@ -160,7 +162,8 @@ TEST_CASE("a pendulum on a moved pivot solves its equation", "[pendulum]") {
         return {std::lerp(accelerations[2 * k], accelerations[2 * k + 2], share),
                 std::lerp(accelerations[2 * k + 1], accelerations[2 * k + 3], share)};
     };
-    for (const Pendulum pendulum : {Pendulum{1.1, 9.81, 0.0}, Pendulum{0.05, 9.81, 0.4}, Pendulum{30.0, 0.0, 0.0}}) {
+    for (const Pendulum pendulum :
+         {Pendulum{1.1, 9.81, 0.0}, Pendulum{0.05, 9.81, 0.4}, Pendulum{30.0, 0.0, 0.0}}) {
         for (const double time : {0.02, 1.0, 2.2, 3.5}) {
             PendulumState found;
             single_pendulum(pendulum, {0.3, 0.0}, {step, accelerations}, {&time, 1}, {&found, 1});
@@ -170,7 +173,8 @@ TEST_CASE("a pendulum on a moved pivot solves its equation", "[pendulum]") {
     }
     const double past = -0.1;
     PendulumState out;
-    CHECK_THROWS_AS(single_pendulum({}, {}, {step, accelerations}, {&past, 1}, {&out, 1}), std::invalid_argument);
+    CHECK_THROWS_AS(single_pendulum({}, {}, {step, accelerations}, {&past, 1}, {&out, 1}),
+                    std::invalid_argument);
     // In free fall it goes on as it was.
     const std::vector<double> falling{0.0, -9.81, 0.0, -9.81, 0.0, -9.81};
     const double time = 1.5;

@@ -41,7 +41,8 @@ TEST_CASE("step responses are those of the reference", "[second_order]") {
 
 TEST_CASE("a step response satisfies its equation, whatever the damping", "[second_order]") {
     // Beside critical damping too, where the formulas change over.
-    for (const double damping : {0.0, 0.3, 1.0 - 1e-7, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.0 + 1e-7, 3.0, 40.0}) {
+    for (const double damping :
+         {0.0, 0.3, 1.0 - 1e-7, 1.0 - 1e-12, 1.0, 1.0 + 1e-12, 1.0 + 1e-7, 3.0, 40.0}) {
         for (const double response : {-2.0, 0.0, 1.0, 3.0}) {
             const SecondOrder filter(1.3, damping, response);
             const auto [k1, k2, k3] = filter.coefficients();

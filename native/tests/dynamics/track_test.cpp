@@ -37,7 +37,8 @@ Input random_input(std::mt19937_64& random, std::size_t samples, std::size_t dim
     return input;
 }
 
-/// Output at the last sample by small steps of Runge and Kutta's method: the equation itself, not its solution.
+/// Output at the last sample by small steps of Runge and Kutta's method: the equation itself, not its
+/// solution.
 double integrated(const SecondOrder& filter, const Input& input) {
     const auto [k1, k2, k3] = filter.coefficients();
     double y = input.values[0];
@@ -110,8 +111,7 @@ TEST_CASE("frames between samples change nothing", "[track]") {
         const Track one(filter, coarse.times, coarse.values, 1);
         const Track other(filter, fine.times, fine.values, 1);
         for (int i = 0; i <= 200; ++i) {
-            const double time =
-                std::lerp(coarse.times.front() - 0.1, coarse.times.back() + 2.0, i / 200.0);
+            const double time = std::lerp(coarse.times.front() - 0.1, coarse.times.back() + 2.0, i / 200.0);
             CHECK(at(one, time) == Approx(at(other, time)).margin(1e-12));
         }
     }
@@ -130,7 +130,8 @@ TEST_CASE("outputs at the samples are those of evaluate and of second_order", "[
         std::array<double, dimensions> row{};
         for (std::size_t k = 0; k < input.times.size(); ++k) {
             track.evaluate(input.times[k], row);
-            CHECK(std::equal(row.begin(), row.end(), outputs.begin() + static_cast<std::ptrdiff_t>(k * dimensions)));
+            CHECK(std::equal(row.begin(), row.end(),
+                             outputs.begin() + static_cast<std::ptrdiff_t>(k * dimensions)));
         }
         std::vector<double> plain(input.values);
         second_order(filter, input.times, plain, dimensions, plain);
@@ -256,7 +257,8 @@ TEST_CASE("rotations know no first axis, and loop without a seam", "[track]") {
     for (int k = 0; k < 30; ++k) {
         times.push_back(0.1 * k);
         const double phase = 2.0 * std::numbers::pi * k / 29.0;
-        rotations.push_back(about({std::cos(phase), std::sin(phase), 0.5}, 1.0 + 0.6 * std::sin(2.0 * phase)));
+        rotations.push_back(
+            about({std::cos(phase), std::sin(phase), 0.5}, 1.0 + 0.6 * std::sin(2.0 * phase)));
         moved.push_back(turned * rotations.back());
     }
     const double cycle = times.back();

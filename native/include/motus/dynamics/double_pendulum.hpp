@@ -1,9 +1,9 @@
 // The double pendulum: two bobs on massless rods, the second one hanging on the first.
 //
 // Integrated in canonical variables (angles and their momenta) by Gauss's method of order 16, which keeps the
-// energy to some 1e-13 of its range. The states at equal intervals are kept, shared by all who ask for the same
-// pendulum and start; one step leads from there to any time. No function of the system's mathematics library
-// is used, so the same numbers come out on every machine, which chaos would soon make visible.
+// energy to some 1e-13 of its range. The states at equal intervals are kept, shared by all who ask for the
+// same pendulum and start; one step leads from there to any time. No function of the system's mathematics
+// library is used, so the same numbers come out on every machine, which chaos would soon make visible.
 #pragma once
 #include <limits>
 #include <span>
@@ -20,8 +20,9 @@ struct DoublePendulum {
     double length2 = 1.0;   ///< of the lower rod, > 0
     double gravity = 9.81;  ///< >= 0
     double damping = 0.0;   ///< c, >= 0: c omega is taken from each angular acceleration
-    /// Limits that no pendulum has, on the sizes of both angular accelerations, rad/s^2, and velocities, rad/s;
-    /// > 0. With one of them the motion is integrated in small steps of Runge and Kutta's method, to some 1e-6.
+    /// Limits that no pendulum has, on the sizes of both angular accelerations, rad/s^2, and velocities,
+    /// rad/s; > 0. With one of them the motion is integrated in small steps of Runge and Kutta's method, to
+    /// some 1e-6.
     double most_acceleration = std::numeric_limits<double>::infinity();
     double most_velocity = std::numeric_limits<double>::infinity();
 
@@ -52,8 +53,8 @@ void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& 
 
 /// Many of them at one time, from a start each: out.size() == starts.size(). The same numbers as one by one,
 /// in about two thirds of the time.
-void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts, double time,
-                      std::span<DoublePendulumState> out);
+void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
+                      double time, std::span<DoublePendulumState> out);
 
 /// Farthest time, s, to either side of 0, that the table of states may reach. Throws as above.
 [[nodiscard]] double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& start);

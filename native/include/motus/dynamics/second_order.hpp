@@ -17,10 +17,10 @@ struct Coefficients {
 /// How an output follows its input. Immutable; times in seconds.
 class SecondOrder {
   public:
-    /// frequency f: Hz, > 0. damping zeta: >= 0; 0 rings for ever, 1 is critical. response r: 0 starts slowly,
-    /// up to 1 responds at once, above 1 overshoots, below 0 anticipates.
-    /// k1 = zeta / (pi f), k2 = 1 / (2 pi f)^2, k3 = r zeta / (2 pi f). Throws std::invalid_argument, naming
-    /// the argument, where one is not finite or outside its domain.
+    /// frequency f: Hz, > 0. damping zeta: >= 0; 0 rings for ever, 1 is critical. response r: 0 starts
+    /// slowly, up to 1 responds at once, above 1 overshoots, below 0 anticipates. k1 = zeta / (pi f), k2 = 1
+    /// / (2 pi f)^2, k3 = r zeta / (2 pi f). Throws std::invalid_argument, naming the argument, where one is
+    /// not finite or outside its domain.
     SecondOrder(double frequency, double damping, double response);
 
     /// k1 >= 0, k2 > 0, any k3. Throws as above.
@@ -30,8 +30,8 @@ class SecondOrder {
     /// ends the input moves: y + (b/k) y' + (m/k) y'' = x + (b/k) x'. Throws as above.
     [[nodiscard]] static SecondOrder from_mass_spring(double mass, double stiffness, double resistance);
 
-    /// The filter whose step response, with the given `response`, overshoots by `overshoot` (a fraction of the
-    /// step, 0 < overshoot < 1) and stays within `tolerance` of its end after `settling` seconds (> 0).
+    /// The filter whose step response, with the given `response`, overshoots by `overshoot` (a fraction of
+    /// the step, 0 < overshoot < 1) and stays within `tolerance` of its end after `settling` seconds (> 0).
     /// Throws std::invalid_argument for values outside these domains, and where no damping up to 100 gives
     /// that overshoot: response > 2 always overshoots by some.
     [[nodiscard]] static SecondOrder from_overshoot(double overshoot, double settling, double response = 0.0,
@@ -67,8 +67,8 @@ struct Response {
 /// By how much the step response passes its end at most, as a fraction of the step: 0 where it never does.
 [[nodiscard]] double overshoot(const SecondOrder& filter);
 
-/// Last time, s, at which the step response is further than `tolerance` (> 0, a fraction of the step) from its
-/// end; infinity where damping is 0.
+/// Last time, s, at which the step response is further than `tolerance` (> 0, a fraction of the step) from
+/// its end; infinity where damping is 0.
 [[nodiscard]] double settling_time(const SecondOrder& filter, double tolerance = 0.02);
 
 /// What one step of a given length does to the state of one dimension; the same for all dimensions.

@@ -13,8 +13,8 @@ namespace motus::dynamics {
 /// What comes before the first sample of an input.
 enum class Start {
     at_rest,  ///< the output rests on the first sample
-    loop,     ///< the samples are one cycle of an endless motion; the last is where the next cycle begins, and
-              ///< each cycle goes on from the last by what the last sample differs from the first
+    loop,  ///< the samples are one cycle of an endless motion; the last is where the next cycle begins, and
+           ///< each cycle goes on from the last by what the last sample differs from the first
 };
 
 /// An output of any number of dimensions. Holds the state at each sample of the input, from which one exact
@@ -59,19 +59,19 @@ class Track {
     bool is_loop_;
 };
 
-/// Outputs at the samples alone, written to `out`, of the size of `inputs`, which it may be. Allocates nothing.
-/// Arguments and errors as Track's, at rest at first.
+/// Outputs at the samples alone, written to `out`, of the size of `inputs`, which it may be. Allocates
+/// nothing. Arguments and errors as Track's, at rest at first.
 void second_order(const SecondOrder& filter, std::span<const double> times, std::span<const double> inputs,
                   std::size_t dimensions, std::span<double> out);
 
 /// Rotations that follow rotations. The output is the input turned by a rotation vector, and this is filtered
-/// in the tangent space of the input, which is carried along the shortest way from sample to sample. About one
-/// fixed axis it is the filter of the angle. Immutable.
+/// in the tangent space of the input, which is carried along the shortest way from sample to sample. About
+/// one fixed axis it is the filter of the angle. Immutable.
 class RotationTrack {
   public:
     /// inputs: unit quaternions, one for each time; each is taken the shorter way from the one before (q and
-    /// -q are the same rotation). Other arguments, and errors, as Track's; with Start::loop the last input has
-    /// to be the first one again.
+    /// -q are the same rotation). Other arguments, and errors, as Track's; with Start::loop the last input
+    /// has to be the first one again.
     RotationTrack(const SecondOrder& filter, std::span<const double> times,
                   std::span<const glm::dquat> inputs, std::span<const std::size_t> resets = {},
                   Start start = Start::at_rest);
