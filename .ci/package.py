@@ -1,6 +1,6 @@
 """Makes the two zips of the add-on from its sources and the built native modules, unless they are up to date.
 
-package.py --modules DIR --stage DIR --dist DIR [-- BLENDER COMMAND...]
+package.py --modules FILE... --stage DIR --dist DIR [-- BLENDER COMMAND...]
 
 DIST/motus-VERSION-extension.zip  extension, Blender 4.2 on: made by `extension build` of the Blender given (4.2 or later), or
                                   without one as the same plain zip
@@ -91,12 +91,12 @@ def build_extension(blender, folder, path):
 
 def main(arguments):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    for name in ("--modules", "--stage", "--dist"):
+    parser.add_argument("--modules", type=Path, nargs="+", required=True, help="native modules, a file for each Python")
+    for name in ("--stage", "--dist"):
         parser.add_argument(name, type=Path, required=True)
     parser.add_argument("blender", nargs="*", help="command that runs a Blender of 4.2 or later")
     options = parser.parse_args(arguments)
 
-    modules = sorted(options.modules.glob("motus_native.*.so"))
     manifest = tomllib.loads((SOURCES / "blender_manifest.toml").read_text(encoding="utf-8"))
     version = manifest["version"]
     extension = options.dist / f"motus-{version}-extension.zip"
@@ -104,13 +104,13 @@ def main(arguments):
 
     stamp = options.stage / "stamp"
     extension_stage, legacy_stage = options.stage / "extension", options.stage / "legacy"
-    stage(extension_stage, modules)
+    stage(extension_stage, options.modules)
     content = digest(extension_stage, Path(__file__).parent)
     if extension.exists() and legacy.exists() and stamp.exists() and stamp.read_text() == content:
         return
 
     stamp.unlink(missing_ok=True)
-    stage(legacy_stage, modules)
+    stage(legacy_stage, options.modules)
     package = legacy_stage / "__init__.py"
     package.write_text(insert_bl_info(package.read_text(encoding="utf-8"), manifest), encoding="utf-8")
     options.dist.mkdir(parents=True, exist_ok=True)
@@ -119,7 +119,7 @@ def main(arguments):
     build_extension(options.blender, extension_stage, extension)
     write_zip(legacy, legacy_stage, "motus/")
     stamp.write_text(content)
-    abis = ", ".join(module.name.split(".")[1].split("-x86")[0] for module in modules)
+    abis = ", ".join(module.name.split(".")[1].split("-x86")[0] for module in options.modules)
     print(f"motus: packaged {extension.name} and {legacy.name} in {options.dist} (native modules: {abis})", file=sys.stderr)
 
 

@@ -41,6 +41,12 @@ def _raise(error):
     raise error
 
 
+def in_one_blender(test):
+    """Marks a test or a class of them that is the same in every Blender: `./motus test` runs it in the newest alone."""
+    test.in_one_blender = True
+    return test
+
+
 def empty_scene():
     """A new file without objects; the add-on stays enabled."""
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)

@@ -66,6 +66,22 @@ class Grid(PullTestCase):
                 bpy.ops.motus.grid_add(**keywords)
         self.assertEqual(len(bpy.data.objects), 0)
 
+    def test_aligned_to_what_there_is(self):
+        scene = bpy.context.scene
+        scene.cursor.rotation_euler = 0.0, 0.0, 0.5
+        for keywords in ({}, {"rotation": (0.1, 0.2, 0.3)}):
+            with self.assertRaisesRegex(RuntimeError, "There is no 3D view to align to: choose another alignment"):
+                bpy.ops.motus.grid_add(align='VIEW', **keywords)
+            self.assertEqual(len(bpy.data.meshes), 0)
+            self.assertNear(self.add(align='CURSOR', **keywords).rotation_euler, (0.0, 0.0, 0.5))
+            bpy.data.meshes.remove(bpy.context.object.data)
+        preferences = bpy.context.preferences.edit
+        self.addCleanup(setattr, preferences, "object_align", preferences.object_align)
+        preferences.object_align = 'VIEW'
+        with self.assertRaisesRegex(RuntimeError, "no 3D view to align to"):
+            bpy.ops.motus.grid_add()
+        self.assertNear(self.add(rotation=(0.0, 0.0, 1.0), align='WORLD').rotation_euler, (0.0, 0.0, 1.0))
+
     def test_a_million_vertices_take_a_second_or_two(self):
         self.add(width=4, height=4)
         start = time.process_time()

@@ -239,6 +239,17 @@ class FitTest(support.SceneTestCase):
         self.assert_refused("Far has vertices at infinity", objects="Far")
         self.assert_refused("margin is not a finite number", objects="Far", margin=math.nan)
 
+    def test_sizes_that_blender_cannot_scale_to(self):
+        cases.ball("Ball")
+        for margin in (1e19, 1e30, 3e38):
+            self.assert_refused("too large or too small", objects="Ball", margin=margin)
+        for size in (1e-30, 1e25):
+            tiny = cases.ball("Ball")
+            tiny.data.transform(Matrix.Scale(size, 4))
+            self.assert_refused("too large or too small", objects=tiny.name)
+        lattice = fit(objects="Ball", margin=1e17)
+        self.assertTrue(all(0.0 < side < math.inf for side in lattice.scale))
+
     def test_nothing_selected_in_edit_mode(self):
         sheet = cases.grid()
         cases.only(sheet)
@@ -310,6 +321,23 @@ class RemoveTest(support.SceneTestCase):
         fit(objects=ball.name)
         bpy.ops.motus.lattice_remove(objects=ball.name)
         self.assertEqual([one.name for one in ball.modifiers], ["Own"])
+
+    def test_a_lattice_that_followed_a_path_is_still_a_fitted_one(self):
+        ball = cases.ball()
+        cases.curve("Course")
+        for release in ("alone", "as a wagon"):
+            with self.subTest(release):
+                lattice = fit(objects=ball.name, use_parent=False)
+                if release == "alone":
+                    bpy.ops.motus.path_follow_add(object=lattice.name, curve="Course")
+                else:
+                    cases.link("Engine", None)
+                    bpy.ops.motus.path_train_add(objects=f"Engine,{lattice.name}", curve="Course")
+                bpy.ops.motus.path_follow_remove(object=lattice.name)
+                self.assertTrue(lattice.motus.lattice.is_fitted)
+                self.assertIsNone(lattice.motus.path.curve)
+                bpy.ops.motus.lattice_remove(objects=ball.name)
+                self.assertEqual(len(bpy.data.lattices), 0)
 
     def test_what_cannot_be_applied_is_left(self):
         twin = cases.ball("Twin")

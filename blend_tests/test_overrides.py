@@ -287,6 +287,63 @@ class TestOtherSystems(OverrideTestCase):
                         self.assertLess((self.place(car) - place).length, 1e-5)
                     self.assertEqual([len(car.constraints) for car in cars], counts)
 
+    def test_what_was_taken_off_stays_off(self):
+        """Nobody looks at the settings between the removal and the saving, which would change what Blender saves."""
+        for names, is_keyed in (("A", False), ("A", True), ("ABC", False), ("ABC", True)):
+            with self.subTest(names=names, is_keyed=is_keyed):
+                self.override_of_train(names, is_keyed)
+                for name in names[1:]:
+                    with self.assertRaisesRegex(RuntimeError, "wagons of A are from its library"):
+                        bpy.ops.motus.path_follow_remove(object=name)
+                    with self.assertRaisesRegex(RuntimeError, "wagons of A are from its library"):
+                        bpy.ops.motus.path_wagon_remove(object="A", index=0)
+                bpy.ops.motus.path_follow_remove(object="A")
+                for _ in range(2):
+                    self.reopen(kind='MESH')
+                    for frame in (1, 40):
+                        bpy.context.scene.frame_set(frame)
+                        for obj in overrides('MESH'):
+                            self.assertLess((self.place(obj) - obj.location).length, 1e-6, (obj.name, frame))
+                    for obj in overrides('MESH'):
+                        self.assertEqual((obj.name, len(obj.constraints), obj.motus.path.is_active), (obj.name, 0, False))
+
+    def test_what_was_taken_off_can_be_added_again(self):
+        self.override_of_train("A", True)
+        bpy.ops.motus.path_follow_remove(object="A")
+        self.reopen(kind='MESH')
+        bpy.ops.motus.path_follow_add(object="A", curve="Course", timing='MANUAL', offset=5.0)
+        bpy.context.view_layer.update()
+        place = self.place(overrides('MESH')[0])
+        self.assertGreater((place - overrides('MESH')[0].location).length, 1.0)
+        self.assertLess((self.place(self.reopen(kind='MESH')) - place).length, 1e-5)
+
+    def test_what_was_taken_off_stays_off_when_the_library_is_reloaded(self):
+        self.override_of_train("A", True)
+        bpy.ops.motus.path_follow_remove(object="A")
+        bpy.data.libraries[0].reload()
+        for _ in range(2):
+            bpy.context.view_layer.update()
+        obj, = overrides('MESH')
+        self.assertEqual(len(obj.constraints), 0)
+        self.assertLess((self.place(obj) - obj.location).length, 1e-6)
+
+    def override_of_train(self, names, is_keyed):
+        """Overrides of objects that follow a curve, each beside it."""
+        support.empty_scene()
+        cars = [bpy.data.objects.new(name, bpy.data.meshes.new(name)) for name in names]
+        for car in cars:
+            car.location = (3.0, -2.0, 1.0)
+            bpy.context.scene.collection.objects.link(car)
+        self.new_course()
+        keywords = {"curve": "Course", "timing": 'MANUAL', "offset": 5.0}
+        if len(cars) == 1:
+            bpy.ops.motus.path_follow_add(object=names, **keywords)
+        else:
+            bpy.ops.motus.path_train_add(objects=",".join(names), gap=1.0, **keywords)
+        if is_keyed:
+            cars[0].keyframe_insert("motus.path.offset", frame=1)
+        self.collect([*cars, bpy.data.objects["Course"]])
+
     @staticmethod
     def new_course():
         course = bpy.data.objects.new("Course", bpy.data.curves.new("Course", 'CURVE'))

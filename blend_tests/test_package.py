@@ -2,6 +2,7 @@
 
 import ast
 import importlib.machinery
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -28,6 +29,11 @@ class Package(unittest.TestCase):
     def test_licence_and_manifest_are_included(self):
         for name in ("LICENSE", "blender_manifest.toml"):
             self.assertTrue((self.folder / name).is_file(), name)
+
+    def test_the_manifest_asks_for_what_is_used(self):
+        manifest = tomllib.loads((self.folder / "blender_manifest.toml").read_text(encoding="utf-8"))
+        used = {"clipboard" for path in self.folder.rglob("*.py") if "clipboard" in path.read_text(encoding="utf-8")}
+        self.assertEqual(set(manifest.get("permissions", {})), used)
 
     def test_nothing_is_included_that_does_not_belong(self):
         suffixes = {path.suffix for path in self.folder.rglob("*") if path.is_file() and "__pycache__" not in path.parts}

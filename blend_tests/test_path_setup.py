@@ -3,6 +3,7 @@
 
 import bpy
 import numpy as np
+import support
 from path_cases import CLIMB, PathTestCase, circle_knots, dense, positions_at
 
 def state(obj):
@@ -158,6 +159,19 @@ class Remove(PathTestCase):
         self.assertEqual(after.pop("matrix").translation, before.pop("matrix").translation)
         self.assertEqual(after, before)
 
+    def test_nothing_is_left_in_a_file_of_an_older_blender(self):
+        """Of whose settings Blender 5 makes a custom property too, which keeps alive what they point to."""
+        if not support.addon("core.capabilities").keeps_settings_apart():
+            self.skipTest("settings are one with custom properties")
+        self.cubic()
+        car = self.follow()
+        before = len(bpy.data.objects) - 1
+        car["motus"] = {"path": {"curve": bpy.data.objects["Course"], "order_proxy": car.motus.path.order_proxy}}
+        self.assertGreater(car.motus.path.order_proxy.users, 1)
+        bpy.ops.motus.path_follow_remove(object="Car")
+        self.assertEqual(len(bpy.data.objects), before)
+        self.assertEqual(list(car.keys()), [])
+
     def test_removed_settings_are_the_defaults_again(self):
         self.cubic()
         car = self.follow(speed=9.0, timing='SPEED')
@@ -247,6 +261,24 @@ class Train(PathTestCase):
         bpy.ops.motus.path_wagon_add(object="Wagon 0", wagon="Wagon 3", gap=5.0)
         self.assertPlace(self.wagons[3], np.array((43.0, 0.0, 0.0)))
         self.assertEqual(self.wagons[3].motus.path.leader, self.wagons[0])
+
+    def test_select_the_leader(self):
+        self.line(100.0)
+        self.couple(self.names[:2], gap=2.0)
+        layer = bpy.context.view_layer
+        layer.objects.active = self.wagons[1]
+        self.assertEqual(bpy.ops.motus.path_select_leader(), {'FINISHED'})
+        self.assertEqual((layer.objects.active, bpy.context.selected_objects), (self.wagons[0], [self.wagons[0]]))
+        for lone in (self.wagons[0], self.wagons[3], None):
+            layer.objects.active = lone
+            with self.assertRaisesRegex(RuntimeError, "^Error: Nothing here is a wagon of a train"):
+                bpy.ops.motus.path_select_leader()
+            self.assertEqual(layer.objects.active, lone)
+        layer.objects.active = self.wagons[1]
+        for collection in self.wagons[0].users_collection:
+            collection.objects.unlink(self.wagons[0])
+        with self.assertRaisesRegex(RuntimeError, "Wagon 0 is not in this view layer"):
+            bpy.ops.motus.path_select_leader()
 
     def test_remove_the_train(self):
         self.cubic()

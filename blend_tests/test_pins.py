@@ -160,6 +160,26 @@ class ShapeTest(cases.PinsTestCase):
         pin.is_muted = True
         self.assert_bits(evaluated(grid), basis(grid))
 
+    def test_a_way_that_is_no_usable_number(self):
+        """Numbers that are usable each by itself; the other pin goes on."""
+        wiring, setup, solve = (support.addon(name) for name in ("core.wiring", "pull.pins_setup", "pull.pins_solve"))
+        grid = cases.new_grid()
+        root = centre(grid)
+        pin = add(grid, root - 1)
+        add(grid, root)
+        pin = grid.motus.pull.pins[0]
+        wanted = cases.pulled(basis(grid), root, (0.0, 0.0, 1.0))
+        for mirror in (set(), {'X'}, {'X', 'Y'}):
+            for strength, way in ((1e25, 1e20), (1.0, 3e38), (3e38, 3e38), (-1e30, 1e30), (1e30, -1e8)):
+                for has_limit in (False, True):
+                    pin.mirror, pin.use_maximum, pin.strength = mirror, has_limit, strength
+                    pin.displacement = 0.0, 0.0, way
+                    self.assert_shape(grid, wanted)
+                    problem = wiring.problem(setup.system(), grid, bpy.context.view_layer.depsgraph)
+                    self.assertEqual(problem and problem.sentence, solve.UNUSABLE.sentence, (mirror, strength, way))
+        pin.mirror, pin.use_maximum, pin.strength, pin.displacement = set(), False, 1e25, (0.0, 0.0, 1e-25)
+        self.assertAlmostEqual(evaluated(grid)[root - 1, 2], wanted[root - 1, 2] + 1.0, places=5)
+
     def test_a_pin_by_location_and_the_scenes_brush(self):
         grid = cases.new_grid()
         brush = bpy.context.scene.motus.pull

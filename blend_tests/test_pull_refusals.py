@@ -37,6 +37,19 @@ class Refusals(PullTestCase):
         self.assertRefused("displacement is not a finite", vertex=220, displacement=(math.inf, 0.0, 0.0))
         self.assertRefused("minimum is above", vertex=220, use_minimum=True, use_maximum=True, minimum=1.0, maximum=0.0)
 
+    def test_numbers_that_are_too_large_together(self):
+        obj = self.plane()
+        dab = {"name": "", "kind": 'PULL', "vertex": 220, "is_first": True, "strength": 0.0, "radius": 1.0,
+               "displacement": (0.0, 0.0, 1.0)}
+        for mirror in (set(), {'X'}, {'X', 'Y'}):
+            self.assertRefused("too large", dabs=[dab | {"displacement": (0.0, 0.0, 1e30)}], strength=9e17, mirror=mirror)
+            self.assertRefused("too large", dabs=[dab | {"radius": 1e30}], radius=9e17, mirror=mirror)
+        obj.scale = (1e-12,) * 3
+        bpy.context.view_layer.update()
+        for mirror in (set(), {'X'}):
+            self.assertRefused("too large", vertex=220, displacement=(0.0, 0.0, 9e17), radius=1e-12, mirror=mirror)
+            self.assertRefused("too large", vertex=220, direction='Z', strength=9e17, radius=1e-12, mirror=mirror)
+
     def test_hidden_root(self):
         obj = self.plane()
         obj.data.vertices[220].hide = True

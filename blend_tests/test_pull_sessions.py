@@ -472,29 +472,31 @@ class Redo(SessionTestCase):
             session.restore()
             self.assertNotIn(self.bits(obj), (first, between))
 
-    def test_the_shape_before_the_last_pull(self):
+    def test_the_shape_before_the_last_stroke(self):
         """Shapes that are no longer needed are filled anew; this one is."""
         for radius in (0.1, 0.8):
             obj = self.ball(4)
             session = self.session(obj, radius=radius)
             session.pick((0.0, 0.0, 5.0), DOWN)
-            session.begin_stroke()
-            before = None
-            for index, vertex in enumerate((5, 40, 40, 40, 9, 70, 300, 300, 5)):
-                if index == 0 or vertex != last:
-                    before = self.places(obj)
-                session.pull(vertex, (0.01, 0.02, 0.1))
-                last = vertex
-                self.assertNear(session.last.shape_before(session.current), before, 0.0)
-            kept = session.last.shape_before(session.current)
-            session.pull(600, (0.0, 0.0, 0.1))
+            for roots in ((5, 40, 40, 40, 9), (70, 300), (300, 300, 5)):
+                before = self.places(obj)
+                session.begin_stroke()
+                for vertex in roots:
+                    session.pull(vertex, (0.01, 0.02, 0.1))
+                    self.assertNear(session.last.before, before, 0.0)
+            kept = session.last.before
+            self.stroke(session, 600, 601)
             self.assertNear(kept, before, 0.0)
 
     def test_dabs_at_one_root_are_one_pull(self):
         obj = self.plane()
         session = self.session(obj)
-        self.stroke(session, 5, 220, 220, 220)
+        self.stroke(session, 5)
+        self.stroke(session, 220, 220, 220)
+        self.assertTrue(session.last.is_alone)
         self.assertNear(session.last.dab.displacement, (0.0, 0.0, 0.6))
-        shape = session.last.shape_before(session.current)
+        shape = session.last.before
         self.assertNear(shape[:, 2], 0.2 * forces('SMOOTH', np.linalg.norm(shape[:, :2] - shape[5, :2], axis=1), 0.5))
         self.assertTrue(math.isclose(session.last.dab.radius, 0.5))
+        self.stroke(session, 5, 220, 220)
+        self.assertFalse(session.last.is_alone)

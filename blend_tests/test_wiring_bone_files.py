@@ -6,7 +6,7 @@ import json
 import bpy
 import support
 import toy_bone_system
-from bone_cases import BoneTestCase, LASTING_KINDS, each_kind, each_lasting_kind, poses
+from bone_cases import BoneTestCase, KINDS, LASTING_KINDS, each_lasting_kind, poses
 from wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
@@ -43,20 +43,25 @@ class FileTest(BoneTestCase):
             for matrix, wanted_matrix in zip(frame, wanted_frame):
                 self.assert_same_matrix(matrix, wanted_matrix, tolerance)
 
-    def in_fresh_blender(self, path, use_scripts=True, enabled=True):
+    def in_fresh_blender(self, paths, use_scripts=True, enabled=True):
+        """What rows() finds in each of the files, which one Blender opens one after the other."""
         lines = ["import json, bpy", "import support, toy_bone_system" if enabled else ""]
         lines += ["support.enable(); toy_bone_system.register()" if enabled else ""]
-        lines += [f"bpy.ops.wm.open_mainfile(filepath={path!r}, use_scripts={use_scripts!r})", "found = []"]
-        lines += [f"for frame in {FRAMES!r}:",
-                  "    bpy.context.scene.frame_set(int(frame), subframe=frame - int(frame))",
-                  "    rig = bpy.data.objects['Rig'].evaluated_get(bpy.context.evaluated_depsgraph_get())",
-                  "    found.append([[list(row) for row in bone.matrix]",
-                  "                  for _, bone in sorted(rig.pose.bones.items())])",
-                  f"print({MARK!r} + json.dumps(found), flush=True)"]
+        lines += [f"for path in {paths!r}:",
+                  f"    bpy.ops.wm.open_mainfile(filepath=path, use_scripts={use_scripts!r})",
+                  "    found = []",
+                  f"    for frame in {FRAMES!r}:",
+                  "        bpy.context.scene.frame_set(int(frame), subframe=frame - int(frame))",
+                  "        rig = bpy.data.objects['Rig'].evaluated_get(bpy.context.evaluated_depsgraph_get())",
+                  "        found.append([[list(row) for row in bone.matrix]",
+                  "                      for _, bone in sorted(rig.pose.bones.items())])",
+                  f"    print({MARK!r} + json.dumps(found), flush=True)"]
         arguments = ("--factory-startup", "--enable-autoexec" if use_scripts else "--disable-autoexec")
         status, output = support.run_blender("\n".join(lines), arguments=arguments, enabled=enabled)
         self.assertEqual(status, 0, output)
-        return json.loads(output.split(MARK)[1].splitlines()[0])
+        found = [json.loads(part.splitlines()[0]) for part in output.split(MARK)[1:]]
+        self.assertEqual(len(found), len(paths), output)
+        return found
 
     @each_lasting_kind
     def test_reopened(self, build):
@@ -69,22 +74,31 @@ class FileTest(BoneTestCase):
         bpy.ops.wm.open_mainfile(filepath=self.save())
         self.assert_same(rows(), live, 0.0)
 
-    @each_kind
-    def test_in_a_fresh_blender(self, build):
-        build()
-        live = rows()
-        path = self.save()
-        self.assert_same(self.in_fresh_blender(path), live)
-        if "direct" not in build.__name__:
-            self.assert_same(self.in_fresh_blender(path, use_scripts=False), live)
+    def test_in_a_fresh_blender(self):
+        wanted = {}
+        for build in KINDS:
+            support.empty_scene()
+            build()
+            live = rows()
+            wanted[self.save(build.__name__)] = live
+        without_scripts = [path for path in wanted if "direct" not in path]
+        for use_scripts, paths in ((True, list(wanted)), (False, without_scripts)):
+            for path, found in zip(paths, self.in_fresh_blender(paths, use_scripts)):
+                with self.subTest(path, use_scripts=use_scripts):
+                    self.assert_same(found, wanted[path])
 
-    @each_kind
-    def test_without_the_add_on(self, build):
-        rig = build()
-        frame_set(20)
-        path = self.save()
-        rig.motus.bend.influence = 0.0
-        self.assert_same(self.in_fresh_blender(path, enabled=False), rows())
+    def test_without_the_add_on(self):
+        wanted = {}
+        for build in KINDS:
+            support.empty_scene()
+            rig = build()
+            frame_set(20)
+            path = self.save(build.__name__)
+            rig.motus.bend.influence = 0.0
+            wanted[path] = rows()
+        for path, found in zip(wanted, self.in_fresh_blender(list(wanted), enabled=False)):
+            with self.subTest(path):
+                self.assert_same(found, wanted[path])
 
     @each_lasting_kind
     def test_appended_twice(self, build):

@@ -6,7 +6,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 
-import flight_picture  # noqa: E402  (found by the line above)
+import demo_pictures  # noqa: E402  (found by the line above)
 import ik_pictures  # noqa: E402
 import lattice_pictures  # noqa: E402
 import look_at_pictures  # noqa: E402
@@ -21,6 +21,6 @@ print("docs/operators.md")
 pictures = HERE / "pictures"
 for render in (
         path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
-        lattice_pictures.render_all, flight_picture.render_all):
+        lattice_pictures.render_all, demo_pictures.render_all):
     for picture in render(pictures):
         print(f"docs/pictures/{picture.name}")

@@ -1,12 +1,15 @@
-"""Inside a Blender with a window: runs the generator functions test_* of one file, step by step from a timer.
+"""Inside a Blender with a window: runs the generator functions test_* of all files, step by step from a timer.
 
-    blender ... --enable-event-simulate --python driver.py -- TEST_FILE PICTURE_FOLDER [PATTERN...]
+    blender ... --enable-event-simulate --python driver.py -- PICTURE_FOLDER [PATTERN...]
 
-A test yields the seconds that Blender shall have to itself (to handle events, to draw), or what `picture()` needs.
+A test yields where Blender shall handle the events that it was sent, and draw what has changed by them. Where something takes its time, the
+test waits for it by `window_support.until`, or yields the seconds that Blender shall have to itself.
 """
 
-import importlib.util
+import importlib
+import os
 import sys
+import time
 import traceback
 from pathlib import Path
 
@@ -18,42 +21,76 @@ import bpy  # noqa: E402
 import support  # noqa: E402  (found by the line above)
 import window_support  # noqa: E402
 
-START = 0.5  # seconds for the window to appear
+TURNS = 3
+"""Of Blender's main loop: the events that a test has sent are handled in the first, and what is marked by that for drawing is drawn in the
+second; a third for what these ask for in turn, such as a timer or a region that has to be laid out first."""
+LIMIT = 600.0  # seconds for one test: for what never ends, not for a machine that does much else
 
 
-def load_tests(path, patterns):
-    """The test functions of the file, in its order."""
-    spec = importlib.util.spec_from_file_location(Path(path).stem, path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    tests = [value for name, value in vars(module).items() if name.startswith("test_")]
-    return [test for test in tests if not patterns or any(pattern in test.__name__ for pattern in patterns)]
+def load_tests(patterns):
+    """{file.test: function} of all files, in their order."""
+    modules = [importlib.import_module(path.stem) for path in sorted(HERE.glob("test_*.py"))]
+    tests = {f"{module.__name__}.{name}": value for module in modules for name, value in vars(module).items()
+             if name.startswith("test_")}
+    return {name: test for name, test in tests.items() if not patterns or any(pattern in name for pattern in patterns)}
+
+
+def run_one(test):
+    """Generator over the steps of one test."""
+    started = time.monotonic()
+    support.enable()
+    support.empty_scene()
+    yield
+    for step in test():
+        if time.monotonic() - started > LIMIT:
+            raise AssertionError(f"no end after {LIMIT:.0f} s")
+        yield step
 
 
 def run_all(tests):
-    """Generator over all steps of all tests; prints the failures and the summary line, and quits Blender."""
-    failed = 0
-    yield START
-    for test in tests:
-        support.empty_scene()
-        yield START
+    """Generator over all steps of all tests; says what has passed and what has failed, and quits Blender."""
+    yield
+    for name, test in tests.items():
+        print(f"BEGUN {name}", flush=True)
         try:
-            yield from test()
+            yield from run_one(test)
+            print(f"PASSED {name}", flush=True)
         except Exception:  # the next test still runs
-            failed += 1
-            print(f"FAILED {test.__name__}\n{traceback.format_exc()}", flush=True)
-    print(f"summary: {len(tests) - failed} passed, {failed} failed, 0 skipped", flush=True)
+            print(f"{traceback.format_exc()}\nFAILED {name}", flush=True)
     bpy.ops.wm.quit_blender()
 
 
-def main(test_file, picture_folder, *patterns):
+def stepper(steps):
+    """A function for Blender's timer: a step of the generator each time that Blender has had what the last one asked for."""
+    turns = iter(())
+
+    def step():
+        nonlocal turns
+        if next(turns, None) is not None:
+            return 0.0
+        try:
+            seconds = next(steps)
+        except StopIteration:
+            return None
+        turns = iter(range(TURNS - 1)) if seconds is None else iter(())
+        return seconds or 0.0
+    return step
+
+
+def main(picture_folder, *patterns):
     support.enable()
+    preferences = bpy.context.preferences
     # Drawn in software, eight samples of each pixel would take most of the time.
-    bpy.context.preferences.system.viewport_aa = 'OFF'
+    preferences.system.viewport_aa = 'OFF'
+    preferences.view.smooth_view = 0
+    preferences.inputs.mouse_double_click_time = 1  # milliseconds: two presses of a test are no double click
     window_support.picture_folder = Path(picture_folder)
-    steps = run_all(load_tests(test_file, patterns))
+    tests = load_tests(patterns)
+    print("TESTS", *tests, flush=True)
+    ended = os.environ["MOTUS_ENDED"].split()
+    steps = run_all({name: test for name, test in tests.items() if name not in ended})
     # Persistent, because each test opens a new file.
-    bpy.app.timers.register(lambda: next(steps, None), first_interval=START, persistent=True)
+    bpy.app.timers.register(stepper(steps), first_interval=0.0, persistent=True)
 
 
 main(*sys.argv[sys.argv.index("--") + 1:])

@@ -64,32 +64,32 @@ def key(kind, x=None, y=None, **modifiers):
     if x is None:
         x, y = window_support.centre()
     window_support.press(kind, x, y, **modifiers)
-    yield 0.2
+    yield
 
 
 def drag(button, start, end, steps=6, release=True, **modifiers):
     """Generator: presses a button at a place and moves to another."""
     window_support.move(*start)
-    yield 0.1
+    yield
     simulate(button, 'PRESS', *start, **modifiers)
-    yield 0.1
+    yield
     for step in range(1, steps + 1):
         x, y = (round(one + (other - one) * step / steps) for one, other in zip(start, end))
         simulate('MOUSEMOVE', 'NOTHING', x, y, **modifiers)
-        yield 0.06
+        yield 0.0
     if release:
         simulate(button, 'RELEASE', *end, **modifiers)
-        yield 0.3
+        yield
 
 
 def session(**keywords):
     """Generator: starts the operator as the menu does."""
     x, y = window_support.centre()
     window_support.move(x, y)
-    yield 0.2
+    yield
     with window_support.override():
         assert bpy.ops.motus.pick_pull('INVOKE_DEFAULT', **keywords) == {'RUNNING_MODAL'}
-    yield 0.2
+    yield
 
 
 def undo():

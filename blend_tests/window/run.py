@@ -1,27 +1,28 @@
 """Tests in Blender's window, on an X server without a screen: python3 blend_tests/window/run.py VERSION [PATTERN...]
 
-Each test_*.py beside this file runs in a Blender of its own (driver.py), which asks for pictures by leaving a file
-NAME.request in out/window/VERSION/; they are taken here, from the X server, and written as NAME.png.
+One Blender (driver.py) runs all test_*.py beside this file, and a further one what is left where a test crashes or hangs. Pictures of the
+window are left in out/window/VERSION/.
 """
 
 import contextlib
 import os
 import subprocess
 import sys
-import time
+import threading
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 CLONE = HERE.parents[1]
-TIMEOUT = 300  # seconds for one test file
+HANGS_AFTER = 700  # seconds without a line from the driver, which gives every test less
 SKIPPED = 77
 
 
 @contextlib.contextmanager
-def x_server():
-    """A display of its own; gives its name."""
+def x_server(folder):
+    """A display of its own, which keeps its pixels in a file in `folder`; gives its name."""
     read, write = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp"]
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-fbdir", str(folder), "-nocursor",
+               "-nolisten", "tcp"]
     with subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL) as server:
         os.close(write)
         try:
@@ -31,32 +32,57 @@ def x_server():
             server.terminate()
 
 
-def take_pictures(folder, display):
-    for request in folder.glob("*.request"):
-        picture = request.with_suffix(".png")
-        subprocess.run(["import", "-display", display, "-window", "root", f"png:{picture}.part"], check=True)
-        Path(f"{picture}.part").rename(picture)
-        request.unlink()
+class Run:
+    """What the tests of all Blenders have come to: (file, test) -> whether it passed."""
 
+    def __init__(self, version, folder, display, patterns):
+        backend = () if version == "3.4" else ("--gpu-backend", "opengl")
+        self._command = [
+            str(CLONE / "motus"), "blender", "--version", version, "--factory-startup", "--enable-event-simulate", *backend,
+            "--window-geometry", "0", "0", "1280", "800", "--python-exit-code", "1", "--python", str(HERE / "driver.py"), "--",
+            str(folder), *patterns]
+        # Software rendering, whatever the machine has: the pictures are the same everywhere.
+        self._environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
+        self._environment.pop("WAYLAND_DISPLAY", None)
+        self.tests = None
+        self.ended = {}
 
-def run_file(test, version, patterns, folder, display):
-    """Runs one test file; returns its exit status."""
-    backend = () if version == "3.4" else ("--gpu-backend", "opengl")
-    command = [str(CLONE / "motus"), "blender", "--version", version, "--factory-startup", "--enable-event-simulate",
-               *backend, "--window-geometry", "0", "0", "1280", "800", "--python-exit-code", "1",
-               "--python", str(HERE / "driver.py"), "--", str(test), str(folder), *patterns]
-    # Software rendering, whatever the machine has: the pictures are the same everywhere.
-    environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
-    environment.pop("WAYLAND_DISPLAY", None)
-    started = time.monotonic()
-    with subprocess.Popen(command, env=environment) as blender:
-        while blender.poll() is None:
-            take_pictures(folder, display)
-            if time.monotonic() - started > TIMEOUT:
-                blender.kill()
-                print(f"FAILED {test.name}: no end after {TIMEOUT} s", flush=True)
-            time.sleep(0.05)
-    return blender.returncode
+    def left(self):
+        return [name for name in self.tests or () if name not in self.ended]
+
+    def blender(self):
+        """Runs the tests that are left in one Blender; returns whether it got anywhere."""
+        skip = dict(self._environment, MOTUS_ENDED=" ".join(self.ended))
+        known, begun = len(self.ended), None
+        with subprocess.Popen(self._command, env=skip, text=True, errors="replace", stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT) as blender:
+            alarm = self._alarm(blender)
+            for line in blender.stdout:
+                print(line, end="", flush=True)
+                word, _, name = line.strip().partition(" ")
+                if word in {"TESTS", "BEGUN", "PASSED", "FAILED"}:
+                    alarm.cancel()
+                    alarm = self._alarm(blender)
+                if word == "TESTS":
+                    self.tests = self.tests or name.split()
+                elif word == "BEGUN":
+                    begun = name
+                elif word in {"PASSED", "FAILED"} and name == begun:
+                    self.ended[name] = word == "PASSED"
+            alarm.cancel()
+        if begun is not None and begun not in self.ended:
+            print(f"FAILED {begun}: Blender ended in it, with status {blender.returncode}", flush=True)
+            self.ended[begun] = False
+        return len(self.ended) > known
+
+    @staticmethod
+    def _alarm(blender):
+        def ring():
+            print(f"no word from Blender for {HANGS_AFTER} s", flush=True)
+            blender.kill()
+        alarm = threading.Timer(HANGS_AFTER, ring)
+        alarm.start()
+        return alarm
 
 
 def main(version, *patterns):
@@ -66,9 +92,18 @@ def main(version, *patterns):
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.iterdir():
         old.unlink()
-    with x_server() as display:
-        statuses = [run_file(test, version, patterns, folder, display) for test in sorted(HERE.glob("test_*.py"))]
-    return 1 if any(statuses) else 0
+    with x_server(folder) as display:
+        run = Run(version, folder, display, patterns)
+        while run.blender() and run.left():
+            pass
+    if run.tests is None:
+        print("FAILED: Blender did not come to the tests", flush=True)
+        return 1
+    for name in run.left():
+        print(f"FAILED {name}: not run", flush=True)
+    passed = sum(run.ended.values())
+    print(f"summary: {passed} passed, {len(run.tests) - passed} failed, 0 skipped", flush=True)
+    return 1 if passed < len(run.tests) else 0
 
 
 sys.exit(main(*sys.argv[1:]))

@@ -67,17 +67,17 @@ def difference(first, second):
 
 def start(name, factor, aside=(6, 3)):
     """Generator: starts the operator and presses near a point of a bone; its value is the place pressed at."""
-    yield 0.5
+    yield
     bpy.ops.ed.undo_push(message="built")
     with window_support.override():
         assert bpy.ops.motus.ik_drag('INVOKE_DEFAULT') == {'RUNNING_MODAL'}
-    yield 0.2
+    yield
     x, y = in_window(on_screen(point(name, factor)))
     x, y = x + aside[0], y + aside[1]
     window_support.move(x, y)
-    yield 0.2
+    yield
     button('PRESS', x, y)
-    yield 0.2
+    yield
     return x, y
 
 
@@ -87,23 +87,23 @@ def drags(name, factor, with_ik):
     x, y = yield from start(name, factor)
     before, held = pose(), on_screen(point(name, factor))
     window_support.move(x + 1, y)
-    yield 0.2
+    yield
     assert difference(pose(), before) < 0.05, "it jumped at the first pixel"
     for step in ((10, 0), (25, 10), (40, 30), (0, 0), (30, 25)):
         window_support.move(x + step[0], y + step[1])
-        yield 0.2
+        yield
         found = on_screen(point(name, factor))
         # The point that is nearest to the cursor is held, to some pixels the one that was meant.
         assert (found - held - Vector(step)).length < 6.0, (step, found, held)
     button('RELEASE', x + 30, y + 25)
-    yield 0.4
+    yield
     after = pose()
     assert difference(after, before) > 0.01, "nothing was dragged"
     window_support.press('Z', x, y, ctrl=True)
-    yield 0.5
+    yield
     assert difference(pose(), before) < 1e-5, "it was not undone by one step"
     window_support.press('Z', x, y, ctrl=True, shift=True)
-    yield 0.5
+    yield
     assert difference(pose(), after) < 1e-5, "it was not redone"
 
 
@@ -120,12 +120,12 @@ def test_held_exactly():
     build()
     x, y = yield from start("Bone 1", 0.5, aside=(0, 0))
     window_support.move(x + 20, y + 15)
-    yield 0.3
+    yield
     found = in_window(on_screen(point("Bone 1", 0.5)))
     assert abs(found[0] - x - 20) <= NEAR and abs(found[1] - y - 15) <= NEAR, (found, x + 20, y + 15)
     yield from window_support.picture("ik_drag")
     button('RELEASE', x + 20, y + 15)
-    yield 0.3
+    yield
 
 
 def test_escape_puts_back():
@@ -138,15 +138,15 @@ def test_escape_puts_back():
             places = [tuple(obj.location) for obj in bpy.data.objects]
             x, y = yield from start("Bone 2", 0.8)
             window_support.move(x + 40, y + 30)
-            yield 0.2
+            yield
             moved = tuple(target.location) not in places if with_ik else (
                 [tuple(bone.rotation_quaternion) for bone in rig.pose.bones] != own)
             assert moved, "nothing was dragged"
             button('PRESS', x + 40, y + 30, kind)
-            yield 0.2
+            yield
             button('RELEASE', x + 40, y + 30, kind)
             button('RELEASE', x + 40, y + 30)
-            yield 0.3
+            yield
             assert [tuple(bone.rotation_quaternion) for bone in rig.pose.bones] == own
             assert [tuple(obj.location) for obj in bpy.data.objects] == places
 
@@ -154,15 +154,15 @@ def test_escape_puts_back():
 def test_a_press_beside_the_bones_does_nothing():
     build()
     before = pose()
-    yield 0.3
+    yield
     with window_support.override():
         bpy.ops.motus.ik_drag('INVOKE_DEFAULT')
     region = window_support.region()
     x, y = region.x + 100, region.y + 60
     window_support.press('LEFTMOUSE', x, y)
-    yield 0.2
+    yield
     window_support.move(x + 50, y + 50)
-    yield 0.2
+    yield
     window_support.press('ESC', x, y)
-    yield 0.2
+    yield
     assert difference(pose(), before) == 0.0

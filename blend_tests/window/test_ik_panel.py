@@ -55,18 +55,18 @@ def test_sidebar_and_overlay():
     choose(rig, 'POSE')
     with window_support.override():
         bpy.ops.view3d.view_all()
-    yield 0.7
+    yield
     view = window_support.area().spaces.active.region_3d
     view.view_distance *= 1.4
     view.view_location += view.view_rotation @ Vector((1.2, 0.0, 0.0))  # out from under the sidebar
-    yield 0.3
+    yield
     drawn = yield from window_support.open_tab("Motus")
     path = yield from window_support.picture("ik_sidebar")
     assert any(name.startswith("MOTUS_PT_ik") for name in drawn), drawn
     _, _, values = window_support.pixels(path)
     assert len({round(value, 2) for value in values[0::4]}) > 20
     bpy.ops.object.mode_set(mode='OBJECT')
-    yield 0.3
+    yield
     yield from window_support.picture("ik_object_mode")
 
 
@@ -80,7 +80,7 @@ def test_list_chooses_the_bone():
     assert rig.motus.ik.active_entry == 0
     bpy.ops.object.mode_set(mode='OBJECT')
     assert rig.motus.ik.active_entry == 1, "in Object Mode the one chosen last"
-    yield 0.1
+    yield
 
 
 def test_undo_is_one_step():
@@ -88,10 +88,10 @@ def test_undo_is_one_step():
     bpy.ops.ed.undo_push(message="built")
     with window_support.override():
         bpy.ops.motus.ik_remove('INVOKE_DEFAULT', True, object="Figure", bone="shin.L")  # True: as from a button
-    yield 0.3
+    yield
     assert len(rig.motus.ik.entries) == 1
     bpy.ops.ed.undo()
-    yield 0.3
+    yield
     rig = bpy.data.objects["Figure"]
     assert len(rig.motus.ik.entries) == 2
     evaluated = rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
@@ -110,12 +110,12 @@ def test_bone_constraint_properties():
     properties = window_support.area('PROPERTIES')
     # A tall editor, so that the whole panel is in the picture.
     window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield 0.5
+    yield
     with window_support.drawn_settings(panels) as drawn:
         for area in window_support.window().screen.areas:
             if area.type == 'PROPERTIES':
                 area.spaces.active.context = 'BONE_CONSTRAINT'
-        yield 0.8
+        yield
         yield from window_support.picture("ik_bone_constraints")
     assert properties.spaces.active.context == 'BONE_CONSTRAINT'
     for part, names in SETTINGS.items():
@@ -125,7 +125,7 @@ def test_bone_constraint_properties():
         if area.type == 'PROPERTIES' and area != properties:
             area.type = 'VIEW_3D'
             break
-    yield 0.3
+    yield
 
 
 def test_labels_are_not_clipped_in_a_narrow_editor():
@@ -140,11 +140,11 @@ def test_labels_are_not_clipped_in_a_narrow_editor():
         seen[region.type, region.width] = (column.use_property_split, LABELS * (region.width - margin))
         return column
 
-    yield 0.5  # the editor has to see the bone before it has a tab for it
+    yield  # the editor has to see the bone before it has a tab for it
     ui.split = noting
     try:
         properties.spaces.active.context = 'BONE_CONSTRAINT'
-        yield 0.5
+        yield
         yield from window_support.open_tab("Motus")
         yield from window_support.picture("ik_narrow_editor")
     finally:

@@ -52,7 +52,7 @@ def run(operator, **keywords):
 def test_panel():
     rig = build()
     run("ik_check", use_range=False)
-    yield 0.5
+    yield
     rig.motus.ik.entries["shin"].check_frames = "12-40, 77"
     rig.motus.ik.entries["shin"].check_reason = 'FAR'
     drawn = yield from window_support.open_tab("Motus")
@@ -60,7 +60,7 @@ def test_panel():
     window_support.move(x, y)
     for _ in range(12):
         window_support.press('WHEELDOWNMOUSE', x, y)
-        yield 0.05
+        yield
     yield from window_support.picture("ik_tools")
     assert "MOTUS_PT_ik_tools" in drawn, drawn
 
@@ -69,10 +69,7 @@ def test_match_runs_to_its_end():
     build()
     bpy.context.scene.frame_set(5)
     assert run("ik_match_fk") == {'RUNNING_MODAL'}
-    for _ in range(100):
-        yield 0.2
-        if key_count() and bpy.context.scene.frame_current == 5:
-            break
+    yield from window_support.until(lambda: key_count() and bpy.context.scene.frame_current == 5)
     assert key_count() > 3 * LAST, key_count()
     assert bpy.context.scene.frame_current == 5
     assert (tail(LAST) - tail(1)).length > 0.5
@@ -84,10 +81,10 @@ def test_escape_leaves_nothing():
         bpy.context.scene.frame_set(5)
         x, y = window_support.centre()
         window_support.move(x, y)
-        yield 0.3
+        yield
         assert run(operator) == {'RUNNING_MODAL'}
         window_support.press('ESC', x, y)
-        yield 0.6
+        yield
         assert bpy.context.scene.frame_current == 5
         assert key_count() == 0
         assert not rig.motus.ik.entries["shin"].check_range

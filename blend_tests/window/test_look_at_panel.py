@@ -50,10 +50,10 @@ def test_sidebar_and_overlay():
     _, _, values = window_support.pixels(path)
     assert len({round(value, 2) for value in values[0::4]}) > 20
     goal.location = (-0.4, 1.5, 1.5)
-    yield 0.5
+    yield
     yield from window_support.picture("look_at_beyond_the_limits")
     rig.motus.look_at.entries[0].target = None
-    yield 0.5
+    yield
     yield from window_support.picture("look_at_problem")
     bpy.ops.object.mode_set(mode='OBJECT')
 
@@ -65,7 +65,7 @@ def test_gaze_is_red_where_it_misses():
     for target in ((0.5, -1.2, 1.45), (-0.4, 1.5, 1.5)):
         build(target)
         frame_the_figure()
-        yield 0.5
+        yield
         path = yield from window_support.picture(f"look_at_gaze_{len(counts)}")
         _, _, values = window_support.pixels(path)
         reds = zip(values[0::4], values[1::4], values[2::4])
@@ -77,13 +77,13 @@ def test_gaze_is_red_where_it_misses():
 def test_constraint_properties():
     build()
     window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield 0.5
+    yield
     editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
     for area in editors:
         area.spaces.active.context = 'BONE_CONSTRAINT'
-    yield 0.8
+    yield
     yield from window_support.picture("look_at_constraints")
     assert all(area.spaces.active.context == 'BONE_CONSTRAINT' for area in editors)
     max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
-    yield 0.3
+    yield
     bpy.ops.object.mode_set(mode='OBJECT')

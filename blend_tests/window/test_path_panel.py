@@ -35,14 +35,14 @@ def test_sidebar_and_overlay():
     glider = build()
     with window_support.override():
         bpy.ops.view3d.view_all()
-    yield 0.7
+    yield
     drawn = yield from window_support.open_tab("Motus")
     path = yield from window_support.picture("path_sidebar")
     assert any("path" in name for name in drawn), drawn
     _, _, values = window_support.pixels(path)
     assert len({round(value, 2) for value in values[0::4]}) > 20
     glider.motus.path.curve = None
-    yield 0.5
+    yield
     yield from window_support.picture("path_problem")
 
 
@@ -51,15 +51,15 @@ def test_constraint_properties():
     properties = window_support.area('PROPERTIES')
     # A tall editor, so that the whole panel is in the picture.
     window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield 0.5
+    yield
     for area in window_support.window().screen.areas:
         if area.type == 'PROPERTIES':
             area.spaces.active.context = 'CONSTRAINT'
-    yield 0.8
+    yield
     yield from window_support.picture("path_constraints")
     assert properties.spaces.active.context == 'CONSTRAINT'
     for area in window_support.window().screen.areas:
         if area.type == 'PROPERTIES' and area != properties:
             area.type = 'VIEW_3D'
             break
-    yield 0.3
+    yield

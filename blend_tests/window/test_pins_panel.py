@@ -22,28 +22,28 @@ def build():
 def modifiers_tab():
     """Generator: shows the modifiers in a tall properties editor."""
     window_support.area('VIEW_3D').type = 'PROPERTIES'
-    yield 0.5
+    yield
     for area in window_support.window().screen.areas:
         if area.type == 'PROPERTIES':
             area.spaces.active.context = 'MODIFIER'
-    yield 0.8
+    yield
 
 
 def test_sidebar():
     grid = build()
-    yield 0.7
+    yield
     drawn = yield from window_support.open_tab("Motus")
     with bpy.context.temp_override(window=window_support.window(), area=window_support.area(),
                                    region=window_support.region('UI')):
         for _ in range(20):
             bpy.ops.view2d.scroll_down()
-    yield 0.5
+    yield
     yield from window_support.picture("pins_sidebar")
     assert any("pins" in name for name in drawn), drawn
     grid.data.attributes.remove(grid.data.attributes["motus_pin"])
     grid.data.vertices[grid.motus.pull.pins[2].vertex].co.z += 0.1
     grid.data.update()
-    yield 0.5
+    yield
     yield from window_support.picture("pins_broken")
 
 
@@ -55,18 +55,18 @@ def test_modifiers():
     assert properties.spaces.active.context == 'MODIFIER'
     other = next(area for area in window_support.window().screen.areas if area.type == 'PROPERTIES' and area != properties)
     other.type = 'VIEW_3D'
-    yield 0.3
+    yield
 
 
 def stroke():
     """Generator: draws with the sculpt brush across the middle of the view."""
     window, (x, y) = window_support.window(), window_support.centre()
     window_support.move(x - 60, y)
-    yield 0.2
+    yield
     window.event_simulate(type='LEFTMOUSE', value='PRESS', x=x - 60, y=y)
     for step in range(12):
         window_support.move(x - 60 + 10 * step, y)
-        yield 0.05
+        yield
     window.event_simulate(type='LEFTMOUSE', value='RELEASE', x=x + 60, y=y)
 
 
@@ -76,14 +76,14 @@ def test_a_stroke_in_sculpt_mode_is_seen_by_the_pins():
     with window_support.override():
         bpy.ops.view3d.view_axis(type='TOP')
         bpy.ops.object.mode_set(mode='SCULPT')
-    yield 1.0
+    yield
     has_brush = bpy.context.tool_settings.sculpt.brush is not None
     if has_brush:  # Debian's 4.3 comes without the assets that its brushes are
         yield from stroke()
-    yield 0.5
+    yield
     with window_support.override():
         bpy.ops.object.mode_set(mode='OBJECT')
-    yield 0.5
+    yield
     basis = pin_cases.basis(grid)
     assert not has_brush or np.abs(basis - before).max() > 1e-3, "the brush did nothing"
     wanted = basis

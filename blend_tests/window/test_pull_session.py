@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 import pull_support as pull
 import window_support
+from mathutils import Euler
 
 brush = lambda: bpy.context.scene.motus.pull  # noqa: E731
 
@@ -31,10 +32,10 @@ def test_up_down_and_enter():
     yield from pull.key('RET')
     assert pull.pulling() is None
     pull.undo()
-    yield 0.3
+    yield
     assert np.array_equal(pull.places(), flat), "one undo takes back the whole session"
     pull.redo()
-    yield 0.3
+    yield
     assert np.array_equal(pull.places(), after), "redo brings it again"
     assert abs(pull.evaluated_top() - top) < 1e-6
 
@@ -68,9 +69,9 @@ def test_a_mouse_without_pressure_pulls_fully():
     yield from pull.session()
     x, y = window_support.centre()
     pull.simulate('LEFTMOUSE', 'PRESS', x, y)
-    yield 0.02
+    yield
     pull.simulate('LEFTMOUSE', 'RELEASE', x, y)
-    yield 0.2
+    yield
     top = pull.heights().max()
     assert 0.09 < top < 0.35, top  # one dab of 0.1, and few if the machine is slow
     yield from pull.key('ESC')
@@ -81,15 +82,12 @@ def test_held_still_it_goes_on():
     yield from pull.session()
     x, y = window_support.centre()
     pull.simulate('LEFTMOUSE', 'PRESS', x, y)
-    yield 0.3
+    yield
     first = pull.heights().max()
-    for _ in range(50):  # a slow machine draws seldom
-        yield 0.1
-        if pull.heights().max() > first + 0.2:
-            break
+    yield from window_support.until(lambda: pull.heights().max() > first + 0.2)
     assert pull.heights().max() > first + 0.2
     pull.simulate('LEFTMOUSE', 'RELEASE', x, y)
-    yield 0.2
+    yield
     last = pull.heights().max()
     yield 0.4
     assert pull.heights().max() == last, "released it stops"
@@ -144,17 +142,17 @@ def test_wheel_and_f_change_radius_and_strength():
     yield from pull.session()
     x, y = window_support.centre()
     pull.simulate('WHEELUPMOUSE', 'PRESS', x, y)
-    yield 0.2
+    yield
     assert brush().radius > 0.8
     pull.simulate('WHEELDOWNMOUSE', 'PRESS', x, y)
-    yield 0.2
+    yield
     assert abs(brush().radius - 0.8) < 1e-6
     pull.simulate('WHEELUPMOUSE', 'PRESS', x, y, shift=True)
-    yield 0.2
+    yield
     assert brush().strength > 0.1
     yield from pull.key('F')
     window_support.move(x + 40, y)
-    yield 0.2
+    yield
     wide = brush().radius
     assert wide > 0.8
     yield from window_support.picture("pull_adjust_radius")
@@ -162,14 +160,14 @@ def test_wheel_and_f_change_radius_and_strength():
     assert abs(brush().radius - 0.8) < 1e-6, "the right button did not take the radius back"
     yield from pull.key('F')
     window_support.move(x + 80, y)
-    yield 0.2
+    yield
     yield from pull.key('LEFTMOUSE', x + 80, y)
     assert brush().radius > 0.8
     assert pull.heights().max() == 0.0, "the click that confirms has pulled"
     strength = brush().strength
     yield from pull.key('F', shift=True)
     window_support.move(x + 140, y)
-    yield 0.2
+    yield
     yield from pull.key('LEFTMOUSE', x + 140, y)
     assert brush().strength > strength
     yield from pull.key('ESC')
@@ -208,7 +206,7 @@ def test_the_view_can_be_turned():
     yield from pull.session()
     before = view.view_rotation.copy()
     yield from pull.key('NUMPAD_1')
-    yield 0.5
+    yield
     assert view.view_rotation.rotation_difference(before).angle > 0.5
     assert pull.pulling() is not None
     yield from pull.key('ESC')
@@ -241,7 +239,7 @@ def in_mode(mode):
     yield from pull.key('RET')
     for act, wanted in ((pull.undo, one), (pull.undo, flat), (pull.redo, one), (pull.redo, two), (pull.undo, one)):
         act()
-        yield 0.3
+        yield
         assert bpy.context.object.mode == mode
         assert np.array_equal(pull.places(), wanted)
     yield from pull.session()
@@ -249,5 +247,47 @@ def in_mode(mode):
     assert not np.array_equal(pull.places(), one)
     yield from pull.key('RET')
     pull.undo()
-    yield 0.3
+    yield
     assert np.array_equal(pull.places(), one)
+
+
+def evaluated():
+    """(n, 3) of what Blender shows of the grid."""
+    mesh = bpy.data.objects["Grid"].evaluated_get(bpy.context.evaluated_depsgraph_get()).data
+    values = np.empty(3 * len(mesh.vertices), np.float32)
+    mesh.vertices.foreach_get("co", values)
+    return values.reshape(-1, 3)
+
+
+def test_a_stroke_becomes_a_pin():
+    """Nothing is seen to change by it; with the pin's strength at 0 the mesh is as before the stroke."""
+    pull.build()
+    brush().strength = 0.03
+    flat = pull.places()
+    yield from pull.session()
+    yield from pull.drag('LEFTMOUSE', *ends(150, 60), steps=25)
+    yield from pull.key('RET')
+    stroked = evaluated()
+    assert stroked[:, 2].max() > 0.1
+    window_support.region().data.view_rotation = Euler((1.0, 0.0, 0.4)).to_quaternion()
+    before = yield from window_support.picture("stroke")
+    with window_support.override():
+        assert bpy.ops.motus.pin_add(from_last=True) == {'FINISHED'}
+    pin, = bpy.data.objects["Grid"].motus.pull.pins
+    assert np.array_equal(pull.places(), flat)
+    assert np.abs(evaluated() - stroked).max() < 2.5e-7
+    pinned = yield from window_support.picture("stroke_pinned")
+    pin.strength = 0.0
+    without = yield from window_support.picture("stroke_strength_0")
+    assert np.array_equal(evaluated().ravel(), flat)
+    before, pinned, without = (viewport(path) for path in (before, pinned, without))
+    assert np.abs(pinned - before).mean() < 1e-3, np.abs(pinned - before).mean()
+    assert np.abs(without - before).mean() > 5e-3, np.abs(without - before).mean()
+
+
+def viewport(path):
+    """The middle of the viewport in a picture, (height, width, 3)."""
+    width, height, values = window_support.pixels(path)
+    (x, y), one = window_support.centre(), window_support.region()
+    picture = np.array(values, np.float32).reshape(height, width, 4)
+    return picture[y - one.height // 3:y + one.height // 3, x - one.width // 3:x + one.width // 3, :3]

@@ -19,7 +19,7 @@ def hover():
     x, y = window_support.centre()
     for step in range(4):
         window_support.move(x + step, y + step)
-        yield 0.25
+        yield
 
 
 def strokes_in(mode):
@@ -37,7 +37,7 @@ def strokes_in(mode):
     assert pull.heights().min() < -0.02
     for act, wanted in ((pull.undo, one), (pull.undo, flat), (pull.redo, one), (pull.redo, two), (pull.undo, one)):
         act()
-        yield 0.3
+        yield
         assert np.array_equal(pull.places(), wanted), act
     yield from hover()
     x, y = window_support.centre()
@@ -49,9 +49,9 @@ def strokes_in(mode):
     yield from pull.drag('LEFTMOUSE', *aside, steps=15, shift=True)
     assert pull.heights().min() > bottom
     pull.undo()
-    yield 0.2
+    yield
     pull.undo()
-    yield 0.2
+    yield
     assert np.array_equal(pull.places(), one)
 
 
@@ -112,7 +112,7 @@ def test_what_is_kept_is_used_again_and_dropped_when_stale():
     for vertex in mesh.vertices:
         vertex.co.z += 1.0
     mesh.update()
-    yield 0.3
+    yield
     yield from hover()
     assert module._kept.get("session") is not first
     yield from pull.drag('LEFTMOUSE', *ends(0, 90))
@@ -131,7 +131,7 @@ def test_f_and_brackets():
     assert abs(brush().radius - 0.8) < 1e-5
     yield from pull.key('F', x, y)
     window_support.move(x + 60, y)
-    yield 0.2
+    yield
     assert brush().radius > 0.9
     yield from pull.key('ESC', x + 60, y)
     assert abs(brush().radius - 0.8) < 1e-5
@@ -160,7 +160,7 @@ def test_f_is_the_tools_even_where_nothing_is_read():
     x, y = window_support.centre()
     yield from pull.key('F', x, y)
     window_support.move(x + 60, y)
-    yield 0.2
+    yield
     assert brush().radius > 0.9
     yield from pull.key('ESC', x + 60, y)
     grid.update_from_editmode()
@@ -183,7 +183,7 @@ def test_inset_beside_the_sidebar():
     assert region.x + x + width <= sidebar.x
     view.spaces.active.show_region_ui = False
     brush().show_inset = False
-    yield 0.2
+    yield
 
 
 def test_inset_on_and_off():
@@ -195,6 +195,7 @@ def test_inset_on_and_off():
     yield from hover()
     without = window_support.pixels((yield from window_support.picture("pull_inset_off")))[2]
     brush().show_inset = True
+    window_support.draw_all()
     yield from hover()
     with_inset = window_support.pixels((yield from window_support.picture("pull_inset_on")))[2]
     region = window_support.region()
@@ -206,6 +207,7 @@ def test_inset_on_and_off():
     # What is in the inset is a picture of a mesh, not one flat colour.
     assert len(np.unique(parts[1].round(2).reshape(-1, 4), axis=0)) > 30
     brush().show_inset = False
+    window_support.draw_all()
     yield from hover()
     again = window_support.pixels((yield from window_support.picture("pull_inset_off_again")))[2]
     part = np.frombuffer(again, np.float32).reshape(shape)[
@@ -219,7 +221,7 @@ def test_the_cursor_is_drawn_on_the_surface():
     brush().falloff = 'SMOOTH'
     x, y = window_support.centre()
     window_support.move(x + 400, y - 300)
-    yield 0.3
+    yield
     yield from hover()
     path = yield from window_support.picture("pull_cursor")
     values = np.frombuffer(window_support.pixels(path)[2], np.float32).reshape(800, 1280, 4)
@@ -249,7 +251,7 @@ def test_after_another_file_the_tool_works():
     pull.take_tool()
     yield from hover()
     support.empty_scene()
-    yield 0.5
+    yield
     pull.build()
     pull.take_tool()
     yield from hover()
@@ -267,12 +269,12 @@ def test_disabled_while_in_hand():
         for keymap in config.keymaps if "Pick & Pull" in keymap.name)
     assert keymaps() > 0
     support.disable()
-    yield 0.3
+    yield
     assert keymaps() == 0
     with window_support.override():
         tool = bpy.context.workspace.tools.from_space_view3d_mode('OBJECT', create=False)
         assert tool.idname != "motus.pick_pull"
     window_support.move(*window_support.centre())
-    yield 0.3
+    yield
     support.enable()
-    yield 0.3
+    yield

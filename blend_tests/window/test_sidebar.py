@@ -28,12 +28,12 @@ class _Lines(list):
 def test_key_opens_the_sidebar():
     space = window_support.area().spaces.active
     space.show_region_ui = False
-    yield 0.3
+    yield
     x, y = window_support.centre()
     window_support.move(x, y)
-    yield 0.2
+    yield
     window_support.press('N', x, y)
-    yield 0.5
+    yield
     assert space.show_region_ui
 
 

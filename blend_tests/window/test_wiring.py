@@ -27,9 +27,9 @@ def key(letter, **modifiers):
     """Generator: presses a key in the middle of the viewport."""
     x, y = window_support.centre()
     window_support.move(x, y)
-    yield 0.1
+    yield
     window_support.press(letter, x, y, **modifiers)
-    yield 0.4
+    yield
 
 
 def test_playback():
@@ -41,10 +41,7 @@ def test_playback():
 
     bpy.app.handlers.frame_change_post.append(note)
     yield from key('SPACE')
-    for _ in range(50):
-        if len(seen) > 10:
-            break
-        yield 0.2
+    yield from window_support.until(lambda: len(seen) > 10)
     yield from key('SPACE')
     bpy.app.handlers.frame_change_post.remove(note)
     assert len(seen) > 10, "nothing was played"
@@ -57,15 +54,15 @@ def test_dragged_target():
     target.select_set(True)
     x, y = window_support.centre()
     window_support.move(x, y)
-    yield 0.2
+    yield
     window_support.press('G', x, y)
-    yield 0.2
+    yield
     for step in range(1, 6):
         window_support.move(x + 20 * step, y)
-        yield 0.1
+        yield
         assert follows(owner), f"behind the mouse at step {step}"
     window_support.press('LEFTMOUSE', x + 100, y)
-    yield 0.3
+    yield
     assert target.location.length > 0.1, "the target was not dragged"
     assert follows(owner)
 
@@ -84,10 +81,7 @@ def test_bake_in_the_window():
     bpy.context.scene.frame_end = 50
     with window_support.override():
         bpy.ops.motus.bake('INVOKE_DEFAULT', object="Owner")
-    for _ in range(50):
-        yield 0.1
-        if owner.motus.bake.is_baked:
-            break
+    yield from window_support.until(lambda: owner.motus.bake.is_baked)
     assert owner.motus.bake.is_baked
     assert follows(owner)
 
@@ -98,10 +92,63 @@ def test_escape_cancels_the_bake():
     scene.frame_set(7)
     with window_support.override():
         bpy.ops.motus.bake('INVOKE_DEFAULT', object="Owner", frame_start=1, frame_end=100000)
-    yield 0.5
+    yield
     assert scene.frame_current != 7, "baking has not begun"
     yield from key('ESC')
     assert scene.frame_current == 7
     assert not owner.motus.bake.is_baked
     assert owner.animation_data.action is None
     assert follows(owner)
+
+
+class MOTUS_OT_test_timers(bpy.types.Operator):
+    """Counts the ticks of timers until it is told to stop."""
+
+    bl_idname = "motus.test_timers"
+    bl_label = "Count Ticks"
+    ticks, is_over = 0, False
+
+    def invoke(self, context, _event):
+        context.window_manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, _context, event):
+        counter = MOTUS_OT_test_timers
+        counter.ticks += event.type == 'TIMER'
+        return {'FINISHED'} if counter.is_over else {'PASS_THROUGH'}
+
+
+def count_ticks(seconds):
+    """Generator: how many events of timers there are in that time."""
+    counter = MOTUS_OT_test_timers
+    counter.ticks, counter.is_over = 0, False
+    bpy.utils.register_class(counter)
+    with window_support.override():
+        bpy.ops.motus.test_timers('INVOKE_DEFAULT')
+    yield seconds
+    ticks, counter.is_over = counter.ticks, True
+    window_support.move(*window_support.centre())
+    yield 0.3
+    bpy.utils.unregister_class(counter)
+    return ticks
+
+
+def test_a_bake_that_fails_leaves_no_timer():
+    owner, _ = new_orbit()
+    job = support.addon("core.bake.job")
+    before = yield from count_ticks(0.5)
+
+    def failing(*_arguments):
+        yield 1
+        raise ZeroDivisionError
+
+    kept, job.bake = job.bake, failing
+    try:
+        with window_support.override():
+            bpy.ops.motus.bake('INVOKE_DEFAULT', object="Owner", frame_start=1, frame_end=10)
+        yield 0.5
+    finally:
+        job.bake = kept
+    after = yield from count_ticks(0.5)
+    assert after <= before + 2, (before, after)
+    assert not owner.motus.bake.is_baked

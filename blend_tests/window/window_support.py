@@ -1,10 +1,14 @@
 """What the tests in Blender's window share: the 3D viewport, simulated events, pictures from the X server."""
 
 import array
+import struct
+import time
+import zlib
 from contextlib import contextmanager
 
 import blf
 import bpy
+import numpy as np
 import support
 
 picture_folder = None  # set by driver.py
@@ -40,6 +44,14 @@ def press(key, x, y, **modifiers):
         window().event_simulate(type=key, value=value, x=x, y=y, **modifiers)
 
 
+def until(condition, seconds=120.0):
+    """Generator: waits until `condition()` is true, or these seconds are over; its value is what the condition gave last."""
+    end = time.monotonic() + seconds
+    while not (found := condition()) and time.monotonic() < end:
+        yield
+    return found
+
+
 def override():
     """A context in the 3D viewport, for operators called from a test."""
     return bpy.context.temp_override(window=window(), area=area(), region=region())
@@ -63,19 +75,19 @@ def drawn_panels(category):
 def open_tab(category):
     """Generator: opens the 3D viewport's sidebar at that tab; its value is the list of the panels drawn since."""
     area().spaces.active.show_region_ui = True
-    yield 0.5
+    yield
     drawn = drawn_panels(category)
     sidebar = region('UI')
     if support.addon("core.capabilities").has_panel_category():
         sidebar.active_panel_category = category
-        yield 0.5
+        yield from until(lambda: drawn)
         return drawn
     # Before that property: try the tabs down the right edge, until the wanted one shows itself.
     for below_top in range(20, 240, 12):
         if drawn:
             break
         press('LEFTMOUSE', sidebar.x + sidebar.width - 8, sidebar.y + sidebar.height - below_top)
-        yield 0.2
+        yield
     return drawn
 
 
@@ -147,20 +159,41 @@ def text_width(words):
     return blf.dimensions(0, words)[0]
 
 
+def draw_all():
+    """All areas are drawn anew: what Blender does after a button has changed a setting, and not after a script has."""
+    for one in window().screen.areas:
+        one.tag_redraw()
+
+
 def picture(name):
-    """Generator: takes a picture of the whole screen; its value is the path of the PNG file."""
-    request = picture_folder / f"{name}.request"
-    path = request.with_suffix(".png")
-    for _ in range(2):  # whatever is marked for redrawing gets drawn before
-        for one in window().screen.areas:
-            one.tag_redraw()
-        yield 0.3
-    request.touch()
-    for _ in range(200):
-        if path.exists():
-            return path
-        yield 0.1
-    raise AssertionError(f"no picture {path}: run.py takes them")
+    """Generator: takes a picture of the whole screen, as it is when Blender has drawn what it holds for changed; its value is the path of the PNG file.
+
+    Nothing is marked for drawing here: what an operator forgets to have drawn anew is old in the picture as it is for a user.
+    """
+    yield
+    path = picture_folder / f"{name}.png"
+    path.write_bytes(_png(_screen()))
+    return path
+
+
+def _screen():
+    """What the X server shows: (height, width, 3) bytes, red first, from the top. It keeps that in a file of the format XWD."""
+    content = (picture_folder / "Xvfb_screen0").read_bytes()
+    header = struct.unpack(">25I", content[:100])
+    header_size, width, height, line, colours = (header[field] for field in (0, 4, 5, 12, 19))
+    lines = np.frombuffer(content, np.uint8, height * line, header_size + 12 * colours).reshape(height, line)
+    return lines[:, :4 * width].reshape(height, width, 4)[:, :, 2::-1]
+
+
+def _png(screen):
+    """The content of a PNG file."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    height, width, _ = screen.shape
+    lines = np.zeros((height, 1 + 3 * width), np.uint8)  # a byte before each line says how the line is filtered: not at all
+    lines[:, 1:] = screen.reshape(height, -1)
+    return (b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">2I5B", width, height, 8, 2, 0, 0, 0)) +
+            chunk(b"IDAT", zlib.compress(lines.tobytes(), 1)) + chunk(b"IEND", b""))
 
 
 def pixels(path):

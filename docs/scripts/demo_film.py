@@ -1,53 +1,27 @@
-"""Render the demo scenes: stills, then a short film of each. Run inside Blender with the add-on enabled:
+"""Render the demo scenes, as demo_plan.py says. Run inside Blender with the add-on enabled:
 
-    blender -b --python demo_film.py -- --output FOLDER [--quick] [--only flight|reach|pull]
+    blender -b --python demo_film.py -- [NAME...] [--output FOLDER] [--quick]
 
-A film is made by EEVEE, which is free of noise at the few samples a frame can have here; it is cut short where the
-machine would not finish it in time. So are the stills, unless this Blender can denoise what Cycles makes.
+Films are made by EEVEE, which is free of noise at the few samples a frame can have here. So are the stills, unless this
+Blender can denoise what Cycles makes.
 """
 
-import argparse
 import sys
+import tempfile
 import time
 from dataclasses import dataclass
 from pathlib import Path
 
 import bpy
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-
-@dataclass(frozen=True)
-class Show:
-    """A demo scene, and what is taken of it."""
-
-    name: str  # of the files
-    system: str  # that motus.demo_scene shows
-    stills: tuple  # camera, seconds into the scene
-    film_start: float  # seconds into the scene
-    film_end: float
-    ambience: float  # m up to which things darken each other
-
-
-SHOWS = (
-    Show(
-        # The markers cut between cameras on the way.
-        "flight", "PATH", (("Wide Camera", 1.05), ("Fly-By Camera", 9.5), ("Chase Camera", 6.2)),
-        film_start=5.9, film_end=9.8, ambience=3.0,
-    ),
-    Show(
-        "reach", "IK", (("Lookout Camera", 3.05), ("Lookout Camera", 4.4), ("Lookout Camera", 0.6)),
-        film_start=0.0, film_end=9.0, ambience=0.5,
-    ),
-    Show(
-        "pull", "PULL", (("Studio Camera", 4.1), ("Studio Camera", 5.2), ("Studio Camera", 1.6)),
-        film_start=0.0, film_end=9.0, ambience=1.0,
-    ),
-)
+import demo_plan  # noqa: E402  (found by the line above)
 
 
 @dataclass(frozen=True)
 class Quality:
-    """What a run may cost."""
+    """What pictures look like where there is time enough."""
 
     still_width: int
     still_samples: int  # of EEVEE
@@ -55,30 +29,21 @@ class Quality:
     still_seconds: float  # at most, for each still by Cycles
     film_width: int
     film_samples: int
-    film_frames: int  # at most
-    seconds: float  # for a scene: its film gets what its stills leave
+    film_frames: float  # at most
 
 
-FULL = Quality(1280, 8, 40, 60.0, 640, 4, 216, 300.0)
-QUICK = Quality(640, 4, 8, 15.0, 320, 2, 24, 90.0)
+FULL = Quality(1280, 8, 40, 60.0, 640, 4, float("inf"))
+QUICK = Quality(320, 2, 4, 4.0, 160, 1, 4)
 
 
 class Progress:
-    """Prints lines with the time since the start, and knows how long the present scene has taken."""
+    """Prints lines with the time since the command began."""
 
-    def __init__(self):
-        self._start = self._begin = time.monotonic()
-
-    def begin(self):
-        """The next scene's time starts now."""
-        self._begin = time.monotonic()
-
-    def spent(self):
-        """Seconds that the present scene has taken."""
-        return time.monotonic() - self._begin
+    def __init__(self, began):
+        self._began = began
 
     def seconds(self):
-        return time.monotonic() - self._start
+        return time.time() - self._began
 
     def say(self, text):
         minutes, seconds = divmod(int(self.seconds()), 60)
@@ -87,36 +52,38 @@ class Progress:
 
 def main():
     """Build the scenes and render them."""
-    folder, quality, shows = _arguments()
+    given = demo_plan.arguments(sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else [])
+    folder, quality = given.output.resolve(), QUICK if given.quick else FULL
     folder.mkdir(parents=True, exist_ok=True)
-    progress = Progress()
-    for show in shows:
-        progress.begin()
-        scene = build(show, progress)
-        render_stills(show, scene, folder, quality, progress)
-        render_film(show, scene, folder, quality, progress)
-    progress.say(f"Done: {folder}")
+    progress = Progress(given.began)
+    built, files = {}, []
+
+    def show(demo):
+        if demo.name not in built:
+            built[demo.name] = build(demo, progress)
+        bpy.context.window.scene = built[demo.name]
+
+    def render(shot, width):
+        scene = bpy.context.window.scene
+        if shot.still == demo_plan.FILM:
+            files.append(render_film(shot, scene, folder, quality, progress))
+        else:
+            files.append(render_still(shot, scene, folder, quality, progress, width))
+
+    shots = demo_plan.plan(given.names, progress.seconds())
+    demo_plan.follow(shots, quality.still_width, progress.seconds, show, render)
+    progress.say(f"In {folder}: {', '.join(file.name for file in files)}")
 
 
-def build(show, progress):
-    """The scene of a show, in the window."""
-    progress.say(f"Building the scene of the {show.name}")
-    if bpy.ops.motus.demo_scene(system=show.system) != {"FINISHED"}:
+def build(demo, progress):
+    """The scene, in the window."""
+    began = progress.seconds()
+    if bpy.ops.motus.demo_scene(system=demo.identifier) != {"FINISHED"}:
         sys.exit("The demo scene could not be built")
     scene = bpy.context.window.scene
-    progress.say(f"{scene.name}: {len(scene.objects)} objects, {scene.frame_end} frames a lap")
+    progress.say(f"{demo.name}: a scene of {len(scene.objects)} objects and {scene.frame_end} frames, built in "
+                 f"{progress.seconds() - began:.0f} s")
     return scene
-
-
-def _arguments():
-    parser = argparse.ArgumentParser(prog="demo_film.py", description="Render Motus's demo scenes")
-    parser.add_argument("--output", type=Path, required=True, help="folder for the pictures")
-    parser.add_argument("--quick", action="store_true", help="small and rough, to see that everything works")
-    parser.add_argument("--only", choices=[show.name for show in SHOWS], help="render this scene and no other")
-    own = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
-    arguments = parser.parse_args(own)
-    shows = [show for show in SHOWS if arguments.only in (None, show.name)]
-    return arguments.output.resolve(), QUICK if arguments.quick else FULL, shows
 
 
 def _frame_at(scene, seconds):
@@ -131,22 +98,23 @@ def _set_size(scene, width):
 # --- stills ----------------------------------------------------------------------------------------------------------
 
 
-def render_stills(show, scene, folder, quality, progress, count=None):
-    """flight_01.png and so on: the first `count` stills of a show, or all of them."""
-    if not _use_cycles(scene, quality):
-        _use_eevee(show, scene, quality.still_samples, reflections=True)
-    _set_size(scene, quality.still_width)
+def render_still(shot, scene, folder, quality, progress, width):
+    """Write flight_01.png and so on; returns the file."""
+    began = progress.seconds()
+    if not _use_cycles(scene, quality, shot.end - began):
+        _use_eevee(shot.scene, scene, quality.still_samples, reflections=True)
+    _set_size(scene, width)
     _set_format(scene, "PNG")
+    camera, moment = shot.scene.stills[shot.still]
+    file = folder / f"{shot.scene.name}_{shot.still + 1:02d}.png"
     cuts = _suspend_cuts(scene)
-    stills = show.stills[:count]
-    for number, (camera, seconds) in enumerate(stills, start=1):
-        scene.camera = scene.objects[camera]
-        scene.frame_set(_frame_at(scene, seconds))
-        scene.render.filepath = str(folder / f"{show.name}_{number:02d}.png")
-        began = progress.seconds()
-        bpy.ops.render.render(write_still=True)
-        progress.say(f"Still {number} of {len(stills)}: {camera}, {progress.seconds() - began:.0f} s")
+    scene.camera = scene.objects[camera]
+    scene.frame_set(_frame_at(scene, moment))
+    scene.render.filepath = str(file)
+    bpy.ops.render.render(write_still=True)
     _resume_cuts(scene, cuts)
+    progress.say(f"{file}: {width} pixels wide, {progress.seconds() - began:.0f} s")
+    return file
 
 
 def _suspend_cuts(scene):
@@ -161,7 +129,7 @@ def _resume_cuts(scene, cuts):
         scene.timeline_markers.new(name, frame=frame).camera = camera
 
 
-def _use_cycles(scene, quality):
+def _use_cycles(scene, quality, seconds):
     """Choose Cycles where this Blender has it, with a denoiser for the processor; says whether it does."""
     try:
         scene.render.engine = "CYCLES"
@@ -171,7 +139,8 @@ def _use_cycles(scene, quality):
         return False
     settings.use_denoising = True
     settings.samples = quality.path_samples
-    settings.time_limit = quality.still_seconds
+    # The limit counts neither the preparation nor the denoising.
+    settings.time_limit = min(quality.still_seconds, max(0.7 * seconds, 4.0))
     settings.use_adaptive_sampling = True
     settings.adaptive_threshold = 0.02
     settings.adaptive_min_samples = quality.path_samples // 3
@@ -184,17 +153,26 @@ def _use_cycles(scene, quality):
 # --- film ------------------------------------------------------------------------------------------------------------
 
 
-def render_film(show, scene, folder, quality, progress):
-    """flight.mp4 and so on, or numbered pictures where this Blender cannot write films."""
-    _use_eevee(show, scene, quality.film_samples, reflections=False)
+def render_film(shot, scene, folder, quality, progress):
+    """Write flight.mp4 and so on, or numbered pictures where this Blender cannot write films; returns the file.
+
+    The whole scene if time does not count, otherwise as much of its best seconds as there is time for.
+    """
+    demo = shot.scene
+    _use_eevee(demo, scene, quality.film_samples, reflections=False)
     _set_size(scene, quality.film_width)
-    last = _frame_at(scene, show.film_end)
-    frames = min(last - _frame_at(scene, show.film_start), quality.film_frames)
-    frames = min(frames, _affordable_frames(scene, folder, last, quality, progress))
     whole_lap = scene.frame_start, scene.frame_end
+    first, last = whole_lap if shot.end == demo_plan.NEVER else (_frame_at(scene, moment) for moment in demo.film)
+    cost = _frame_cost(scene, last, progress)
     # The end is the best of it: a shorter film starts later.
+    longest = min(last - first + 1, quality.film_frames)
+    frames, samples = demo_plan.fit_film(
+        shot.end - progress.seconds(), cost, quality.film_samples, scene.render.fps, longest)
+    cost *= samples / quality.film_samples
+    scene.eevee.taa_render_samples = samples
+    progress.say(f"{demo.name}: film of {frames} frames, {samples} samples, {cost:.1f} s each: {frames * cost / 60.0:.1f} minutes")
     scene.frame_start, scene.frame_end = last - frames + 1, last
-    film = _set_film_output(show, scene, folder)
+    film = _set_film_output(demo, scene, folder)
     report = _frame_reporter(progress, frames)
     bpy.app.handlers.render_write.append(report)
     try:
@@ -202,31 +180,39 @@ def render_film(show, scene, folder, quality, progress):
     finally:
         bpy.app.handlers.render_write.remove(report)
         scene.frame_start, scene.frame_end = whole_lap
-    progress.say(f"Film: {film.name}, {frames} frames")
+    progress.say(f"{film}: {frames} frames")
+    return film
 
 
-def _affordable_frames(scene, folder, last, quality, progress):
-    """How many frames fit into the time that is left, by rendering one twice (the first time compiles shaders)."""
-    _set_format(scene, "PNG")
-    scene.render.filepath = str(folder / "film_test.png")
-    for frame in (last - 1, last):
-        scene.frame_set(frame)
-        began = progress.seconds()
-        bpy.ops.render.render(write_still=True)
-        cost = max(progress.seconds() - began, 1e-3)
-    Path(scene.render.filepath).unlink()
-    progress.say(f"Film: {cost:.1f} s a frame")
-    return max(scene.render.fps, int((quality.seconds - progress.spent()) / cost))
+def _frame_cost(scene, last, progress):
+    """Seconds that a frame of the film takes, seen in the last three; the first of them compiles shaders as well."""
+    whole_lap = scene.frame_start, scene.frame_end
+    scene.frame_start, scene.frame_end = last - 2, last
+    times = []
+
+    def note(*_arguments):
+        times.append(progress.seconds())
+
+    bpy.app.handlers.render_post.append(note)
+    try:
+        with tempfile.TemporaryDirectory() as folder:
+            _set_format(scene, "PNG")
+            scene.render.filepath = str(Path(folder, "frame_"))
+            bpy.ops.render.render(animation=True)
+    finally:
+        bpy.app.handlers.render_post.remove(note)
+        scene.frame_start, scene.frame_end = whole_lap
+    return max((times[-1] - times[0]) / 2.0, 1e-3)
 
 
-def _use_eevee(show, scene, samples, reflections):
+def _use_eevee(demo, scene, samples, reflections):
     engines = scene.render.bl_rna.properties["engine"].enum_items
     scene.render.engine = next(item.identifier for item in engines if "EEVEE" in item.identifier)
     wanted = {
         "taa_render_samples": samples,
         "use_ssr": reflections,  # the mountains in the lake
         "use_gtao": True,
-        "gtao_distance": show.ambience,
+        "gtao_distance": demo.ambience,
         "use_soft_shadows": True,
         "use_shadow_high_bitdepth": True,
         "shadow_cascade_size": "2048",
@@ -236,19 +222,19 @@ def _use_eevee(show, scene, samples, reflections):
             setattr(scene.eevee, name, value)
 
 
-def _set_film_output(show, scene, folder):
+def _set_film_output(demo, scene, folder):
     """Write H.264 where this Blender has the encoder, numbered pictures where not; returns the path."""
     if not bpy.app.build_options.codec_ffmpeg:
         _set_format(scene, "PNG")
-        scene.render.filepath = str(folder / show.name / f"{show.name}_")
-        return folder / show.name
+        scene.render.filepath = str(folder / demo.name / f"{demo.name}_")
+        return folder / demo.name
     _set_format(scene, "FFMPEG")
     settings = scene.render.ffmpeg
     settings.format, settings.codec = "MPEG4", "H264"
     settings.constant_rate_factor, settings.ffmpeg_preset = "HIGH", "GOOD"
     settings.audio_codec = "NONE"
-    scene.render.filepath = str(folder / f"{show.name}.mp4")
-    return folder / f"{show.name}.mp4"
+    scene.render.filepath = str(folder / f"{demo.name}.mp4")
+    return folder / f"{demo.name}.mp4"
 
 
 def _set_format(scene, file_format):

@@ -124,7 +124,8 @@ class Timing:
     """Distance as a function of time. Immutable; made by one of the static methods."""
 
     @staticmethod
-    def eased(duration: float, length: float, ease_in: float = 0.0, ease_out: float = 0.0) -> Timing: ...
+    def eased(duration: float, length: float, ease_in: float = 0.0, ease_out: float = 0.0,
+              after: str = "rest") -> Timing: ...
     @staticmethod
     def constant(speed: float) -> Timing: ...
     @staticmethod
@@ -152,6 +153,9 @@ def frames(
     extend: _Extend = "clamp",
     **options: object,
 ) -> _Array: ...
+
+# Seconds that a lagging orientation remembers.
+LAG_MEMORY: float
 
 # (locations (n, 3), rotations (n, 4)) of followers at one time. Options as in frames(), without speed.
 def follow(
@@ -387,6 +391,7 @@ def pose_to_bone(
 ) -> _Array: ...
 
 class Lattice:
+    MAX_PULLS: int
     """A grid of points that deforms what is in it; points are counted with u fastest, then v, then w."""
 
     def __init__(
@@ -520,7 +525,7 @@ def pull_forces(
 ) -> _Floats: ...
 
 # Keeps the calling thread's Python state, until the interpreter ends; for threads that Python has not started.
-def keep_thread_state() -> None: ...
+def keep_thread_state() -> bool: ...
 
 # --- Dynamics -----------------------------------------------------------------------------------------------------------
 

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include "areas.hpp"
+#include "arguments.hpp"
 #include "arrays.hpp"
 
 namespace motus::bindings {
@@ -12,6 +13,12 @@ namespace {
 using namespace pybind11::literals;
 
 constexpr double timing_cost = 10.0;  // ns, rough
+
+[[nodiscard]] AfterEase after_option(const py::object& after) {
+    return choice<AfterEase>(
+        after, "after",
+        {{"rest", AfterEase::rest}, {"go_on", AfterEase::go_on}, {"repeat", AfterEase::repeat}});
+}
 
 /// The two columns of a profile; the library looks at what is in them.
 template <class Make>
@@ -52,7 +59,7 @@ Derivative of ease() with respect to u: a float or (m,); 0 outside [0, 1].  Argu
 
 void bind_timing(py::module_& m) {
     bind_ease(m);
-    py::class_<Timing>(m, "Timing", R"(
+    py::class_<Timing>(m, "Timing", py::module_local(), R"(
 Distance as a function of time, for follow(): seconds, and the curve's unit of length. Immutable.
 
 Made by Timing.eased, .constant, .pins, .speeds or .speeds_by_distance, which raise ValueError where a value is not finite
@@ -60,12 +67,16 @@ or outside its domain, TypeError where one is not a real number.)")
         .def_static(
             "eased",
             [](const py::object& duration, const py::object& length, const py::object& ease_in,
-               const py::object& ease_out) {
+               const py::object& ease_out, const py::object& after) {
                 return Timing::eased(number(duration, "duration"), number(length, "length"),
-                                     number(ease_in, "ease_in"), number(ease_out, "ease_out"));
+                                     number(ease_in, "ease_in"), number(ease_out, "ease_out"),
+                                     after_option(after));
             },
-            "duration"_a, "length"_a, "ease_in"_a = 0.0, "ease_out"_a = 0.0, R"(
-`length` in `duration` seconds (> 0) with ease() at both ends; at rest before 0 and after duration.)")
+            "duration"_a, "length"_a, "ease_in"_a = 0.0, "ease_out"_a = 0.0, "after"_a = "rest", R"(
+`length` in `duration` seconds (> 0) with ease() at both ends; at rest before 0.
+
+after: what comes after duration: 'rest'; 'go_on' with the last speed; 'repeat', lap after lap from where the last one ended.
+Laps cost nothing, however many they are.)")
         .def_static(
             "constant", [](const py::object& speed) { return Timing::constant(number(speed, "speed")); },
             "speed"_a, R"(

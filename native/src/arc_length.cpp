@@ -1,6 +1,7 @@
 #include "motus/arc_length.hpp"
 
 #include <glm/geometric.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "inverse_table.hpp"
@@ -11,9 +12,9 @@ namespace {
 
 // About 100 kB each: a shot with as many paths, or as many steps back of one that is being edited.
 constexpr std::size_t cached_tables = 128;
-// For curves of many thousand segments: with the frame tables' limit and the inverses that are built later,
-// half as much again, no more than 256 MB in all.
-constexpr std::size_t cached_bytes = std::size_t{48} << 20;
+// For curves of many thousand segments, of which at least one of 10,000 has room: with the frame tables'
+// limit and the inverses that are built later, no more than 512 MB in all.
+constexpr std::size_t cached_bytes = std::size_t{96} << 20;
 
 }  // namespace
 
@@ -85,6 +86,7 @@ glm::dvec3 position_at_length(const ArcLength& path, double s, Extend extend) {
 
 void positions_at_length(const ArcLength& path, std::span<const double> s, Extend extend,
                          std::span<glm::dvec3> out) {
+    if (out.size() != s.size()) throw std::invalid_argument("out: must be as long as s");
     for (std::size_t i = 0; i < s.size(); ++i) out[i] = position_at_length(path, s[i], extend);
 }
 
@@ -100,7 +102,8 @@ std::size_t ArcLengthBytes::operator()(const Curve& curve, const ArcLength& path
 }
 
 ArcLengthCache& arc_length_cache() {
-    static ArcLengthCache cache(cached_tables, cached_bytes);
+    // Never destroyed: threads may still look up tables while the program exits.
+    static ArcLengthCache& cache = *new ArcLengthCache(cached_tables, cached_bytes);
     return cache;
 }
 

@@ -43,23 +43,27 @@ BendField::BendField(std::shared_ptr<const ParallelFrames> frames, double smooth
 }
 
 void BendField::measure_turning() {
-    const auto stations = frames_->stations();
+    const std::size_t count = frames_->distances().size();
+    turning_.reserve(count);
     double total = 0.0;
-    for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-        turning_.push_back(turn_between(stations[i], stations[i + 1]));
+    Place from = frames_->station(0);
+    for (std::size_t i = 0; i + 1 < count; ++i) {
+        const Place to = frames_->station(i + 1);
+        turning_.push_back(turn_between(from, to));
         total += std::abs(turning_.back());
+        from = to;
     }
     const bool corner_at_seam = frames_->cyclic() && frames_->seam() == Cell::corner;
-    turning_.push_back(corner_at_seam ? turn_between(stations.back(), stations.front()) : 0.0);
+    turning_.push_back(corner_at_seam ? turn_between(from, frames_->station(0)) : 0.0);
     total += std::abs(turning_.back());
     if (frames_->length() > 0.0) mean_ = total / frames_->length();
 }
 
 void BendField::find_limit() {
-    const auto stations = frames_->stations();
+    const auto distances = frames_->distances();
     const double shortest = shortest_cell * frames_->length();
-    for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
-        const double width = stations[i + 1].s - stations[i].s;
+    for (std::size_t i = 0; i + 1 < distances.size(); ++i) {
+        const double width = distances[i + 1] - distances[i];
         if (width > shortest) limit_ = std::max(limit_, headroom * std::abs(turning_[i]) / width);
     }
 }
@@ -79,20 +83,23 @@ Across BendField::exact(const Place& place) const {
 }
 
 void BendField::join_stretches() {
-    const auto stations = frames_->stations();
+    const auto distances = frames_->distances();
     const auto cells = frames_->cells();
-    for (std::size_t i = 0; i < stations.size(); ++i) {
+    stretch_of_.reserve(distances.size());
+    for (std::size_t i = 0; i < distances.size(); ++i) {
         if (i == 0 || (cells[i - 1] != Cell::smooth))
-            stretches_.push_back({stations[i].s, stations[i].s, {}, {}});
-        stretches_.back().end = stations[i].s;
-        stretch_of_.push_back(stretches_.size() - 1);
+            stretches_.push_back({distances[i], distances[i], {}, {}});
+        stretches_.back().end = distances[i];
+        stretch_of_.push_back(static_cast<std::uint32_t>(stretches_.size() - 1));
     }
-    for (std::size_t i = 0; i + 1 < stations.size(); ++i) {
+    for (std::size_t i = 0; i + 1 < distances.size(); ++i) {
         if (cells[i] != Cell::joint) continue;
-        join(stretches_[stretch_of_[i]], stations[i], stretches_[stretch_of_[i + 1]], stations[i + 1], 1.0);
+        join(stretches_[stretch_of_[i]], frames_->station(i), stretches_[stretch_of_[i + 1]],
+             frames_->station(i + 1), 1.0);
     }
     if (frames_->cyclic() && frames_->seam() == Cell::joint) {
-        join(stretches_.back(), stations.back(), stretches_.front(), stations.front(), frames_->closing());
+        join(stretches_.back(), frames_->station(distances.size() - 1), stretches_.front(),
+             frames_->station(0), frames_->closing());
     }
 }
 
@@ -106,8 +113,8 @@ void BendField::join(Stretch& left, const Place& last, Stretch& right, const Pla
 
 /// The memory after `distance` in a cell, whose turning is spread evenly over it; 0 for all of a corner.
 BendField::Memory BendField::passed(const Memory& memory, std::size_t cell, double distance) const {
-    const auto stations = frames_->stations();
-    const double width = cell + 1 < stations.size() ? stations[cell + 1].s - stations[cell].s : 0.0;
+    const auto distances = frames_->distances();
+    const double width = cell + 1 < distances.size() ? distances[cell + 1] - distances[cell] : 0.0;
     const double x = distance / width_;
     const double decay = std::exp(-x);
     Memory next{memory.plain * decay, (memory.ramped + x * memory.plain) * decay};
@@ -132,18 +139,18 @@ BendField::Memory BendField::steady(const Memory& after_lap, Across lap_turn, do
 
 void BendField::filter(double smoothing) {
     width_ = std::clamp(smoothing, narrowest * frames_->length(), widest * frames_->length());
-    const auto stations = frames_->stations();
-    const std::size_t last = stations.size() - 1;
+    const auto distances = frames_->distances();
+    const std::size_t last = distances.size() - 1;
     const auto run_forth = [&](Memory memory) {
-        before_.assign(stations.size(), memory);
+        before_.assign(distances.size(), memory);
         for (std::size_t i = 0; i < last; ++i) {
-            before_[i + 1] = memory = passed(memory, i, stations[i + 1].s - stations[i].s);
+            before_[i + 1] = memory = passed(memory, i, distances[i + 1] - distances[i]);
         }
     };
     const auto run_back = [&](Memory memory) {
-        behind_.assign(stations.size(), memory);
+        behind_.assign(distances.size(), memory);
         for (std::size_t i = last; i-- > 0;) {
-            behind_[i] = memory = passed(memory, i, stations[i + 1].s - stations[i].s);
+            behind_[i] = memory = passed(memory, i, distances[i + 1] - distances[i]);
         }
     };
     if (frames_->cyclic()) {
@@ -157,7 +164,7 @@ void BendField::filter(double smoothing) {
     } else {
         // The path goes on as it begins and ends.
         const auto held = [&](std::size_t cell) {
-            const double width = stations[cell + 1].s - stations[cell].s;
+            const double width = distances[cell + 1] - distances[cell];
             const Across bend = width > 0.0 ? turning_[cell] / width : 0.0;
             return Memory{bend * width_, bend * width_};
         };
@@ -167,13 +174,13 @@ void BendField::filter(double smoothing) {
 }
 
 Across BendField::filtered(const Place& place) const {
-    const auto stations = frames_->stations();
+    const auto distances = frames_->distances();
     const std::size_t i = place.cell;
     Memory before = before_[i];
     Memory behind = behind_[i];
-    if (i + 1 < stations.size() && place.s > stations[i].s) {
-        before = passed(before, i, place.s - stations[i].s);
-        behind = passed(behind_[i + 1], i, stations[i + 1].s - place.s);
+    if (i + 1 < distances.size() && place.s > distances[i]) {
+        before = passed(before, i, place.s - distances[i]);
+        behind = passed(behind_[i + 1], i, distances[i + 1] - place.s);
     }
     return (before.plain + before.ramped + behind.plain + behind.ramped) / (4.0 * width_);
 }

@@ -1,5 +1,6 @@
 // The curvature vector along a path, in its parallel frames, made continuous and finite.
 #pragma once
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -55,9 +56,9 @@ class BendField {
     double mean_ = 0.0;
     double limit_ = 0.0;  // largest curvature that counts
     std::vector<Stretch> stretches_;
-    std::vector<std::size_t> stretch_of_;  // per station
-    double width_ = 0.0;                   // of the filter; 0 without smoothing
-    std::vector<Memory> before_, behind_;  // per station: what lies towards the start, towards the end
+    std::vector<std::uint32_t> stretch_of_;  // per station
+    double width_ = 0.0;                     // of the filter; 0 without smoothing
+    std::vector<Memory> before_, behind_;    // per station: what lies towards the start, towards the end
 };
 
 }  // namespace motus

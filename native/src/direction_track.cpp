@@ -38,9 +38,9 @@ double reach_of(double slope, double width) {
 class DirectionTrack::Survey {
   public:
     Survey(const ParallelFrames& frames, const DirectionField& field) : frames_(frames), field_(field) {
-        const auto stations = frames.stations();
-        for (std::size_t i = 0; i < stations.size(); ++i) {
-            const Sample next{stations[i], field.at(stations[i])};
+        for (std::size_t i = 0; i < frames.distances().size(); ++i) {
+            const Place station = frames.station(i);
+            const Sample next{station, field.at(station)};
             if (i > 0 && smooth(i - 1) && field.axis) look_between(Sample(samples_.back()), next, 0);
             samples_.push_back(next);
         }
@@ -203,8 +203,9 @@ void DirectionTrack::add(const Survey& survey, const Edges& edges) {
 }
 
 void DirectionTrack::close(const Survey& survey, const Edges& over_seam) {
-    const Place& before = over_seam.before ? *over_seam.before : survey.frames().stations().back();
-    const Place& behind = over_seam.behind ? *over_seam.behind : survey.frames().stations().front();
+    const ParallelFrames& frames = survey.frames();
+    const Place before = over_seam.before ? *over_seam.before : frames.station(frames.distances().size() - 1);
+    const Place behind = over_seam.behind ? *over_seam.behind : frames.station(0);
     Gap gap;
     gap.begin = before.s;
     gap.end = behind.s + length_;

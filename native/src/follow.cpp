@@ -11,6 +11,9 @@ namespace motus {
 namespace {
 
 constexpr double lag_steps_per_second = 120.0;
+constexpr double exact_memory =
+    10.0;                            // s; older steps are longer: four of the grid's, and twice as many each
+constexpr double older_width = 4.0;  // time that the age doubles
 constexpr double largest_bend = 1e100;  // in place of a cusp's infinity
 constexpr double forgotten = 40.0;      // e^-40 of an orientation is below rounding
 
@@ -29,8 +32,10 @@ struct LagStep {
     double time, share;
 };
 
-/// Orientation that trails its target, by steps on a fixed grid of time; the last one, and the first where
-/// the memory begins between two grid points, are shorter.
+/// Orientation that trails its target, by steps on a fixed grid of time, whose width grows with their age;
+/// the last one, and the first where the memory begins between two grid points, are shorter. A step of
+/// several grid widths begins at a multiple of them, so that steps stay where they are as time goes on, until
+/// two become one.
 class Lag {
   public:
     Lag(const Frames& frames, const Timing& timing, double offset, const FollowSettings& settings)
@@ -44,9 +49,18 @@ class Lag {
         double begin = time;
         const double grid = std::ceil(time * lag_steps_per_second);
         double total = 0.0;
+        double width = 1.0;
+        double next_age = exact_memory;
         // Counted, since one less is the same number where the time is very large.
-        for (double count = 1.0; begin > oldest && total < forgotten; ++count) {
+        for (double count = 0.0; begin > oldest && total < forgotten;) {
             const double end = begin;
+            if (time - end >= next_age) {
+                width = std::max(2.0 * width, older_width);
+                next_age *= 2.0;
+            }
+            // How far (grid - count) lies behind a multiple of the width.
+            const double behind = std::fmod(std::fmod(grid, width) + width - std::fmod(count, width), width);
+            count += behind > 0.0 ? behind : width;
             begin = std::clamp((grid - count) / lag_steps_per_second, oldest, end);
             const double exponent = settings_.lag_rate * bend(0.5 * (begin + end)) * (end - begin);
             steps.push_back({0.5 * (begin + end), -std::expm1(-exponent)});

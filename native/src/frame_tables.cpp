@@ -11,7 +11,7 @@ constexpr double upright_threshold =
 constexpr double bend_threshold = 0.02;  // of the mean curvature: what shows the direction of the bend
 constexpr double least_turning = 1e-6;   // rad over the whole length: below, the curve is straight
 constexpr std::size_t cached_tables = 64;
-constexpr std::size_t cached_bytes = std::size_t{160} << 20;
+constexpr std::size_t cached_bytes = std::size_t{320} << 20;  // of these and their paths; see arc_length.cpp
 
 DirectionTrack bend_track(const ParallelFrames& frames, const BendField& bend) {
     const bool straight = bend.mean() * frames.length() < least_turning;
@@ -55,7 +55,8 @@ std::size_t FrameTablesBytes::operator()(const FrameTablesKey& key,
 }
 
 FrameTablesCache& frame_tables_cache() {
-    static FrameTablesCache cache(cached_tables, cached_bytes);
+    // Never destroyed: threads may still look up tables while the program exits.
+    static FrameTablesCache& cache = *new FrameTablesCache(cached_tables, cached_bytes);
     return cache;
 }
 

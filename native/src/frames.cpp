@@ -138,7 +138,7 @@ const ArcLength& Frames::path() const noexcept {
 }
 
 std::size_t Frames::station_count() const noexcept {
-    return tables_->frames().stations().size();
+    return tables_->frames().distances().size();
 }
 
 Frames shared_frames(std::shared_ptr<const ArcLength> path, FrameSettings settings) {

@@ -147,6 +147,8 @@ InverseTable::InverseTable(const SpeedTable& table) {
     }
     const SpeedPiece& last = table.pieces().back();
     starts_.push_back({table.length(), last.middle + last.half});
+    polynomials_.shrink_to_fit();
+    starts_.shrink_to_fit();
     index(table.length());
 }
 

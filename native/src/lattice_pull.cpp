@@ -1,22 +1,46 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <functional>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 #include "motus/lattice.hpp"
+#include "symmetric_function.hpp"
 
 namespace motus {
 namespace {
 
-/// How the lattice points move the point of one pull: a row of Hsu's matrix B. With every point of the
-/// lattice in it.
-using Row = std::vector<double>;
+// Of all pulls together; with the two numbers of each, 200 MB.
+constexpr std::size_t most_weights = std::size_t{1} << 24;
 
-[[nodiscard]] double dot(const Row& a, const Row& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+/// How the lattice points move the point of one pull: a row of Hsu's matrix B, without its zeros.
+struct Row {
+    std::vector<std::uint32_t> points;  ///< ascending
+    std::vector<double> weights;
+};
+
+/// A row with its zeros, for one row after the other.
+using WholeRow = std::vector<double>;
+
+[[nodiscard]] Row without_zeros(const WholeRow& whole) {
+    Row row;
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+        if (whole[i] == 0.0) continue;
+        row.points.push_back(static_cast<std::uint32_t>(i));
+        row.weights.push_back(whole[i]);
+    }
+    return row;
+}
+
+[[nodiscard]] double dot(const Row& row, const WholeRow& whole) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < row.points.size(); ++i) sum += row.weights[i] * whole[row.points[i]];
+    return sum;
 }
 
 [[nodiscard]] bool is_finite(const glm::dvec3& v) {
@@ -59,7 +83,7 @@ void for_inside(const Lattice& lattice, WithInner&& with_inner) {
 }
 
 /// Gives the weights of the points inside to those of the outside that they follow.
-void move_to_outside(const Lattice& lattice, Row& row) {
+void move_to_outside(const Lattice& lattice, WholeRow& row) {
     for_inside(lattice, [&](std::size_t point, const std::array<Between, 3>& opposite) {
         const double third = row[point] / 3.0;
         row[point] = 0.0;
@@ -82,98 +106,127 @@ void follow_outside(const Lattice& lattice, std::span<glm::dvec3> displacements)
 
 struct Rows {
     std::vector<Row> influenced;
-    std::vector<Row> full;  ///< the same parts, each at full influence
+    /// Least square of a pull at full influence, by itself; infinity where nothing moves any.
+    double weakest = std::numeric_limits<double>::infinity();
 };
+
+/// Adds a part to its pull's row, as it is and at full influence.
+void add_part(const LatticeWeights& weights, const LatticePart& part, const LatticePullOptions& options,
+              WholeRow& influenced, WholeRow& full) {
+    double influence = part.influence;
+    if (!options.point_weights.empty()) {
+        double faded = 0.0;
+        for (std::size_t i = 0; i < weights.points.size(); ++i)
+            faded += weights.weights[i] * static_cast<double>(options.point_weights[weights.points[i]]);
+        influence *= influence * faded;
+    }
+    for (std::size_t i = 0; i < weights.points.size(); ++i) {
+        full[weights.points[i]] += part.share * weights.weights[i];
+        influenced[weights.points[i]] += part.share * influence * weights.weights[i];
+    }
+}
 
 [[nodiscard]] Rows rows_of(const Lattice& lattice, std::span<const LatticePart> parts, std::size_t pulls,
                            const LatticePullOptions& options) {
-    const std::size_t points = point_count(lattice);
-    Rows rows{std::vector<Row>(pulls, Row(points, 0.0)), std::vector<Row>(pulls, Row(points, 0.0))};
-    for (const LatticePart& part : parts) {
+    std::vector<std::vector<std::size_t>> parts_of(pulls);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const LatticePart& part = parts[i];
         if (part.pull >= pulls) throw std::invalid_argument("a part of a pull that is not there");
         if (!std::isfinite(part.share) || !std::isfinite(part.influence))
             throw std::invalid_argument("shares and influences must be finite");
-        const LatticeWeights weights = lattice_weights(lattice, part.place);
-        double influence = part.influence;
-        if (!options.point_weights.empty()) {
-            double faded = 0.0;
-            for (std::size_t i = 0; i < weights.points.size(); ++i)
-                faded += weights.weights[i] * static_cast<double>(options.point_weights[weights.points[i]]);
-            influence *= influence * faded;
-        }
-        for (std::size_t i = 0; i < weights.points.size(); ++i) {
-            rows.full[part.pull][weights.points[i]] += part.share * weights.weights[i];
-            rows.influenced[part.pull][weights.points[i]] += part.share * influence * weights.weights[i];
-        }
+        parts_of[part.pull].push_back(i);
     }
-    if (options.outside_only) {
-        for (Row& row : rows.full) move_to_outside(lattice, row);
-        for (Row& row : rows.influenced) move_to_outside(lattice, row);
+    Rows rows;
+    std::size_t weights = 0;
+    WholeRow influenced(point_count(lattice)), full(point_count(lattice));
+    for (const std::vector<std::size_t>& own : parts_of) {
+        std::fill(influenced.begin(), influenced.end(), 0.0);
+        std::fill(full.begin(), full.end(), 0.0);
+        for (const std::size_t i : own)
+            add_part(lattice_weights(lattice, parts[i].place), parts[i], options, influenced, full);
+        if (options.outside_only) {
+            move_to_outside(lattice, influenced);
+            move_to_outside(lattice, full);
+        }
+        const double square = std::inner_product(full.begin(), full.end(), full.begin(), 0.0);
+        if (square > 0.0) rows.weakest = std::min(rows.weakest, square);
+        rows.influenced.push_back(without_zeros(influenced));
+        weights += rows.influenced.back().points.size();
+        if (weights > most_weights)
+            throw std::invalid_argument("displacements: too many for a lattice of so many points");
     }
     return rows;
 }
 
-/// Eigenvalues of a symmetric matrix (size * size, row by row) and its eigenvectors as columns, by Jacobi's
-/// rotations (Golub, Van Loan, section 8.5). `matrix` is overwritten; its diagonal holds the eigenvalues.
-[[nodiscard]] std::vector<double> diagonalise(std::vector<double>& matrix, std::size_t size) {
-    constexpr int sweeps = 60;
-    constexpr double small = 1e-32;  // of the sum of squares
-    std::vector<double> vectors(size * size, 0.0);
-    for (std::size_t i = 0; i < size; ++i) vectors[i * size + i] = 1.0;
-    const double total = dot(matrix, matrix);
-    for (int sweep = 0; sweep < sweeps; ++sweep) {
-        double off = 0.0;
-        for (std::size_t p = 0; p < size; ++p) {
-            for (std::size_t q = p + 1; q < size; ++q) off += matrix[p * size + q] * matrix[p * size + q];
-        }
-        if (off <= small * total) break;
-        for (std::size_t p = 0; p < size; ++p) {
-            for (std::size_t q = p + 1; q < size; ++q) {
-                const double apq = matrix[p * size + q];
-                if (apq == 0.0) continue;
-                const double theta = (matrix[q * size + q] - matrix[p * size + p]) / (2.0 * apq);
-                const double t = std::copysign(1.0, theta) / (std::abs(theta) + std::hypot(1.0, theta));
-                const double c = 1.0 / std::hypot(1.0, t), s = t * c;
-                for (std::size_t k = 0; k < size; ++k) {
-                    const double kp = matrix[k * size + p], kq = matrix[k * size + q];
-                    matrix[k * size + p] = c * kp - s * kq;
-                    matrix[k * size + q] = s * kp + c * kq;
-                }
-                for (std::size_t k = 0; k < size; ++k) {
-                    const double pk = matrix[p * size + k], qk = matrix[q * size + k];
-                    matrix[p * size + k] = c * pk - s * qk;
-                    matrix[q * size + k] = s * pk + c * qk;
-                    const double kp = vectors[k * size + p], kq = vectors[k * size + q];
-                    vectors[k * size + p] = c * kp - s * kq;
-                    vectors[k * size + q] = s * kp + c * kq;
-                }
-            }
-        }
+/// The lattice points that any row moves, ascending.
+[[nodiscard]] std::vector<std::uint32_t> moved_points(const std::vector<Row>& rows, std::size_t points) {
+    std::vector<bool> is_moved(points, false);
+    for (const Row& row : rows) {
+        for (const std::uint32_t point : row.points) is_moved[point] = true;
     }
-    return vectors;
+    std::vector<std::uint32_t> moved;
+    for (std::size_t i = 0; i < points; ++i) {
+        if (is_moved[i]) moved.push_back(static_cast<std::uint32_t>(i));
+    }
+    return moved;
 }
 
-/// (B B^T)^-1 d, where eigenvalues below `least` count as least^2 / eigenvalue: the solution stays bounded
-/// there, and follows the data continuously.
-[[nodiscard]] std::vector<glm::dvec3> multipliers(const std::vector<Row>& rows,
-                                                  std::span<const glm::dvec3> displacements, double least) {
+/// B B^T, size rows.size().
+[[nodiscard]] std::vector<double> between_pulls(const std::vector<Row>& rows, std::size_t points) {
     const std::size_t size = rows.size();
     std::vector<double> matrix(size * size);
+    WholeRow whole(points, 0.0);
     for (std::size_t i = 0; i < size; ++i) {
+        const Row& row = rows[i];
+        for (std::size_t k = 0; k < row.points.size(); ++k) whole[row.points[k]] = row.weights[k];
         for (std::size_t j = i; j < size; ++j)
-            matrix[i * size + j] = matrix[j * size + i] = dot(rows[i], rows[j]);
+            matrix[i * size + j] = matrix[j * size + i] = dot(rows[j], whole);
+        for (const std::uint32_t point : row.points) whole[point] = 0.0;
     }
-    const std::vector<double> vectors = diagonalise(matrix, size);
-    std::vector<glm::dvec3> result(size, glm::dvec3(0.0));
-    for (std::size_t e = 0; e < size; ++e) {
-        const double value = matrix[e * size + e];
-        if (!(value > 0.0)) continue;
-        const double inverse = value >= least ? 1.0 / value : value / least / least;
-        glm::dvec3 part(0.0);
-        for (std::size_t i = 0; i < size; ++i) part += vectors[i * size + e] * displacements[i];
-        for (std::size_t i = 0; i < size; ++i) result[i] += inverse * vectors[i * size + e] * part;
+    return matrix;
+}
+
+/// B^T B over the points that are moved. place_of: their places among those.
+[[nodiscard]] std::vector<double> between_points(const std::vector<Row>& rows, std::size_t size,
+                                                 const std::vector<std::uint32_t>& place_of) {
+    std::vector<double> matrix(size * size, 0.0);
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.points.size(); ++i) {
+            double* to = matrix.data() + place_of[row.points[i]] * size;
+            for (std::size_t j = 0; j < row.points.size(); ++j)
+                to[place_of[row.points[j]]] += row.weights[i] * row.weights[j];
+        }
     }
-    return result;
+    return matrix;
+}
+
+/// Adds B^T factors.
+void add_moves(const std::vector<Row>& rows, std::span<const glm::dvec3> factors, std::span<glm::dvec3> out) {
+    for (std::size_t pull = 0; pull < rows.size(); ++pull) {
+        const Row& row = rows[pull];
+        for (std::size_t i = 0; i < row.points.size(); ++i)
+            out[row.points[i]] += row.weights[i] * factors[pull];
+    }
+}
+
+/// B^T (B B^T)^-1 d = (B^T B)^-1 B^T d into `out`, which is 0, by the smaller of both matrices.
+void solve(const std::vector<Row>& rows, std::span<const glm::dvec3> displacements,
+           const std::function<double(double)>& inverse, std::span<glm::dvec3> out) {
+    const std::vector<std::uint32_t> moved = moved_points(rows, out.size());
+    if (std::min(rows.size(), moved.size()) > max_lattice_pulls)
+        throw std::invalid_argument("displacements: at most " + std::to_string(max_lattice_pulls) +
+                                    " are possible where the lattice has more points");
+    if (rows.size() <= moved.size()) {
+        add_moves(rows, times_function(between_pulls(rows, out.size()), displacements, inverse), out);
+        return;
+    }
+    std::vector<std::uint32_t> place_of(out.size(), 0);
+    for (std::size_t i = 0; i < moved.size(); ++i) place_of[moved[i]] = static_cast<std::uint32_t>(i);
+    add_moves(rows, displacements, out);
+    std::vector<glm::dvec3> pulled(moved.size());
+    for (std::size_t i = 0; i < moved.size(); ++i) pulled[i] = out[moved[i]];
+    const auto found = times_function(between_points(rows, moved.size(), place_of), pulled, inverse);
+    for (std::size_t i = 0; i < moved.size(); ++i) out[moved[i]] = found[i];
 }
 
 }  // namespace
@@ -191,22 +244,20 @@ std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const Lat
         throw std::invalid_argument("displacements must be finite");
 
     const Rows rows = rows_of(lattice, parts, displacements.size(), options);
-    double weakest =
-        std::numeric_limits<double>::infinity();  // of the pulls at full influence, by themselves
-    for (const Row& row : rows.full) {
-        const double square = dot(row, row);
-        if (square > 0.0) weakest = std::min(weakest, square);
-    }
     std::fill(out.begin(), out.end(), glm::dvec3(0.0));
     std::vector<glm::dvec3> left(displacements.begin(), displacements.end());
-    if (!std::isfinite(weakest)) return left;
-    const double least = weakest / (options.max_gain * options.max_gain);
-    const std::vector<glm::dvec3> factors = multipliers(rows.influenced, displacements, least);
-    for (std::size_t pull = 0; pull < factors.size(); ++pull) {
-        for (std::size_t i = 0; i < points; ++i) out[i] += rows.influenced[pull][i] * factors[pull];
-    }
+    if (!std::isfinite(rows.weakest)) return left;
+    // Below `least` the inverse falls again: the solution stays bounded there, and follows the data
+    // continuously.
+    const double least = rows.weakest / (options.max_gain * options.max_gain);
+    const auto inverse = [least](double value) {
+        if (!(value > 0.0)) return 0.0;
+        return value >= least ? 1.0 / value : value / least / least;
+    };
+    solve(rows.influenced, displacements, inverse, out);
     for (std::size_t pull = 0; pull < left.size(); ++pull) {
-        for (std::size_t i = 0; i < points; ++i) left[pull] -= rows.influenced[pull][i] * out[i];
+        const Row& row = rows.influenced[pull];
+        for (std::size_t i = 0; i < row.points.size(); ++i) left[pull] -= row.weights[i] * out[row.points[i]];
     }
     if (options.outside_only) follow_outside(lattice, out);
     return left;

@@ -1,6 +1,7 @@
 #include "motus/nearest.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -47,9 +48,56 @@ struct Candidate {
     return points;
 }
 
+/// Least distance from the origin to anywhere on a segment, by the squared distance written as a Bézier
+/// polynomial, which lies above its least coefficient. Where all of the segment is nearly as far away, as an
+/// arc is from its centre, this is far closer than what the chord says; near the segment the chord says more.
+class SquaredDistance {
+  public:
+    explicit SquaredDistance(std::size_t size) : size_(size) {
+        const auto n = static_cast<double>(size - 1);
+        double of_degree = 1.0;
+        for (std::size_t i = 0; i < size; ++i) {
+            weight_[i] = of_degree;
+            of_degree *= (n - static_cast<double>(i)) / static_cast<double>(i + 1);
+        }
+        double of_square = 1.0;
+        for (std::size_t k = 0; k < 2 * size - 1; ++k) {
+            scale_[k] = 1.0 / of_square;
+            of_square *= (2.0 * n - static_cast<double>(k)) / static_cast<double>(k + 1);
+        }
+    }
+
+    [[nodiscard]] double least(bernstein::Segment part) const {
+        bernstein::Points weighted;
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < size_; ++i) {
+            weighted[i] = weight_[i] * part[i];
+            farthest = std::max(farthest, glm::dot(part[i], part[i]));
+        }
+        double least = farthest;
+        for (std::size_t k = 0; k < 2 * size_ - 1; ++k) {
+            double sum = 0.0;
+            for (std::size_t i = k < size_ ? 0 : k - size_ + 1; 2 * i <= k; ++i)
+                sum += (2 * i == k ? 1.0 : 2.0) * glm::dot(weighted[i], weighted[k - i]);
+            least = std::min(least, scale_[k] * sum);
+        }
+        // Each coefficient is a mean of products of the points, rounded once or twice for each.
+        const double rounding = 4.0 * static_cast<double>(size_) * std::numeric_limits<double>::epsilon();
+        return std::sqrt(std::max(0.0, least - rounding * farthest));
+    }
+
+  private:
+    std::size_t size_;
+    std::array<double, static_cast<std::size_t>(max_degree) + 1> weight_{};
+    std::array<double, 2 * static_cast<std::size_t>(max_degree) + 1> scale_{};
+};
+
 /// Branch and bound over all segments, each seen from the point.
 class Search {
   public:
+    /// size: control points of a segment.
+    explicit Search(std::size_t size) : square_(size) {}
+
     void visit(std::size_t index, bernstein::Segment segment) {
         index_ = index;
         segment_ = segment;
@@ -60,6 +108,7 @@ class Search {
     }
 
     [[nodiscard]] const Candidate& best() const noexcept { return best_; }
+    [[nodiscard]] std::size_t parts() const noexcept { return parts_; }
 
   private:
     void try_at(double t) {
@@ -69,6 +118,7 @@ class Search {
 
     /// Looks through the part a to b, whose control points these are.
     void descend(bernstein::Segment part, double a, double b, int depth) {
+        ++parts_;
         // The curve and its chord, written with as many control points, are no farther apart than those are.
         const auto n = static_cast<double>(part.size() - 1);
         double deviation = 0.0;
@@ -78,7 +128,8 @@ class Search {
         }
         const double on_chord = foot(part.front(), part.back());
         const double bound = glm::length(bernstein::mix(part.front(), part.back(), on_chord)) - deviation;
-        if (bound >= best_.distance * (1.0 - 1e-12) - tolerance_) return;
+        const double worth_it = best_.distance * (1.0 - 1e-12) - tolerance_;
+        if (bound >= worth_it || square_.least(part) >= worth_it) return;
         try_at(a + (b - a) * on_chord);
         if (depth == 0) return;
         bernstein::Points left_points;
@@ -91,10 +142,12 @@ class Search {
         descend(right, middle, b, depth - 1);
     }
 
+    SquaredDistance square_;
     std::size_t index_ = 0;
     bernstein::Segment segment_;
     double tolerance_ = 0.0;
     Candidate best_;
+    std::size_t parts_ = 0;
 };
 
 /// The search ends where the distance has settled, which leaves half the digits of t: Newton's method on
@@ -122,7 +175,7 @@ Nearest nearest(const Curve& curve, const glm::dvec3& point) {
     if (!(fits(point.x) && fits(point.y) && fits(point.z)))
         throw std::invalid_argument("point: every coordinate must be finite, and at most 1e100");
     const std::size_t size = curve.segment(0).size();
-    Search search;
+    Search search(size);
     for (std::size_t i = 0; i < curve.segment_count(); ++i) {
         const bernstein::Points segment = seen_from(point, curve.segment(i));
         search.visit(i, {segment.data(), size});
@@ -130,7 +183,7 @@ Nearest nearest(const Curve& curve, const glm::dvec3& point) {
     const bernstein::Points segment = seen_from(point, curve.segment(search.best().segment));
     const Candidate best = polished({segment.data(), size}, search.best());
     const glm::dvec3 position = bernstein::position(curve.segment(best.segment), best.t);
-    return {parameter(curve, best.segment, best.t), position, glm::distance(position, point)};
+    return {parameter(curve, best.segment, best.t), position, glm::distance(position, point), search.parts()};
 }
 
 }  // namespace motus

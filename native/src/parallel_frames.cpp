@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "bernstein.hpp"
 #include "polish.hpp"
 
 namespace motus {
@@ -36,7 +37,7 @@ glm::dvec3 made_across(const glm::dvec3& v, const glm::dvec3& tangent) {
 
 /// Up after the least rotation that takes one tangent to the other. Where they are opposite there is no such
 /// one: up stays, and the tangent turns about it.
-glm::dvec3 carried_round_corner(const Place& from, const glm::dvec3& tangent) {
+glm::dvec3 carried_round_corner(const Station& from, const glm::dvec3& tangent) {
     const glm::dvec3 sum = from.tangent + tangent;
     if (glm::length(sum) < reversal) return made_across(from.up, tangent);
     // Rodrigues' formula for the rotation in the plane of both, on a vector across the first.
@@ -45,7 +46,7 @@ glm::dvec3 carried_round_corner(const Place& from, const glm::dvec3& tangent) {
 }
 
 /// Up after the two reflections that take one place's position and tangent to another's.
-glm::dvec3 double_reflected(const Place& from, const Place& to) {
+glm::dvec3 double_reflected(const Station& from, const Station& to) {
     const glm::dvec3 v1 = to.position - from.position;
     const double c1 = glm::dot(v1, v1);
     const glm::dvec3 up = from.up - 2.0 / c1 * glm::dot(v1, from.up) * v1;
@@ -55,13 +56,18 @@ glm::dvec3 double_reflected(const Place& from, const Place& to) {
     return polished(reflected - glm::dot(reflected, to.tangent) * to.tangent);
 }
 
-/// Gives `to` the frame that `from` becomes across a cell of the given kind. Steps shorter than `grain` have
-/// no chord to reflect in; there both ways agree.
-void carry(const Place& from, Cell cell, double grain, Place& to) {
+/// Up at `to` by the frame that `from` becomes across a cell of the given kind. Steps shorter than `grain`
+/// have no chord to reflect in; there both ways agree.
+glm::dvec3 carried(const Station& from, Cell cell, double grain, const Station& to) {
     const glm::dvec3 step = to.position - from.position;
     const bool chord = cell == Cell::smooth && glm::dot(step, step) > grain * grain;
-    to.up = chord ? double_reflected(from, to) : carried_round_corner(from, to.tangent);
-    to.side = glm::cross(to.tangent, to.up);
+    return chord ? double_reflected(from, to) : carried_round_corner(from, to.tangent);
+}
+
+/// Curvature vector, where the first derivative does not vanish.
+glm::dvec3 bend_of(const Jet& all, const glm::dvec3& tangent) {
+    const double per_speed = 1.0 / glm::length(all.d1);
+    return per_speed * (per_speed * (all.d2 - glm::dot(all.d2, tangent) * tangent));
 }
 
 /// Position, tangent and bend of a curve at t; the frame is left as it is.
@@ -73,9 +79,8 @@ Place place_at(const Curve& curve, double s, double t, double grain) {
     place.t = t;
     place.position = all.position;
     if (speed > grain) {
-        const double per_speed = 1.0 / speed;
-        place.tangent = per_speed * all.d1;
-        place.bend = per_speed * (per_speed * (all.d2 - glm::dot(all.d2, place.tangent) * place.tangent));
+        place.tangent = 1.0 / speed * all.d1;
+        place.bend = bend_of(all, place.tangent);
     } else {
         place.tangent = tangent(curve, t);
         place.bend = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
@@ -94,17 +99,19 @@ double largest_coordinate(const Curve& curve) {
 /// The stations of one segment: halved until a cell turns by no more than cell_turning.
 class SegmentStations {
   public:
-    SegmentStations(const ArcLength& path, std::size_t index, double grain, std::vector<Place>& out)
+    SegmentStations(const ArcLength& path, std::size_t index, double grain, std::vector<Station>& out,
+                    std::vector<double>& distances)
         : path_(path),
           index_(index),
           curve_(Curve::bezier(path.curve().segment(index))),
           grain_(grain),
-          out_(out) {}
+          out_(out),
+          distances_(distances) {}
 
     void append() {
         const Place first = at(0.0);
         const Place last = at(1.0);
-        out_.push_back(first);
+        add(first);
         halve(0.0, first, 1.0, last, 0);
         out_.back().t =
             std::nextafter(out_.back().t, 0.0);  // still this segment's, for those who ask the whole curve
@@ -129,15 +136,21 @@ class SegmentStations {
             halve(t0, from, t, middle, depth + 1);
             halve(t, middle, t1, to, depth + 1);
         } else {
-            out_.push_back(to);
+            add(to);
         }
+    }
+
+    void add(const Place& place) {
+        out_.push_back(place);
+        distances_.push_back(place.s);
     }
 
     const ArcLength& path_;
     std::size_t index_;
     Curve curve_;  // the segment alone, whose tangent at its end is not the next segment's
     double grain_;
-    std::vector<Place>& out_;
+    std::vector<Station>& out_;
+    std::vector<double>& distances_;
 };
 
 }  // namespace
@@ -159,54 +172,70 @@ ParallelFrames::ParallelFrames(std::shared_ptr<const ArcLength> path) : path_(st
         if (path_->segment_start(i + 1) > path_->segment_start(i)) add_segment(i);
     }
     if (stations_.empty()) {
-        stations_.push_back(Place{});
-        stations_.front().position = motus::position(curve, 0.0);
+        stations_.emplace_back().position = motus::position(curve, 0.0);
+        distances_.push_back(0.0);
     }
     carry_frames();
     if (curve.cyclic() && length() > 0.0) close();
-    for (const Place& station : stations_) distances_.push_back(station.s);
+    stations_.shrink_to_fit();
+    distances_.shrink_to_fit();
+    cells_.shrink_to_fit();
 }
 
 void ParallelFrames::add_segment(std::size_t index) {
     if (!stations_.empty()) cells_.push_back(Cell::joint);
-    SegmentStations(*path_, index, grain_, stations_).append();
+    SegmentStations(*path_, index, grain_, stations_, distances_).append();
     cells_.resize(stations_.size() - 1, Cell::smooth);
 }
 
 void ParallelFrames::carry_frames() {
-    Place& first = stations_.front();
-    first.up = upright(first.tangent);
-    first.side = glm::cross(first.tangent, first.up);
+    stations_.front().up = upright(stations_.front().tangent);
     for (std::size_t i = 0; i + 1 < stations_.size(); ++i) {
-        const Place& from = stations_[i];
-        Place& to = stations_[i + 1];
-        to.cell = i + 1;
+        const Station& from = stations_[i];
+        Station& to = stations_[i + 1];
         const double most = cells_[i] == Cell::joint ? joint_turning : corner_turning;
         if (angle_between(from.tangent, to.tangent) > most) cells_[i] = Cell::corner;
-        carry(from, cells_[i], grain_, to);
+        to.up = carried(from, cells_[i], grain_, to);
     }
 }
 
 void ParallelFrames::close() {
     cyclic_ = true;
-    const Place& last = stations_.back();
-    Place again = stations_.front();
-    seam_ = angle_between(last.tangent, again.tangent) > joint_turning ? Cell::corner : Cell::joint;
-    carry(last, seam_, grain_, again);
-    const Across closing = stations_.front().across(again.up);
+    const Station& last = stations_.back();
+    const Place first = station(0);
+    seam_ = angle_between(last.tangent, first.tangent) > joint_turning ? Cell::corner : Cell::joint;
+    const Across closing = first.across(carried(last, seam_, grain_, first));
     closing_ = closing / std::abs(closing);
+}
+
+Place ParallelFrames::station(std::size_t index) const {
+    Place place;
+    static_cast<Station&>(place) = stations_[index];
+    place.s = distances_[index];
+    place.cell = index;
+    place.side = glm::cross(place.tangent, place.up);
+    if (length() <= 0.0) return place;
+    // A station at the end of a segment belongs to it, by the last parameter before the next one's.
+    const Location at = locate(path_->curve(), place.t);
+    const double end = static_cast<double>(at.segment) + 1.0;
+    const bool at_end = std::nextafter(place.t, end) == end;
+    const Jet all = bernstein::jet(path_->curve().segment(at.segment), at_end ? 1.0 : at.t);
+    place.bend = glm::length(all.d1) > grain_ ? bend_of(all, place.tangent)
+                                              : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    return place;
 }
 
 Place ParallelFrames::at(double s) const {
     const auto after = std::upper_bound(distances_.begin(), distances_.end(), s);
     const std::size_t cell =
         after == distances_.begin() ? 0 : static_cast<std::size_t>(after - distances_.begin()) - 1;
-    const Place& from = stations_[cell];
-    if (cell + 1 == stations_.size() || s <= from.s) return from;
+    if (cell + 1 == stations_.size() || s <= distances_[cell]) return station(cell);
+    const Station& from = stations_[cell];
     const double t = std::clamp(path_->t_at_length(s), from.t, stations_[cell + 1].t);
     Place place = place_at(path_->curve(), s, t, grain_);
     place.cell = cell;
-    carry(from, cells_[cell], grain_, place);
+    place.up = carried(from, cells_[cell], grain_, place);
+    place.side = glm::cross(place.tangent, place.up);
     return place;
 }
 

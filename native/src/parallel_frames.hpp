@@ -24,15 +24,19 @@ using Across = std::complex<double>;
     return std::sqrt(std::norm(v));
 }
 
-/// A place on the path with its parallel frame. `up`, `side` and `tangent` are orthonormal, side = tangent x
-/// up.
-struct Place {
-    double s = 0.0;
+/// What a table keeps of a place: the rest follows from it. A path of 10,000 segments has some million.
+struct Station {
     double t = 0.0;
-    std::size_t cell = 0;  ///< index of the last station at or before s
     glm::dvec3 position{0.0};
     glm::dvec3 tangent{0.0, 1.0, 0.0};
     glm::dvec3 up{0.0, 0.0, 1.0};
+};
+
+/// A place on the path with its parallel frame. `up`, `side` and `tangent` are orthonormal, side = tangent x
+/// up.
+struct Place : Station {
+    double s = 0.0;
+    std::size_t cell = 0;  ///< index of the last station at or before s
     glm::dvec3 side{1.0, 0.0, 0.0};
     glm::dvec3 bend{
         0.0};  ///< curvature vector kappa N, 1 / length unit; NaN where the first derivative vanishes
@@ -58,8 +62,10 @@ class ParallelFrames {
     /// The place at distance s (clamped); at a corner the one behind it.
     [[nodiscard]] Place at(double s) const;
 
-    /// At least one; the first at 0, the last at the length. station(i).cell == i.
-    [[nodiscard]] std::span<const Place> stations() const noexcept { return stations_; }
+    /// Distances of the stations: at least one; the first is 0, the last the length.
+    [[nodiscard]] std::span<const double> distances() const noexcept { return distances_; }
+    /// station(i).s == distances()[i] and station(i).cell == i.
+    [[nodiscard]] Place station(std::size_t index) const;
     /// cells()[i] lies between stations i and i + 1.
     [[nodiscard]] std::span<const Cell> cells() const noexcept { return cells_; }
 
@@ -81,8 +87,8 @@ class ParallelFrames {
     void close();
 
     std::shared_ptr<const ArcLength> path_;
-    std::vector<Place> stations_;
-    std::vector<double> distances_;  // the stations' s, packed for the search
+    std::vector<Station> stations_;
+    std::vector<double> distances_;
     std::vector<Cell> cells_;
     double grain_ = 0.0;  // lengths below this are rounding
     bool cyclic_ = false;

@@ -95,7 +95,7 @@ SpeedTable::SpeedTable(const Curve& curve) {
         whole += coarse.back().length;
     }
     evaluations_ = count * (speed_degree + 1);
-    pieces_.reserve(4 * count);
+    pieces_.reserve(2 * count);
     first_pieces_.reserve(count + 1);
     segment_starts_.reserve(count + 1);
     double distance = 0.0;
@@ -119,6 +119,7 @@ SpeedTable::SpeedTable(const Curve& curve) {
     }
     first_pieces_.push_back(pieces_.size());
     segment_starts_.push_back(distance);
+    pieces_.shrink_to_fit();
 }
 
 double SpeedTable::length_at(const Location& at) const {

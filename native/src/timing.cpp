@@ -137,11 +137,19 @@ double ease_derivative(double u, double ease_in, double ease_out) {
 }
 
 double Timing::Eased::distance(double time) const {
-    return length * Trapezium(ease_in, ease_out).distance(time / duration);
+    const Trapezium shape(ease_in, ease_out);
+    if (time <= duration || after == AfterEase::rest) return length * shape.distance(time / duration);
+    if (after == AfterEase::go_on) return length + (time - duration) * (length / duration * shape.speed(1.0));
+    const double laps = std::floor(time / duration);
+    return length * shape.distance((time - laps * duration) / duration) + laps * length;
 }
 
 double Timing::Eased::speed(double time) const {
-    return length / duration * Trapezium(ease_in, ease_out).speed(time / duration);
+    double u = time / duration;
+    if (u > 1.0 && after == AfterEase::go_on) u = 1.0;
+    // Rounding may put a joint a little before the lap that begins there.
+    if (u >= 1.0 && after == AfterEase::repeat) u = std::max(0.0, time - std::floor(u) * duration) / duration;
+    return length / duration * Trapezium(ease_in, ease_out).speed(u);
 }
 
 const Timing::Cubic& Timing::Cubics::at(double time) const {
@@ -187,12 +195,12 @@ Timing::Cubics Timing::checked(Cubics cubics, const char* message) {
 
 Timing::Timing(Profile profile) : profile_(std::move(profile)) {}
 
-Timing Timing::eased(double duration, double length, double ease_in, double ease_out) {
+Timing Timing::eased(double duration, double length, double ease_in, double ease_out, AfterEase after) {
     require(std::isfinite(duration) && duration > 0.0, "duration must be finite and greater than 0");
     require(std::isfinite(length) && std::isfinite(length / duration),
             "length and the speed it asks for must be finite");
     check_ease(ease_in, ease_out);
-    return Timing(Eased{duration, length, ease_in, ease_out});
+    return Timing(Eased{duration, length, ease_in, ease_out, after});
 }
 
 Timing Timing::constant(double speed) {

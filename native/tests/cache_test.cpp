@@ -1,14 +1,14 @@
 #include "motus/cache.hpp"
 
 #include <catch2/catch.hpp>
-#include <cstdlib>
 #include <functional>
-#include <new>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "allocations.hpp"
 #include "curve_checks.hpp"
+#include "frame_tables.hpp"
 #include "motus/arc_length.hpp"
 #include "motus/frames.hpp"
 
@@ -28,23 +28,6 @@ struct WordBytes {
 };
 using WordCache = Cache<std::string, std::string, ConstantHash, WordBytes>;
 constexpr std::size_t roomy = 1000;
-
-/// Allocations until one fails; below 0 none does.
-thread_local int allocations_left = -1;
-
-/// Runs `work` with so many allocations granted; whether they were enough.
-template <class Work>
-bool with_allocations(int count, Work&& work) {
-    allocations_left = count;
-    bool enough = true;
-    try {
-        work();
-    } catch (const std::bad_alloc&) {
-        enough = false;
-    }
-    allocations_left = -1;
-    return enough;
-}
 
 /// Counts how often a value is made.
 struct Maker {
@@ -68,23 +51,6 @@ class CacheOff {
 };
 
 }  // namespace
-
-// The test program's own, so that they can fail.
-void* operator new(std::size_t size) {
-    if (allocations_left == 0) throw std::bad_alloc();
-    if (allocations_left > 0) --allocations_left;
-    if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-    return std::malloc(size > 0 ? size : 1);
-}
-void operator delete(void* memory) noexcept {
-    std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
-}
 
 TEST_CASE("the cache tells keys apart by content and makes each once", "[cache]") {
     WordCache cache(8, roomy);
@@ -167,7 +133,7 @@ TEST_CASE("a cache that finds no memory is as it was", "[cache]") {
 TEST_CASE("animated curves of many segments hold no more memory than stated", "[cache]") {
     ArcLengthCache& paths = arc_length_cache();
     FrameTablesCache& frames = frame_tables_cache();
-    const std::size_t most = std::size_t{256} << 20;
+    const std::size_t most = std::size_t{512} << 20;
     const std::size_t before = paths.size();
     std::vector<glm::dvec3> points = RandomCurves(7).points(40'000);
     constexpr std::size_t shots = 8;
@@ -187,6 +153,29 @@ TEST_CASE("animated curves of many segments hold no more memory than stated", "[
     settings.smoothing = 0.1;
     (void)shared_frames(shared_arc_length(Curve::chain(3, {points.data(), 4'000}, false)), settings);
     CHECK(frames.bytes() <= frames.byte_limit());
+}
+
+TEST_CASE("the tables of a tangled curve of 10,000 segments have room in the caches", "[cache]") {
+    constexpr std::size_t segments = 1'000;  // a tenth of them: what they take grows evenly
+    RandomCurves random(8);
+    std::vector<glm::dvec3> points{random.point(1.0)};
+    glm::dvec3 handle = random.point(0.5);
+    for (std::size_t i = 0; i < segments; ++i) {
+        const glm::dvec3 from = points.back(), to = random.point(1.0), next_handle = random.point(0.5);
+        if (i > 0) points.push_back(from);
+        points.insert(points.end(), {from + handle, to - next_handle, to});
+        handle = next_handle;
+    }
+    const auto path = std::make_shared<const ArcLength>(Curve::chain(3, points, false));
+    (void)path->interval_count();
+    CHECK(10 * ArcLengthBytes{}(path->curve(), *path) <= arc_length_cache().byte_limit());
+    for (const FrameMode mode : {FrameMode::world_up, FrameMode::minimal, FrameMode::banking,
+                                 FrameMode::curvature, FrameMode::tilt}) {
+        const FrameTablesKey key{path->curve(), mode, 0.5};
+        const FrameTables tables(path, mode, key.smoothing);
+        CAPTURE(static_cast<int>(mode));
+        CHECK(10 * FrameTablesBytes{}(key, tables) <= frame_tables_cache().byte_limit());
+    }
 }
 
 TEST_CASE("arc lengths are the same with the cache and without", "[cache]") {

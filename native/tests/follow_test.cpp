@@ -5,9 +5,11 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "allocations.hpp"
 #include "sample_curves.hpp"
 
 using namespace motus;
@@ -176,6 +178,64 @@ TEST_CASE("a lagging orientation converges as its steps shrink, with the square 
     CHECK(middle < 0.3 * coarse);
     CHECK(fine < 0.3 * middle);
     CHECK(angle_between(limit, frames.at(0.8 * path->length(), 0.0)) > 0.01);
+}
+
+TEST_CASE("a slow lag takes few steps, and goes where steps of 1/120 s go", "[follow]") {
+    struct Way {
+        const char* name;
+        samples::Path path;
+        Extend extend;
+        double speed, tolerance;
+    };
+    // Four arches around a square, with corners of some 60 degrees between them.
+    std::vector<glm::dvec3> arches;
+    const std::vector<glm::dvec3> corners{{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const glm::dvec3 from = corners[i], to = corners[(i + 1) % corners.size()], third = (to - from) / 3.0;
+        const glm::dvec3 out = 0.27 * glm::dvec3(third.y, -third.x, 0.0);
+        arches.insert(arches.end(), {from, from + third + out, to - third + out, to});
+    }
+    const auto square = std::make_shared<const ArcLength>(Curve::chain(3, arches, true));
+    const std::vector<Way> ways{{"circle", samples::level_circle(5.0), Extend::loop, 1.5, 1e-4},
+                                {"forth and back", samples::s_curve(), Extend::ping_pong, 0.7, 1e-4},
+                                {"corners", square, Extend::loop, 0.31, 1e-2}};
+    for (const Way& way : ways) {
+        const Frames frames(way.path, mode(FrameMode::world_up));
+        const Timing timing = Timing::constant(way.speed);
+        for (const double rate : {10.0, 1.0, 0.3, 0.03, 1e-6}) {
+            for (const double time : {9.99, 25.0, 118.0, 500.0}) {
+                CAPTURE(way.name, rate, time);
+                FollowSettings settings;
+                settings.extend = way.extend;
+                settings.lag_by = LagBy::curvature;
+                settings.lag_rate = rate;
+                Pose found;
+                const std::size_t bytes = checks::bytes_allocated_by(
+                    [&] { found = follow_one(frames, timing, time, 0.25, settings); });
+                CHECK(bytes <= 140'000);  // 520 kB where all steps are 1/120 s
+                // Itself by steps of 1/120 s.
+                const auto at = [&](double when) {
+                    return extended(way.speed * when + 0.25, way.path->length(), way.extend).value;
+                };
+                const double oldest = std::max(0.0, time - lag_memory);
+                const double first = std::floor(oldest * 120.0);
+                glm::dquat slow = frames.at(at(oldest), way.speed);
+                for (double step = first; step / 120.0 < time; ++step) {
+                    const double begin = std::max(step / 120.0, oldest);
+                    const double end = std::min((step + 1.0) / 120.0, time);
+                    const double s = at(0.5 * (begin + end));
+                    const double bend = curvature(way.path->curve(), way.path->t_at_length(s));
+                    slow =
+                        glm::slerp(slow, frames.at(s, way.speed), -std::expm1(-rate * bend * (end - begin)));
+                }
+                const double apart = angle_between(found.rotation, slow);
+                // The circle's target runs ahead of slow ones by more than half a turn.
+                const bool turns_over =
+                    way.extend == Extend::loop && way.tolerance < 1e-3 && way.speed > std::numbers::pi * rate;
+                CHECK(apart <= (time <= 10.0 ? 1e-9 : turns_over ? 0.3 : way.tolerance));
+            }
+        }
+    }
 }
 
 TEST_CASE("a quick lag is no lag", "[follow]") {

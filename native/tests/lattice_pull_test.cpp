@@ -4,8 +4,10 @@
 #include <limits>
 #include <numeric>
 
+#include "allocations.hpp"
 #include "lattice_checks.hpp"
 #include "motus/lattice.hpp"
+#include "symmetric_function.hpp"
 
 using namespace motus;
 using namespace motus::lattice_checks;
@@ -25,7 +27,7 @@ TEST_CASE("a pulled point arrives, by the smallest change", "[lattice]") {
     for (int trial = 0; trial < 200; ++trial) {
         const Lattice lattice = dice.lattice(5);
         const LatticePart part{0, dice.place(lattice), 1.0, trial % 3 ? 1.0 : 0.4};
-        const glm::dvec3 displacement = dice.point(2.0);
+        const glm::dvec3 displacement = dice.in_cube(2.0);
         std::vector<glm::dvec3> out(point_count(lattice));
         const auto left = pull_lattice(lattice, {&part, 1}, {&displacement, 1}, {}, out);
         CHECK(glm::length(left[0]) < 1e-13);
@@ -33,7 +35,7 @@ TEST_CASE("a pulled point arrives, by the smallest change", "[lattice]") {
         CHECK(glm::distance(part.influence * moved_by(weights, out), displacement) < 1e-13);
         // Any other change with the same effect is larger: take off what the place feels of a random one.
         std::vector<glm::dvec3> other(out.size());
-        for (glm::dvec3& v : other) v = dice.point(0.1);
+        for (glm::dvec3& v : other) v = dice.in_cube(0.1);
         const double square =
             std::inner_product(weights.weights.begin(), weights.weights.end(), weights.weights.begin(), 0.0);
         const glm::dvec3 felt = moved_by(weights, other);
@@ -53,9 +55,9 @@ TEST_CASE("several pulls at once, some of which hold", "[lattice]") {
         std::vector<glm::dvec3> displacements;
         for (std::size_t pull = 0; pull < 4; ++pull) {
             // In corners of the lattice of their own.
-            const glm::dvec3 corner(pull & 1 ? 0.8 : 0.2, pull & 2 ? 0.8 : 0.2, dice.number(0, 1));
+            const glm::dvec3 corner(pull & 1 ? 0.8 : 0.2, pull & 2 ? 0.8 : 0.2, dice.between(0.0, 1.0));
             parts.push_back({pull, lattice.origin + lattice.axes * corner});
-            displacements.push_back(pull ? glm::dvec3(0.0) : dice.point(1.0));
+            displacements.push_back(pull ? glm::dvec3(0.0) : dice.in_cube(1.0));
         }
         std::vector<glm::dvec3> out(point_count(lattice));
         const auto left = pull_lattice(lattice, parts, displacements, {}, out);
@@ -147,4 +149,113 @@ TEST_CASE("the inside follows the outside", "[lattice]") {
                                0.5 * (at(2, 1, 0) + at(2, 1, 2))) /
                               3.0;
     CHECK(glm::distance(at(2, 1, 1), wanted) < 1e-14);
+}
+
+TEST_CASE("a thousand pulls take memory for what they move", "[lattice]") {
+    Dice dice(11);
+    Lattice lattice;
+    lattice.resolution = {32, 32, 32};
+    std::vector<LatticePart> parts;
+    std::vector<glm::dvec3> displacements;
+    for (std::size_t pull = 0; pull < 300; ++pull) {
+        parts.push_back({pull, dice.place(lattice)});
+        displacements.push_back(dice.point(1.0));
+    }
+    std::vector<glm::dvec3> out(point_count(lattice)), left;
+    for (const bool outside : {false, true}) {
+        LatticePullOptions options;
+        options.outside_only = outside;
+        const std::size_t bytes = checks::bytes_allocated_by(
+            [&] { left = pull_lattice(lattice, parts, displacements, options, out); });
+        CHECK(bytes <
+              20'000'000);  // with whole rows 157 million, and 4 GB for a thousand in 64 * 64 * 64 points
+        for (std::size_t pull = 0; pull < parts.size(); pull += 7) {
+            const glm::dvec3 moved = moved_by(lattice_weights(lattice, parts[pull].place), out);
+            CHECK(glm::distance(moved + left[pull], displacements[pull]) < 1e-12);
+        }
+    }
+}
+
+TEST_CASE("more pulls than points are solved by the points", "[lattice]") {
+    Dice dice(12);
+    Lattice lattice;
+    lattice.resolution = {3, 2, 4};
+    std::vector<LatticePart> parts;
+    std::vector<glm::dvec3> displacements;
+    // Four times those of a field that the lattice can do, and one point pulled away from it.
+    std::vector<glm::dvec3> field(point_count(lattice));
+    for (glm::dvec3& v : field) v = dice.point(1.0);
+    for (std::size_t pull = 0; pull < 3 * max_lattice_pulls; ++pull) {
+        parts.push_back({pull, dice.place(lattice)});
+        displacements.push_back(moved_by(lattice_weights(lattice, parts[pull].place), field));
+    }
+    std::vector<glm::dvec3> out(point_count(lattice));
+    for (const glm::dvec3& rest : pull_lattice(lattice, parts, displacements, {}, out))
+        CHECK(glm::length(rest) < 1e-10);
+    displacements[5] += glm::dvec3(1.0, 0.0, 0.0);
+    const auto left = pull_lattice(lattice, parts, displacements, {}, out);
+    CHECK(left[5].x > 0.9);
+    // Least squares: what is left pulls no lattice point either way.
+    std::vector<glm::dvec3> force(out.size(), glm::dvec3(0.0));
+    for (std::size_t pull = 0; pull < parts.size(); ++pull) {
+        const LatticeWeights weights = lattice_weights(lattice, parts[pull].place);
+        for (std::size_t i = 0; i < weights.points.size(); ++i)
+            force[weights.points[i]] += weights.weights[i] * left[pull];
+    }
+    CHECK(size_of(force) < 1e-9);
+}
+
+TEST_CASE("more pulls than can be solved are refused", "[lattice]") {
+    Lattice lattice;
+    lattice.resolution = {16, 16, 16};
+    Dice dice(13);
+    std::vector<LatticePart> parts;
+    for (std::size_t pull = 0; pull <= max_lattice_pulls; ++pull)
+        parts.push_back({pull, dice.place(lattice)});
+    const std::vector<glm::dvec3> displacements(parts.size(), glm::dvec3(0.0, 0.0, 1.0));
+    std::vector<glm::dvec3> out(point_count(lattice));
+    CHECK_THROWS_WITH(pull_lattice(lattice, parts, displacements, {}, out),
+                      Catch::Contains("displacements: at most 1000"));
+    lattice.resolution = {32, 32, 32};
+    lattice.basis.fill(LatticeBasis::bernstein);
+    out.resize(point_count(lattice));
+    parts.resize(600);
+    CHECK_THROWS_WITH(pull_lattice(lattice, parts, {displacements.data(), 600}, {}, out),
+                      Catch::Contains("displacements: too many"));
+}
+
+TEST_CASE("a function of a symmetric matrix times vectors", "[lattice]") {
+    Dice dice(14);
+    for (const std::size_t size : {std::size_t{1}, std::size_t{2}, std::size_t{3}, std::size_t{40}}) {
+        // Sums of fewer outer products than its size: half of the eigenvalues are 0.
+        std::vector<double> matrix(size * size, 0.0);
+        for (std::size_t term = 0; term < (size + 1) / 2; ++term) {
+            std::vector<double> v(size);
+            for (double& value : v) value = dice.number(-1, 1);
+            for (std::size_t i = 0; i < size; ++i)
+                for (std::size_t j = 0; j < size; ++j) matrix[i * size + j] += v[i] * v[j];
+        }
+        std::vector<glm::dvec3> columns(size);
+        for (glm::dvec3& row : columns) row = dice.point(1.0);
+        const auto times = [&](const std::vector<glm::dvec3>& vectors) {
+            std::vector<glm::dvec3> product(size, glm::dvec3(0.0));
+            for (std::size_t i = 0; i < size; ++i)
+                for (std::size_t j = 0; j < size; ++j) product[i] += matrix[i * size + j] * vectors[j];
+            return product;
+        };
+        const auto largest_gap = [](const std::vector<glm::dvec3>& a, const std::vector<glm::dvec3>& b) {
+            double gap = 0.0;
+            for (std::size_t i = 0; i < a.size(); ++i) gap = std::max(gap, glm::distance(a[i], b[i]));
+            return gap;
+        };
+        const double scale = static_cast<double>(size);
+        CHECK(largest_gap(times_function(matrix, columns, [](double) { return 1.0; }), columns) <
+              1e-14 * scale);
+        CHECK(largest_gap(times_function(matrix, columns, [](double x) { return x; }), times(columns)) <
+              1e-14 * scale * scale);
+        const auto inverse = [](double x) { return x > 1e-6 ? 1.0 / x : 0.0; };
+        // A A^+ A = A.
+        CHECK(largest_gap(times(times_function(matrix, times(columns), inverse)), times(columns)) <
+              1e-12 * scale * scale);
+    }
 }

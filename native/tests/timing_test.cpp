@@ -3,9 +3,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
+#include <utility>
 #include <vector>
+
+#include "random.hpp"
 
 using namespace motus;
 
@@ -76,6 +78,37 @@ TEST_CASE("ease accepts fractions that add up to 1 in decimals and in float", "[
     CHECK_THROWS_AS(ease(std::nan(""), 0.1, 0.4), std::invalid_argument);
 }
 
+TEST_CASE("an eased way may go on at its last speed, or begin again as often as it is asked to", "[timing]") {
+    for (const auto& [in, out] : {std::pair{0.25, 0.25}, {0.0, 0.0}, {0.3, 0.0}, {0.0, 0.4}}) {
+        CAPTURE(in, out);
+        const Timing once = Timing::eased(4.0, 10.0, in, out);
+        const Timing on = Timing::eased(4.0, 10.0, in, out, AfterEase::go_on);
+        const Timing again = Timing::eased(4.0, 10.0, in, out, AfterEase::repeat);
+        const double last = once.speed(4.0);
+        for (double time = -1.0; time <= 4.0; time += 0.125) {
+            CHECK(on.distance(time) == once.distance(time));
+            CHECK(on.speed(time) == once.speed(time));
+            CHECK(again.distance(time) == once.distance(time));
+            if (time < 4.0) CHECK(again.speed(time) == once.speed(time));
+            if (time < 0.0) continue;
+            CHECK(on.distance(4.0 + time) == Approx(10.0 + last * time));
+            CHECK(on.speed(4.0 + time) == last);
+            for (const double lap : {1.0, 2.0, 7.0, 1e6}) {
+                CHECK(again.distance(4.0 * lap + time) == 10.0 * lap + again.distance(time));
+                CHECK(again.speed(4.0 * lap + time) == again.speed(time));
+            }
+        }
+    }
+    // Laps that no number of seconds is a multiple of.
+    const Timing short_laps = Timing::eased(1e-6, 2.0, 0.2, 0.3, AfterEase::repeat);
+    const Timing long_laps = Timing::eased(0.7, 2.0, 0.0, 0.0, AfterEase::repeat);
+    for (double time = 0.0; time < 300.0; time += 0.37) {
+        CHECK(short_laps.distance(time) == Approx(2e6 * time).margin(2.0));
+        CHECK(long_laps.distance(time) == Approx(time / 0.35).epsilon(1e-13));
+        CHECK(long_laps.speed(time) == Approx(1.0 / 0.35));
+    }
+}
+
 TEST_CASE("an eased timing covers its length and rests outside", "[timing]") {
     const Timing timing = Timing::eased(4.0, 10.0, 0.25, 0.25);
     CHECK(timing.distance(-1.0) == 0.0);
@@ -97,15 +130,14 @@ TEST_CASE("constant speed holds for all times", "[timing]") {
 }
 
 TEST_CASE("pins are met, and nothing overshoots between them", "[timing]") {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> gap(0.05, 2.0);
-    std::uniform_int_distribution<int> rise(0, 3);
+    test::Random random(7);
+    const auto gap = [&random] { return random.between(0.05, 2.0); };
     for (int round = 0; round < 50; ++round) {
-        std::vector<double> times{gap(random)};
+        std::vector<double> times{gap()};
         std::vector<double> distances{0.0};
         for (int i = 0; i < 6; ++i) {
-            times.push_back(times.back() + gap(random));
-            distances.push_back(distances.back() + rise(random));
+            times.push_back(times.back() + gap());
+            distances.push_back(distances.back() + random.whole(0, 3));
         }
         const Timing timing = Timing::pins(times, distances);
         for (std::size_t i = 0; i < times.size(); ++i) CHECK(timing.distance(times[i]) == distances[i]);

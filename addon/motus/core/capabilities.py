@@ -12,6 +12,11 @@ def has_geometry_attribute_constraint():
     return 'GEOMETRY_ATTRIBUTE' in types
 
 
+def keeps_settings_apart():
+    """Settings of add-ons are no custom properties (5.0). Those of a file of an older Blender are such too."""
+    return bpy.app.version >= (5, 0, 0)
+
+
 def has_limit_rotation_legacy_flag():
     """Limit Rotation has had a switch for its old behaviour since 4.2."""
     return "use_legacy_behavior" in bpy.types.LimitRotationConstraint.bl_rna.properties

@@ -12,14 +12,16 @@ from typing import NamedTuple
 
 import bpy
 
-from . import actions
+from . import actions, stored
 
 KEY = "motus_copy"
 """Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
 LARGEST = 256  # copies that are known at a time
 
 # From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
-_numbers = itertools.count(random.randrange(1, 2**30))
+_first = random.randrange(1, 2**30)
+_numbers = itertools.count(_first)
+_latest = [_first - 1]
 _copies = OrderedDict()
 _actions = OrderedDict()
 
@@ -63,7 +65,7 @@ class Copy:
 def prepare(owner):
     """Let evaluated copies of a rig, of its armature and of its scenes be told apart. Called when it is wired."""
     for datablock in (owner, owner.data, *owner.users_scene):
-        if not datablock.library and KEY not in datablock:
+        if not datablock.library and _mark(datablock) is None:
             datablock[KEY] = [0]
             datablock.update_tag()
 
@@ -93,13 +95,31 @@ def of(evaluated):
 
 def number_of(evaluated):
     """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
-    mark = evaluated.get(KEY)
+    mark = _mark(evaluated)
     if mark is None:
         return 0
-    mark = memoryview(mark)
-    if not mark[0]:
-        mark[0] = next(_numbers)
+    if not _is_given(mark[0]):
+        mark[0] = _new_number()
     return mark[0]
+
+
+def _mark(datablock):
+    """The memory of its number; None where the custom property is missing, or is not what prepare() makes."""
+    try:
+        return stored.whole_numbers(datablock.get(KEY), 1)
+    except stored.Damaged:
+        return None
+
+
+def _is_given(number):
+    """Whether it comes from here. What a file holds does not."""
+    return isinstance(number, int) and _first <= number <= _latest[0]
+
+
+def _new_number():
+    # Where two threads are here at once, the greater number may count as not given; then its copy is given one more.
+    _latest[0] = number = next(_numbers)
+    return number
 
 
 def has_animation(evaluated):
@@ -115,10 +135,10 @@ def _acting(animation):
         return _ANYTHING
     if action is None:
         return _NOTHING
-    known = _actions.get(action.get(KEY, 0))
+    number = action.get(KEY)
+    known = _actions.get(number) if _is_given(number) else None
     if known is None:
-        number = next(_numbers)
-        action[KEY] = number
+        number = action[KEY] = _new_number()
         known = _actions[number] = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
         if len(_actions) > LARGEST:
             _actions.popitem(last=False)

@@ -4,10 +4,9 @@ import threading
 from dataclasses import dataclass
 from typing import Any
 
-import bpy
-
-from . import native, presence
+from . import native
 from .lazy import numpy as np
+from .per_thread import aside
 from .system import Problem
 
 ALL_SPLINES = -1
@@ -24,10 +23,9 @@ RATIONAL = Problem("NURBS splines with different weights cannot be followed: mak
 HIGH_ORDER = Problem("NURBS splines of an order above 6 cannot be followed: lower the order")
 PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONAL, HIGH_ORDER)
 
-# A second to_curve() on an object frees the first one's result, and drivers run in several threads.
-_temporary_curve = threading.Lock()
-_last_collection = {}
-"""Name of each curve that was followed since Blender started -> name of the collection it was last found in."""
+# A second to_curve() on an object frees the first one's result, and drivers run in several threads. Within to_curve() Blender
+# may evaluate another driver in the same thread (modifiers are computed in parallel), which is then done before it returns.
+_temporary_curve = threading.RLock()
 
 
 class Unreadable(Exception):
@@ -60,40 +58,14 @@ def read(curve_object, splines, depsgraph, index, matrix):
     if curve_object.modifiers or curve_object.data.shape_keys:
         with _temporary_curve:
             try:
-                deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
+                with aside():
+                    deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
                 curve, tilt = _read_splines(deformed.splines, index, is_polygon)
             finally:
                 curve_object.to_curve_clear()
     else:
         curve, tilt = _read_splines(splines, index, is_polygon)
     return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), tilt)
-
-
-def is_deleted(curve_object):
-    """Whether the object stands in no collection any more; see presence.py."""
-    original = curve_object.original
-    if original.library:
-        return False
-    name = original.name
-    # Names, not references: undo invalidates those.
-    holder = _collection_of(name, _last_collection.get(name, ""))
-    if holder is None:
-        return presence.was_somewhere(original)
-    _last_collection[name] = holder
-    presence.saw((name,))
-    return False
-
-
-def _collection_of(name, last):
-    """Name of a collection with an object of this name, "" for a scene's own; None where there is none."""
-    # Where it was last time is where it most probably is.
-    found = bpy.data.collections.get(last)
-    if found and name in found.objects:
-        return last
-    for collection in bpy.data.collections:
-        if name in collection.objects:
-            return collection.name
-    return "" if any(name in scene.collection.objects for scene in bpy.data.scenes) else None
 
 
 def _read_splines(splines, index, is_polygon):

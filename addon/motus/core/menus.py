@@ -59,8 +59,6 @@ def register(systems, extra_add=()):
     for menu in ("object", "pose"):
         _entries[menu] = tuple(name for one in systems for name in getattr(one, f"{menu}_menu")) + (
             None, "motus.bake", "motus.unbake")
-    for cls in classes:
-        bpy.utils.register_class(cls)
     bpy.types.VIEW3D_MT_add.append(_draw_add)
     bpy.types.VIEW3D_MT_object.append(_draw_object)
     bpy.types.VIEW3D_MT_pose.append(_draw_pose)
@@ -71,5 +69,3 @@ def unregister():
     bpy.types.VIEW3D_MT_pose.remove(_draw_pose)
     bpy.types.VIEW3D_MT_object.remove(_draw_object)
     bpy.types.VIEW3D_MT_add.remove(_draw_add)
-    for cls in reversed(classes):
-        bpy.utils.unregister_class(cls)

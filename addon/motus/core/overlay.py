@@ -37,9 +37,9 @@ def register():
 
 def unregister():
     """Stop drawing."""
+    _failed.clear()
     while _handler:
         bpy.types.SpaceView3D.draw_handler_remove(_handler.pop(), 'WINDOW')
-    _failed.clear()
 
 
 def batches(context):

@@ -5,24 +5,21 @@ been called, and what is local to it goes with it.
 """
 
 import threading
+from contextlib import contextmanager
 
 from . import native
 
 LARGEST = 64  # threads
 
 _kept = {}
-_with_state = set()
 
 
 def keep_state():
     """Let this thread keep its Python state; to make one anew takes longer than most solves do.
 
-    A thread that ends leaves it behind, so there is an end to it.
+    The native module does it once a thread, and for a bounded number of threads. Returns whether it is kept.
     """
-    thread = threading.get_ident()
-    if thread not in _with_state and len(_with_state) < LARGEST and native.module:
-        _with_state.add(thread)
-        native.module.keep_thread_state()
+    return native.module is not None and native.module.keep_thread_state()
 
 
 def kept(name, make):
@@ -37,3 +34,19 @@ def kept(name, make):
     if found is None:
         found = mine[name] = make()
     return found
+
+
+@contextmanager
+def aside():
+    """What the thread keeps is left alone meanwhile, by whoever asks for it.
+
+    While Blender waits for a computation that it has spread over threads, it may evaluate another driver within this one.
+    """
+    thread = threading.get_ident()
+    mine = _kept.pop(thread, None)
+    try:
+        yield
+    finally:
+        _kept.pop(thread, None)
+        if mine is not None:
+            _kept[thread] = mine

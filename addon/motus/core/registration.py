@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import bake, menus, overlay, preferences, presence, system, translations, ui, wiring
+from . import bake, deleted, menus, overlay, preferences, settings, system, teardown, translations, ui, wiring
 
 _undo = []
 
@@ -19,19 +19,19 @@ def register(systems, extra_classes=(), extra_add_menu=()):
 def unregister():
     """Take back what register() did, last first."""
     while _undo:
-        _undo.pop()()
+        teardown.run(_undo.pop())
 
 
 def _register(systems, extra_classes, extra_add_menu):
     # Property groups before the groups that point to them, and all of them before the panels that draw them.
-    _register_classes(system.classes)
+    _register_classes(settings.classes)
     for one in systems:
         system.registered[one.name] = one
         _undo.append(lambda name=one.name: system.registered.pop(name))
         _register_classes(one.classes)
-    _register_classes(preferences.classes + ui.classes + bake.classes + overlay.classes + extra_classes)
+    _register_classes(preferences.classes + ui.classes + bake.classes + overlay.classes + menus.classes + extra_classes)
     _register_settings(systems)
-    _call(presence.register, presence.unregister)
+    _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
     _call(overlay.register, overlay.unregister)
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)

@@ -9,9 +9,10 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix
 
-from . import copies, presence
+from . import copies, deleted
 from .lazy import numpy as np
 from .per_thread import kept
+from .stored import Damaged
 from .wiring.scratch import scratch
 
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
@@ -19,6 +20,7 @@ _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE":
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 _INHERITED = {"inherit_scale": "i4", "use_inherit_rotation": "?", "use_local_location": "?"}
 LARGEST_CACHE = 64
+LARGE_SCENE = 8  # objects for each target
 
 # How many objects a view layer had when they were last counted: only for the faster of two ways to the same answer.
 _layer_sizes = {}
@@ -149,8 +151,10 @@ def plan(rig, key, make):
     key: a string that stands for all that the plan is made of, the rig's fingerprint included. Kept by each thread for
     itself: a plan is not shared between threads.
     """
+    if rig.pose is None or not isinstance(key, str):
+        raise Damaged("no rig, or nothing that is known of it")
     plans = kept("plans", OrderedDict)
-    place = (key, rig.name)
+    place = key, rig.name, rig.library and rig.library.name
     found = plans.get(place)
     copy = copies.number_of(rig.data)
     if found is not None and copy and found.copy == copy:
@@ -198,21 +202,21 @@ class Standing:
 
     def _look(self, view_layer, objects):
         layer = view_layer.id_data.name, view_layer.name
-        wanted = list(map(hash, objects()))
-        most = presence.LARGE_SCENE * len(wanted)
+        listed = objects()
+        deleted.which([one for one in listed if one])  # from now on it is known when one of them is deleted
+        wanted = list(map(hash, listed))
+        most = LARGE_SCENE * len(wanted)
         if _layer_sizes.get(layer, 0) <= most:
             # Of evaluated data no references are kept; what is compared is where it lies in memory.
             every = list(map(hash, view_layer.objects.values()))
             _layer_sizes[layer] = len(every)
             if len(every) <= most:
                 if every != self._every or wanted != self._wanted:
-                    self._find(every, wanted, objects())
+                    self._find(every, wanted)
                 return
         self._every = self._rows = None
 
-    def _find(self, every, wanted, objects):
-        there = {*every, *(self._every or ())}
-        presence.saw(one.name for one, mark in zip(objects, wanted) if one and mark in there)
+    def _find(self, every, wanted):
         rows = {mark: row for row, mark in enumerate(every)}
         is_there = all(mark in rows for mark in wanted)
         self._rows = np.array([rows[mark] for mark in wanted]) if is_there else None

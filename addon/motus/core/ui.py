@@ -91,10 +91,11 @@ def draw_native_status(layout):
 
 
 def draw_problem(layout, context, system, owner):
-    """The solver's sentence on this owner, if it has one."""
+    """The solver's sentence on this owner, if it has one; returns its Problem."""
     problem = wiring.problem(system, owner, context.view_layer.depsgraph)
     if problem:
         draw_message(layout, problem.sentence, 'ERROR' if problem.blocking else 'INFO')
+    return problem
 
 
 def draw_bake(layout, system, owner):

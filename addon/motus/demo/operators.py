@@ -5,9 +5,7 @@ from importlib import import_module
 import bpy
 
 from ..core.translations import tr
-
-# Imported when one is built, and NumPy with it: most users build none.
-SCENES = {"PATH": "banked_flight", "IK": "reaching", "PULL": "pulling"}
+from .scenes import SCENES
 
 
 class MOTUS_OT_demo_scene(bpy.types.Operator):
@@ -20,13 +18,7 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
     system: bpy.props.EnumProperty(
         name="System",
         description="The system to show",
-        items=(
-            ("PATH", "Banked Flight", "An aeroplane on a curved course over a lake, with a chasing camera"),
-            ("IK", "Reaching Pilot", "A wooden figure whose hand and eyes follow a butterfly, while its feet and other "
-             "hand stay put"),
-            ("PULL", "Pulled from Clay", "A landscape that rises from the sea and a face full of feeling, both pulled "
-             "into shape and moved by pins"),
-        ),
+        items=tuple((scene.identifier, scene.label, scene.description) for scene in SCENES),
         default="PATH",
     )
 
@@ -40,7 +32,9 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
     def execute(self, context):
         previous = context.window.scene
         try:
-            scene = import_module(f"{__package__}.{SCENES[self.system]}").build(context)
+            # Imported when one is built, and NumPy with it: most users build none.
+            module = next(scene.module for scene in SCENES if scene.identifier == self.system)
+            scene = import_module(f"{__package__}.{module}").build(context)
         except RuntimeError as error:  # one of the operators it calls refused
             _discard(context.window, previous)
             self.report({"ERROR"}, tr("The demo scene could not be finished: {error}").format(error=error))

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix
 
+from ..core import deleted
 from ..core.bake.sampling import rotation_path
-from ..core.presence import Presence
 from ..core.refusals import Refused, check_no_tweak_mode
 from ..core.translations import tr
 from . import goal_places, stations
@@ -63,17 +63,17 @@ def station(entry, blend):
     return _control(*goal)
 
 
-def pole(entry, view_layer):
+def pole(entry):
     """The pole's Control; None where there is no pole, or where it is gone, so that the chain bends as without one."""
-    if entry.pole is None or Presence(view_layer).is_deleted(entry.pole):
+    if entry.pole is None or deleted.is_deleted(entry.pole):
         return None
     control = _control(entry.pole, entry.pole_bone)
     return None if _has_lost(control) else control
 
 
-def check_present(control, view_layer):
+def check_present(control):
     """Refuse a target that stands in no collection any more."""
-    if Presence(view_layer).is_deleted(control.object):
+    if deleted.is_deleted(control.object):
         raise Refused(tr("{target} is in no collection any more: choose another target").format(
             target=control.object.name))
 

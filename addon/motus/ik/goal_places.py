@@ -7,9 +7,8 @@ import math
 
 from mathutils import Euler, Matrix
 
-from ..core import rigs
+from ..core import deleted, rigs
 from ..core.lazy import numpy as np
-from ..core.presence import Presence
 from . import stations
 from .reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
 
@@ -24,10 +23,6 @@ def read_targets(entries, wired, posed, known, depsgraph, off):
     if wired.targets.none:
         off.update(dict.fromkeys(wired.targets.none, NO_TARGET))
     return found
-
-
-def _presence(depsgraph):
-    return Presence(depsgraph.view_layer, depsgraph.scene)
 
 
 def _take_others(found, entries, goals, known, depsgraph, off):
@@ -46,7 +41,7 @@ def _take_others(found, entries, goals, known, depsgraph, off):
             off.update((row, NO_TARGET) for row, target in zip(rows, targets) if target is None)
             rows = [row for row, target in zip(rows, targets) if target]
             targets = [target for target in targets if target]
-        off.update((rows[index], TARGET_DELETED) for index in _presence(depsgraph).deleted(targets))
+        off.update((rows[index], TARGET_DELETED) for index in deleted.which(targets))
         for row, target in zip(rows, targets):
             if known.weights is not None and known.weights[row]:
                 found[row] = rigs.columns(target.matrix_world)
@@ -80,14 +75,14 @@ def world_matrix(target, bone=""):
     return target.matrix_world @ posed.matrix if posed else None
 
 
-def blend(found, rig, entries, further, depsgraph, off):
+def blend(found, rig, entries, further, off):
     """Replace targets by the mixture of two of them, where an entry's blend says so; one that is missing counts as the one
     before it.
 
     An entry whose own target is missing is off until its blend has left that. Returns whether another one is missing.
     """
     is_astray = False
-    for row, are_there in further.there(rig, entries, depsgraph).items():
+    for row, are_there in further.there(rig, entries).items():
         entry = entries()[row]
         if entry.target_blend <= 0.0:
             continue
@@ -146,10 +141,9 @@ def read_poles(entries, wired, posed, copy, depsgraph):
     matrices = goals.standing.matrices(depsgraph, listed, copy)
     if matrices is not None:
         found[goals.other_rows] = matrices[:, 12:15]
-    presence = _presence(depsgraph)
     for row, pole in zip(goals.other_rows, listed()) if matrices is None or goals.other_bones else ():
         bone = goals.other_bones.get(row, "")
-        if pole and (bone or matrices is None) and not presence.is_deleted(pole):
+        if pole and (bone or matrices is None) and not deleted.is_deleted(pole):
             matrix = world_matrix(pole, bone)
             found[row] = matrix.translation if matrix else np.nan
     return found

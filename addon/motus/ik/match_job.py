@@ -157,9 +157,9 @@ class _Wanted:
         for chain in chosen:
             found = controls.station(chain.found.entry, evaluated[chain.name].target_blend)
             found = found or self._under_way(chain)
-            controls.check_present(found, self._view_layer)
+            controls.check_present(found)
             self._add(self._targets, chain, found, ("location", "rotation"))
-            pole = controls.pole(chain.found.entry, self._view_layer)
+            pole = controls.pole(chain.found.entry)
             if pole:
                 self._add(self._poles, chain, pole, ("location",))
 

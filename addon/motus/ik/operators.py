@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.refusals import Refused, check_finite, check_no_tweak_mode
+from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
 from . import blend_keys, blend_trigger, placing, setup, status, targets
 from .properties import KEYWORDS, IkKeywords
@@ -173,6 +173,7 @@ class MOTUS_OT_ik_refresh(OfARig, bpy.types.Operator):
     def execute(self, context):
         try:
             rig = targets.rig_with_ik(context, self.object)
+            check_local(rig)
         except Refused as refusal:
             return refused(self, refusal)
         wiring.refresh(setup.system(), rig)

@@ -4,9 +4,9 @@ import math
 
 from mathutils import Quaternion
 
+from ..core import deleted
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch
-from ..core.presence import Presence
 from . import chains, controls, goal_places, placing, status
 
 STEPS = 64  # of a circle
@@ -26,7 +26,6 @@ def overlay(context, owner):
     depsgraph = context.evaluated_depsgraph_get()
     rig = owner.evaluated_get(depsgraph)
     active = owner.motus.ik.active_entry
-    presence = Presence(depsgraph.view_layer, depsgraph.scene)
     found, poles, residuals = [], [], []
     for index, entry in enumerate(rig.motus.ik.entries):
         chain = chains.find(rig, entry)
@@ -36,10 +35,10 @@ def overlay(context, owner):
         if shown.show_reach and index == active:
             report = status.report(owner, entry.name, depsgraph)
             found += _circles(rig, chain, entry, joints, report.reach if report else 0.0)
-        pole = _place(entry.pole, entry.pole_bone, presence)
+        pole = _place(entry.pole, entry.pole_bone)
         if pole:
             poles += [_middle(joints), pole]
-        target = _target(rig, entry, presence)
+        target = _target(rig, entry)
         if target and (target - joints[-1]).length > LEAST_RESIDUAL * placing.length(joints):
             residuals += [joints[-1], target]
     if shown.show_pole and poles:
@@ -49,19 +48,19 @@ def overlay(context, owner):
     return found
 
 
-def _place(goal, bone, presence):
-    if goal is None or presence.is_deleted(goal):
+def _place(goal, bone):
+    if goal is None or deleted.is_deleted(goal):
         return None
     matrix = goal_places.world_matrix(goal, bone)
     return matrix.translation.copy() if matrix else None
 
 
-def _target(rig, entry, presence):
+def _target(rig, entry):
     """Where the chain is to be; None where its animation alone counts, or under way between two targets."""
     goal = controls.goal_at(entry, entry.target_blend)
     if goal is None or entry.position_weight * rig.motus.ik.influence == 0.0:
         return None
-    return _place(*goal, presence)
+    return _place(*goal)
 
 
 def _middle(joints):

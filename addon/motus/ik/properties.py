@@ -5,8 +5,7 @@ from contextlib import contextmanager
 
 import bpy
 
-from ..core import system
-from ..core.system import SystemSettings
+from ..core.settings import SystemSettings, rewire, touch
 from . import chains, check_results
 
 ANIMATED = {'ANIMATABLE'}
@@ -23,12 +22,12 @@ BENDS = (
 def _touch(item, context):
     # Operators have the same properties, and nothing to evaluate.
     if isinstance(item, bpy.types.PropertyGroup):
-        system.touch(item.id_data.motus.ik, context)
+        touch(item.id_data.motus.ik, context)
 
 
 def _rewire(item, context):
     if isinstance(item, bpy.types.PropertyGroup):
-        system.rewire(item.id_data.motus.ik, context)
+        rewire(item.id_data.motus.ik, context)
 
 
 def _change_stretch(item, context):
@@ -153,7 +152,7 @@ class MOTUS_PG_ik(SystemSettings, bpy.types.PropertyGroup):
         min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=_touch)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_ik_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Chain", options={'HIDDEN'})
-    active_entry: bpy.props.IntProperty(name="Active Chain", options=set(), get=_get_active, set=_set_active)
+    active_entry: bpy.props.IntProperty(name="Active Chain", options={'SKIP_SAVE'}, get=_get_active, set=_set_active)
 
     @contextmanager
     def unwired(self):

@@ -52,7 +52,7 @@ def gather(rig, text, depsgraph):
 
 def gather_wired(rig, data, depsgraph):
     """The same for a group's data as the wiring has kept it; of the poses only what IkPlan.solve reads."""
-    wired = _plan(rig, data[PLAN])
+    wired = _plan(rig, data.get(PLAN))
     return _gather(rig, wired, rigs.poses(rig, wired.still, wired.posed), depsgraph)
 
 
@@ -92,7 +92,7 @@ def _gather(rig, wired, poses, depsgraph):
     listed = _Listed(rig, known.places)
     off = {}
     targets = goal_places.read_targets(listed, wired, posed, known, depsgraph, off)
-    is_astray = wired.is_blended and goal_places.blend(targets, rig, listed, wired.further, depsgraph, off)
+    is_astray = wired.is_blended and goal_places.blend(targets, rig, listed, wired.further, off)
     if known.weights is not None:
         goal_places.turn(targets, known.offsets, known.weights)
     if known.muted:

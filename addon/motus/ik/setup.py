@@ -5,7 +5,7 @@ from contextlib import contextmanager
 import bpy
 
 from ..core import actions, dependencies, entry_keys, wiring
-from ..core.system import registered
+from ..core.system import forget, registered
 from .groups import goals
 from .placing import CONTROL_KEY
 
@@ -29,7 +29,7 @@ def wire(rig):
     if not settings.entries:
         if settings.is_active:
             wiring.detach(system(), rig)
-        _reset(rig)
+        forget(system(), rig)
     elif settings.is_active:
         wiring.refresh(system(), rig)
     else:
@@ -63,7 +63,7 @@ def would_wait_for_itself(rig, bone, changes):
             settings.entries.remove(settings.entries.find(bone))
         settings.chosen_entry = chosen
     if not settings.entries:
-        _reset(rig)
+        forget(system(), rig)
     return level is None
 
 
@@ -89,10 +89,3 @@ def _is_used(control):
     # To ask an object for its settings gives it some.
     rigs = [found for found in bpy.data.objects if found.type == 'ARMATURE' and found.is_property_set("motus")]
     return any(control == goal for rig in rigs for entry in rig.motus.ik.entries for goal, _ in goals(entry))
-
-
-def _reset(rig):
-    """Forget the settings, so that the file holds nothing of them."""
-    rig.motus.property_unset("ik")
-    if not any(getattr(rig.motus, name).is_active or getattr(rig.motus, name).leader for name in registered):
-        rig.property_unset("motus")

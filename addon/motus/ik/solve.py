@@ -1,6 +1,7 @@
 """Inverse kinematics: one call of the native module for all entries of a group."""
 
 from ..core.lazy import numpy as np
+from ..core.stored import Damaged
 from ..core.system import Problem
 from . import reading
 from .groups import OUTPUTS
@@ -21,11 +22,14 @@ def solve(context):
         found = reading.gather_wired(rig, context.data, context.depsgraph)
     except reading.RigChanged:
         return NOT_WIRED
-    report = found.wired.plan.solve(
+    wired = found.wired
+    if (wired.members, wired.told_numbers) != (len(context.rotations), len(context.outputs)):
+        raise Damaged("another number of members or outputs")
+    report = wired.plan.solve(
         found.bones, *found.posed, found.settings, found.targets, found.poles, limits=found.limits,
         rotations=context.rotations, scales=context.scales)
     table = context.outputs.reshape(-1, len(OUTPUTS))
-    report.take(found.wired.told, axis=1, out=table, mode='clip')  # 'raise' would make a copy first
+    report.take(wired.told, axis=1, out=table, mode='clip')  # 'raise' would make a copy first
     reasons = table[:, REASON]
     if found.off:
         reasons[list(found.off)] = list(found.off.values())

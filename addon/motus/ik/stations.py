@@ -2,8 +2,7 @@
 
 import itertools
 
-from ..core import copies
-from ..core.presence import Presence
+from ..core import copies, deleted
 
 STANDS = 1e-4
 """A Blend this near to a whole number stands on one target."""
@@ -15,21 +14,21 @@ class Further:
     def __init__(self):
         self._state, self._there = (), {}
 
-    def there(self, rig, entries, depsgraph):
+    def there(self, rig, entries):
         """{row: whether each further target is there} of those entries of an evaluated rig that have some.
 
         It is asked before any Blend needs them: what was never seen in a collection would not count as deleted.
         """
-        # Pointers are no settings that animation could set, and what stands in collections is part of the scene's copy.
-        state = copies.number_of(rig), copies.number_of(depsgraph.scene_eval)
-        if not all(state) or state != self._state:
-            self._state, self._there = state, _there(entries(), depsgraph)
+        # Pointers are no settings that animation could set.
+        state = copies.number_of(rig), deleted.changes()
+        if not state[0] or state != self._state:
+            self._state, self._there = state, _there(entries())
         return self._there
 
 
-def _there(entries, depsgraph):
+def _there(entries):
     objects = [(row, extra.object) for row, entry in enumerate(entries) for extra in entry.extra_targets]
-    gone = set(Presence(depsgraph.view_layer, depsgraph.scene).deleted([one for _, one in objects if one]))
+    gone = set(deleted.which([one for _, one in objects if one]))
     found, numbers = {}, itertools.count()
     for row, one in objects:
         found.setdefault(row, []).append(one is not None and next(numbers) not in gone)

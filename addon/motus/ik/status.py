@@ -5,8 +5,7 @@ from typing import NamedTuple
 
 import bpy
 
-from ..core import dependencies, native, wiring
-from ..core.presence import Presence
+from ..core import deleted, dependencies, native, wiring
 from ..core.translations import tr
 from . import chains, goal_places, reasons, stations
 from .groups import OUTPUTS
@@ -44,7 +43,7 @@ def sentence(context, owner, entry):
     if astray:
         return 'ERROR', astray
     unreached = "" if is_animated(entry) else _unreached(context, entry, found)
-    return 'INFO', _without_pole(context, entry) or unreached or _unlimited(owner, entry)
+    return 'INFO', _without_pole(entry) or unreached or _unlimited(owner, entry)
 
 
 def is_unwired(owner, entry):
@@ -95,20 +94,19 @@ def _astray(context, owner, entry):
     now = owner.evaluated_get(depsgraph).motus.ik.entries.get(entry.name)
     if now is None or now.is_muted or not 0.0 < now.target_blend < math.inf or not now.extra_targets:
         return ""
-    presence = Presence(depsgraph.view_layer, depsgraph.scene)
     goals = [(now.target, now.target_bone), *((extra.object, extra.bone) for extra in now.extra_targets)]
-    places = [goal_places.world_matrix(goal, bone) if goal and not presence.is_deleted(goal) else None for goal, bone in goals]
+    places = [goal_places.world_matrix(goal, bone) if goal and not deleted.is_deleted(goal) else None for goal, bone in goals]
     missing = [number for number in stations.needed(now.target_blend, places)[0] if places[number] is None]
     return tr("Further target {number} is missing: the one before it counts instead").format(
         number=missing[0]) if missing else ""
 
 
-def _without_pole(context, entry):
+def _without_pole(entry):
     """Of a pole that is gone."""
     pole, bone = entry.pole, entry.pole_bone
     if pole is None:
         return ""
-    if Presence(context.view_layer).is_deleted(pole):
+    if deleted.is_deleted(pole):
         return tr("{pole} is in no collection any more: the chain bends as without a pole").format(pole=pole.name)
     if bone and pole.pose and bone not in pole.pose.bones:
         return tr("{object} has no bone {bone}: the chain bends as without a pole").format(object=pole.name, bone=bone)

@@ -1,11 +1,20 @@
 """What is known of a group's chains from when they were wired: it is worked out once, not at every frame."""
 
-import json
-
-from ..core import native, rigs
+from ..core import native, rigs, stored
 from ..core.lazy import numpy as np
 from .groups import OUTPUTS
 from .stations import Further
+
+
+_WHERE = ("", 'OWN', 'OTHER').__contains__
+_FORM = {
+    "fingerprint": int,
+    "chains": [{
+        "name": str, "bones": [str], "effector": str, "stretches": bool, "all?": int, "target": _WHERE, "target_bone": str,
+        "pole": _WHERE, "pole_bone": str, "extras": int, "settings": {"tolerance": float, "iterations": float}}],
+    "guards": [(str, int)],
+}
+"""Of what groups.py notes."""
 
 
 class RigChanged(Exception):
@@ -16,7 +25,7 @@ class Wired:
     """A group as it was wired, with rows of bones in the rig's arrays."""
 
     def __init__(self, rig, rows, text):
-        known = json.loads(text)
+        known = stored.parse(text, _FORM)
         chains = known["chains"]
         try:
             bones = [[rows[name] for name in chain["bones"]] for chain in chains]
@@ -42,6 +51,7 @@ class Wired:
         self.no_targets = np.tile(np.eye(4).ravel(), (len(chains), 1))
         self.no_poles = np.full((len(chains), 3), np.nan)
         report = native.module.IkPlan.REPORT
+        self.told_numbers = len(OUTPUTS) * len(chains)
         self.told = np.array([report.index(name) for name in OUTPUTS])  # columns of the report
         parents = rigs.parents(rig, list(rows))
         try:
@@ -51,6 +61,7 @@ class Wired:
         roots = {parents[chain[0]] for chain in bones} - {-1}
         # Rows whose poses are read, and names of the bones whose own transforms are.
         self.posed = sorted(roots.union(*(map(int, goals.own[1]) for goals in (self.targets, self.poles))))
+        self.members = len(self.plan.rows)
         names = tuple(rows)
         self.moved = frozenset(names[row] for row in self.plan.rows)
 

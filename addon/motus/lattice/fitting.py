@@ -1,5 +1,7 @@
 """Makes a lattice around points, and the modifiers by which it deforms."""
 
+import math
+
 import bpy
 from mathutils import Matrix
 
@@ -62,6 +64,9 @@ def _frame(points, leader, keywords):
     size += 2.0 * keywords["margin"] * size.max()
     matrix = Matrix((axes * size[:, None]).T.tolist()).to_4x4()
     matrix.translation = center.tolist()
+    # Blender squares the sides, in single precision, to tell them from the rotation.
+    if not all(0.0 < side < math.inf for side in matrix.to_scale()):
+        raise Refused(tr("The lattice would be too large or too small for Blender"))
     return matrix
 
 

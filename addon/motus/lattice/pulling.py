@@ -131,6 +131,9 @@ class Held:
             raise Refused(tr("{modifier} of {object} has no influence there").format(
                 modifier=shape.modifier.name, object=shape.object.name))
         self._mirror(mirror)
+        most = native.module.Lattice.MAX_PULLS
+        if len(self._turns) * self._count > most < len(self._start):
+            raise Refused(tr("At most {count} vertices can be held").format(count=most // len(self._turns) - 1))
         self.point = self._measure_in(shape.after)
         self._is_sum = False  # of the lattice's displacements, so that nothing has to be measured
 
@@ -182,8 +185,7 @@ class Held:
         return (self._start + moves @ np.linalg.inv(self._matrix[:3, :3]).T).astype(np.float32)
 
     def _write(self, points):
-        self._lattice.data.points.foreach_set("co_deform", points.ravel())
-        self._lattice.data.update_tag()
+        shapes.set_lattice_points(self._lattice.data, points)
 
     def _measure(self):
         self._context.view_layer.update()

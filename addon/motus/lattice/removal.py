@@ -106,5 +106,4 @@ def _remove_lattice(context, lattice, successor):
 
 def reset(lattice):
     """Put a lattice's points back to rest."""
-    lattice.data.points.foreach_set("co_deform", shapes.lattice_points(lattice.data, "co").ravel())
-    lattice.data.update_tag()
+    shapes.set_lattice_points(lattice.data, shapes.lattice_points(lattice.data, "co"))

@@ -56,3 +56,10 @@ def world_points(obj, depsgraph):
     with evaluated_mesh(obj, depsgraph) as mesh:
         found = positions(mesh) if mesh else np.empty((0, 3), np.float32)
     return in_world(found, evaluated.matrix_world)
+
+
+def set_lattice_points(data, points):
+    """Move a lattice's points to (p, 3) float32, in its own space."""
+    data.points.foreach_set("co_deform", points.ravel())
+    # Unlike foreach_set and update_tag(), a single assignment also tells the editors that show the lattice to draw.
+    data.points[0].co_deform = data.points[0].co_deform

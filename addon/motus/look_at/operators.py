@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.refusals import Refused, check_bone, check_finite, check_no_tweak_mode
+from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
@@ -145,6 +145,7 @@ class MOTUS_OT_look_at_refresh(bpy.types.Operator):
     def execute(self, context):
         try:
             rig = targets.looking_rig(context, self.object)
+            check_local(rig)
         except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}

@@ -5,7 +5,7 @@ from contextlib import contextmanager
 import bpy
 
 from ..core import actions, entry_keys, libraries, wiring
-from ..core.system import registered
+from ..core.system import forget, registered
 
 PREFIX = "motus.look_at."
 DISTANCE = 6.0  # of the head bone's length: where a target is made
@@ -54,9 +54,7 @@ def _at_once(rig):
         settings.is_active = was_active
     if not settings.entries:
         wiring.detach(system(), rig)
-        rig.motus.property_unset("look_at")
-        if not any(getattr(rig.motus, name).is_active or getattr(rig.motus, name).leader for name in registered):
-            rig.property_unset("motus")
+        forget(system(), rig)
     elif was_active:
         wiring.refresh(system(), rig)
     else:

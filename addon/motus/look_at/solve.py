@@ -1,10 +1,7 @@
 """Look At: what a group's solver reads of Blender, and the one call of the native module."""
 
-import json
-
-from ..core import native, rigs
+from ..core import deleted, native, rigs, stored
 from ..core.lazy import numpy as np
-from ..core.presence import Presence
 from ..core.system import Problem
 from . import reasons
 from .groups import LOOPED, OUTPUTS, PLAN
@@ -18,11 +15,17 @@ NUMBERS = (
     "weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit", "head_limit", "eyes_limit")
 
 
+_AXIS = (float, float, float)
+_FORM = {"fingerprint": int, "heads": [
+    {"name": str, "body": [str], "eyes": [str], "head_forward": _AXIS, "eyes_forward": _AXIS}]}
+"""Of what groups.py notes."""
+
+
 class Wired:
     """What is known of a group between two changes of the rig: the plan, and which bones look where."""
 
     def __init__(self, rig, rows, text):
-        heads = json.loads(text)["heads"]
+        heads = stored.parse(text, _FORM)["heads"]
         self.still = rigs.still(rig, tuple(rows))
         self.names = [head["name"] for head in heads]
         self.head_forward = np.array([head["head_forward"] for head in heads], dtype=float).reshape(-1, 3)
@@ -31,13 +34,14 @@ class Wired:
             rigs.parents(rig, list(rows)), [[rows[name] for name in head["body"]] for head in heads],
             [rows[head["name"]] for head in heads], [[rows[name] for name in head["eyes"]] for head in heads])
         self.columns = {name: column for column, name in enumerate(native.module.LookAtPlan.SETTINGS)}
+        self.members = len(self.plan.rows)
         report = native.module.LookAtPlan.REPORT
         self.told = [report.index(name) for name in OUTPUTS]
 
 
 def solve(context):
     """Turns of the group's bones at the context's frame. Never raises for a user's error."""
-    text = context.data[PLAN]
+    text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     try:
         wired = rigs.plan(context.owner, text, lambda rig, rows: Wired(rig, rows, text))
     except (KeyError, ValueError):  # bones that are gone, or hang together otherwise
@@ -46,15 +50,17 @@ def solve(context):
         problem = _solve(context, rigs.read(context.owner, wired.still), wired)
         if problem:
             return problem
-    return TARGET_LOOPS if context.data[LOOPED] else None
+    return TARGET_LOOPS if looped else None
 
 
 def _solve(context, arrays, wired):
+    if (wired.members, len(wired.names) * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
+        raise stored.Damaged("another number of members or outputs")
     entries = context.settings.entries
     places = [entries.find(name) for name in wired.names]
     if min(places) < 0:
         return BONES_CHANGED
-    points, found = _targets(entries, places, Presence(context.depsgraph.view_layer, context.depsgraph.scene))
+    points, found = _targets(entries, places)
     settings = _settings(entries, places, wired.columns)
     settings[:, wired.columns["weight"]] *= context.settings.influence
     muted = settings[:, wired.columns["is_on"]] == 0.0
@@ -85,7 +91,7 @@ def _settings(entries, places, columns):
     return values
 
 
-def _targets(entries, places, presence):
+def _targets(entries, places):
     """World places of what is looked at, (heads, 3), and for each head why there is none."""
     points = np.zeros((len(places), 3))
     found = np.full(len(places), reasons.REACHED)
@@ -94,7 +100,7 @@ def _targets(entries, places, presence):
         target = entry.target
         if target is None:
             found[row] = reasons.NO_TARGET
-        elif presence.is_deleted(target):
+        elif deleted.is_deleted(target):
             found[row] = reasons.TARGET_DELETED
         elif not entry.target_bone or target.pose is None:  # without bones a name is left from an earlier target
             points[row] = target.matrix_world.translation

@@ -131,6 +131,11 @@ class MOTUS_OT_path_wagon_remove(bpy.types.Operator):
         if index >= len(settings.wagons):
             self.report({'ERROR'}, tr("There is no such wagon"))
             return {'CANCELLED'}
+        try:
+            targets.check_uncouplable(obj, index)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
         setup.uncouple(obj, index)
         settings.active_wagon = max(0, min(settings.active_wagon, len(settings.wagons) - 1))
         return {'FINISHED'}
@@ -142,12 +147,11 @@ class MOTUS_OT_path_select_leader(bpy.types.Operator):
     bl_description = "Select the object whose settings drive this one"
     bl_options = {'REGISTER', 'UNDO'}
 
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and context.object.motus.path.leader is not None
-
     def execute(self, context):
-        leader = context.object.motus.path.leader
+        leader = context.object and context.object.motus.path.leader
+        if leader is None:
+            self.report({'ERROR'}, tr("Nothing here is a wagon of a train"))
+            return {'CANCELLED'}
         if leader.name not in context.view_layer.objects:
             self.report({'ERROR'}, tr("{object} is not in this view layer").format(object=leader.name))
             return {'CANCELLED'}

@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.refusals import Refused, check_finite, named
+from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
 from . import members, setup, targets
 from .properties import KEYWORDS, FollowKeywords
@@ -15,10 +15,14 @@ def given_keywords(operator):
 
 
 def follower_of(operator, context):
-    """The follower that the operator's `object` names, or the active one; None, reported, where it follows nothing."""
+    """The follower that the operator's `object` names, or the active one; None, reported, where there is none to change."""
     obj = bpy.data.objects.get(operator.object) if operator.object else context.object
-    if obj is None or not obj.motus.path.is_active:
-        operator.report({'ERROR'}, tr("Nothing here follows a path"))
+    try:
+        if obj is None or not obj.motus.path.is_active:
+            raise Refused(tr("Nothing here follows a path"))
+        check_local(obj)
+    except Refused as refusal:
+        operator.report({'ERROR'}, str(refusal))
         return None
     return obj
 
@@ -135,7 +139,9 @@ def _remove(obj):
         return False
     targets.check_editable(obj)
     if is_wagon:
-        setup.uncouple(settings.leader, members.index_of(settings.leader, obj))
+        index = members.index_of(settings.leader, obj)
+        targets.check_uncouplable(settings.leader, index)
+        setup.uncouple(settings.leader, index)
     elif settings.is_active:
         setup.clear(obj)
     else:

@@ -1,7 +1,7 @@
 """Setting followers up and taking them back: plain functions behind the operators."""
 
 from ..core import actions, wiring
-from ..core.system import registered
+from ..core.system import forget, registered
 from . import members
 
 PREFIX = "motus.path."
@@ -53,14 +53,8 @@ def free(obj):
 
 
 def reset(obj):
-    """Forget the settings, so that the file holds nothing of them."""
-    obj.motus.property_unset("path")
-    if not any(_is_used(getattr(obj.motus, name)) for name in registered):
-        obj.property_unset("motus")
-
-
-def _is_used(settings):
-    return settings.is_active or settings.leader is not None
+    """Forget the settings."""
+    forget(system(), obj)
 
 
 def uncouple(leader, index):

@@ -1,6 +1,6 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
-from ..core import curves, native
+from ..core import curves, deleted, native
 from ..core.lazy import numpy as np
 from ..core.system import Deformed, Matrix, Problem, Setting, Splines
 from . import motion
@@ -25,7 +25,7 @@ def solve(context, matrix, splines, deformed, **numbers):
     settings = context.settings
     if matrix is None or splines is None or settings.curve is None:
         return NO_CURVE
-    if curves.is_deleted(settings.curve):
+    if deleted.is_deleted(settings.curve):
         return CURVE_DELETED
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
@@ -35,7 +35,8 @@ def solve(context, matrix, splines, deformed, **numbers):
         path = curves.read(settings.curve, splines, context.depsgraph, int(numbers["spline"]), matrix)
     except curves.Unreadable as error:
         return error.problem
-    moving = motion.motion(context, numbers, path.curve.length(), with_past=numbers["lag_rate"] > 0.0)
+    past = native.module.LAG_MEMORY if numbers["lag_rate"] > 0.0 else 0.0
+    moving = motion.motion(context, numbers, path.curve.length(), past)
     if isinstance(moving, Problem):
         return moving
     offsets = context.member_data + (numbers["offset"] + moving.offset)

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import curves
+from ..core import curves, libraries
 from ..core.refusals import Refused, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import members, solve
@@ -72,6 +72,13 @@ def check_editable(obj):
     """Refuse an object whose set-up must not be changed."""
     check_local(obj)
     check_unbaked(obj, obj.motus.path)
+
+
+def check_uncouplable(leader, index):
+    """Refuse to take a wagon out of a train that an override has from its library."""
+    if index < libraries.count_from_library(leader, "motus.path.wagons"):
+        raise Refused(tr("The wagons of {object} are from its library and cannot be uncoupled here: remove the train").format(
+            object=leader.name))
 
 
 def check_wagon(obj, curve, leader=None):

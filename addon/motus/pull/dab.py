@@ -13,6 +13,8 @@ from ..core.translations import tr
 from . import meshes
 from .brush import AXIS_INDEX, Space
 from .history import Done, History
+from .open_mesh import open_mesh
+from .properties import is_finite
 from .puller import Puller
 from .surface import Surface
 
@@ -45,7 +47,7 @@ class Session:
         if native.module is None:
             raise Refused(native.status.sentence)
         self.brush = brush
-        self.mesh = meshes.open_mesh(obj)
+        self.mesh = open_mesh(obj)
         self.object_name = obj.name
         depsgraph = context.evaluated_depsgraph_get()
         self.space = Space(obj.evaluated_get(depsgraph).matrix_world)
@@ -58,7 +60,7 @@ class Session:
 
     def begin_again(self, context, obj, brush):
         """What is there now becomes what the session began with; False where the mesh is not as the session left it."""
-        mesh = meshes.open_mesh(obj)
+        mesh = open_mesh(obj)
         depsgraph = context.evaluated_depsgraph_get()
         space = Space(obj.evaluated_get(depsgraph).matrix_world)
         is_same = obj.name == self.object_name and type(mesh) is type(self.mesh)
@@ -186,6 +188,8 @@ class Session:
 
     def repeat(self, dab, write=False):
         """Do a dab whose numbers are known: a Done, whose displacement is local. False where there is nothing to do."""
+        if not is_finite((*dab.displacement, dab.radius)):
+            raise Refused(tr("The displacement or the radius of this pull is too large"))
         dab = dab._replace(displacement=tuple(np.asarray(dab.displacement, np.float32).tolist()))
         if dab.radius <= 0.0 or not (dab.strength if dab.kind == 'SMOOTH' else any(dab.displacement)):
             return False
@@ -247,11 +251,15 @@ class Session:
         return self._would_move(last.dab, alone) and not self._would_move(last.dab, last.brush)
 
     def shapes_of_last(self):
-        """The shapes (n, 3) before the last pull and after it; the session leaves them as they are."""
-        last = self.last
-        before = last.before if last.moved is None else last.shape_before(self.current)
-        self._given = before, self.current
+        """The shapes (n, 3) before the last stroke and after it; the session leaves them as they are."""
+        self._given = self.last.before, self.current
         return self._given
+
+    @property
+    def is_last_like_a_pin(self):
+        """Whether a pin of the same numbers does what the last stroke did: it knows one root, and no masks."""
+        last = self.last
+        return last.is_alone and self.mesh.follows_whole() and not self._puller.is_clamped_in_world(last.brush)
 
     @property
     def dabs(self):
@@ -260,7 +268,7 @@ class Session:
 
     @property
     def last(self):
-        """The last pull, a Pulled value; None after smoothing and where there is none."""
+        """The last stroke, a Pulled value; None after smoothing and where there is none."""
         return self._history.last
 
     def _would_move(self, dab, brush):
@@ -270,14 +278,14 @@ class Session:
 
     def _pull_on(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
-        moved, before, room = self._pull(dab, self.current, self._start, write)
-        self._history.add(dab, self.brush, place, moved, before)
+        moved, room = self._pull(dab, self.current, self._start, write)
+        self._history.add(dab, self.brush, place, self._start)
         self._changed([moved], write, room, self.brush.largest_force * np.linalg.norm(dab.displacement))
 
     def _pull_afresh(self, dab, write):
         place = tuple(self._base[dab.vertex].tolist())
-        moved, before, room = self._pull(dab, self._base, self._base, write)
-        self._history.add(dab, self.brush, place, None, before)
+        moved, room = self._pull(dab, self._base, self._base, write)
+        self._history.add(dab, self.brush, place, self._base)
         # What the dab before has moved is back in its place, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
         self._changed(changed, write, room)
@@ -286,17 +294,15 @@ class Session:
         """Let what is current be what a dab makes of the source, by one pass over all vertices or by the tree, whichever
         takes less time.
 
-        Returns (what has moved, or None for all, where it was, the mesh's memory where that is filled too); where nothing
-        accumulates, not where it was, but the source.
+        Returns (what has moved, or None for all, the mesh's memory where that is filled too).
         """
-        numbers, is_on_top = (dab.vertex, dab.displacement, self.brush, dab.radius), self.brush.accumulate
+        numbers = dab.vertex, dab.displacement, self.brush, dab.radius
         if self._puller.may_sweep(self.brush, dab.radius, start):
             room = self._room(write)
-            moved = self._sweep(source, numbers, start, room)
-            return moved, source[moved] if is_on_top and moved is not None else source, room
-        if is_on_top:
-            return *self._puller.pull(self._writable(), *numbers, start), None
-        return self._puller.pull_from(source, self._writable(), self._last_moved, *numbers), source, None
+            return self._sweep(source, numbers, start, room), room
+        if self.brush.accumulate:
+            return self._puller.pull(self._writable(), *numbers, start), None
+        return self._puller.pull_from(source, self._writable(), self._last_moved, *numbers), None
 
     def _sweep(self, source, numbers, start, room):
         is_on_top = self.brush.accumulate
@@ -311,9 +317,9 @@ class Session:
 
     def _smooth(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
-        moved, before = self._puller.smooth(
+        moved = self._puller.smooth(
             self._writable(), dab.vertex, dab.strength, self.brush, dab.radius, self._start)
-        self._history.add(dab, self.brush, place, moved, before)
+        self._history.add(dab, self.brush, place, self._start)
         self._changed([moved], write)
         if not self.brush.accumulate:
             self._start_now()

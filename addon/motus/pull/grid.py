@@ -67,10 +67,21 @@ class MOTUS_OT_grid_add(AddObjectHelper, bpy.types.Operator):
         if context.mode not in {'OBJECT', 'EDIT_MESH'}:
             self.report({'ERROR'}, tr("Go to Object Mode first"))
             return {'CANCELLED'}
+        self._choose_alignment(context)
+        if self.align == 'VIEW' and getattr(context.space_data, "type", "") != 'VIEW_3D':
+            self.report({'ERROR'}, tr("There is no 3D view to align to: choose another alignment"))
+            return {'CANCELLED'}
         mesh = grid_mesh(bpy.app.translations.pgettext_data("Grid"), self.width, self.height, size, self.use_smooth,
                          self.use_uv)
         object_data_add(context, mesh, operator=self)
         return {'FINISHED'}
+
+    def _choose_alignment(self, context):
+        """The caller's, or else the preferences'; Blender would always take these where no rotation is given."""
+        if not self.properties.is_property_set("rotation"):
+            if not self.properties.is_property_set("align", ghost=False):
+                self.align = context.preferences.edit.object_align
+            self.rotation = 0.0, 0.0, 0.0
 
 
 def grid_mesh(name, width, height, size, is_smooth=True, has_uv=True):

@@ -1,4 +1,4 @@
-"""What a session has done, stroke by stroke: to step back, to do it again, and to keep the last pull as a pin."""
+"""What a session has done, stroke by stroke: to step back, to do it again, and to keep the last stroke as a pin."""
 
 from typing import Any, NamedTuple
 
@@ -6,7 +6,7 @@ from ..core.lazy import numpy as np
 
 
 last_shapes = None
-"""Of the last session that pulled anything: (object's name, shape before its last pull, shape after it)."""
+"""Of the last session that pulled anything: (object's name, shape before its last stroke, shape after it)."""
 
 
 class Done(NamedTuple):
@@ -21,25 +21,17 @@ class Done(NamedTuple):
 
 
 class Pulled(NamedTuple):
-    """The last pull: dabs one after another at the same root count as one. place: of the root before it.
+    """The last stroke that pulled. dab: its only one, dabs at the same root counting as one; else the last one.
 
-    moved, before: vertices that it may have moved, and where they were; all of them where moved is None. The session that
-    pulled may use `before` for other things once it pulls again.
+    place: of the root before it. before: the shape (n, 3) before the stroke, which the session leaves as it is. is_alone:
+    whether the dab has done all that the stroke did.
     """
 
     dab: Done
     brush: Any
     place: tuple
-    moved: Any
     before: Any
-
-    def shape_before(self, after):
-        """The shape (n, 3) before the pull that made `after`."""
-        if self.moved is None:
-            return self.before.copy()
-        shape = after.copy()
-        shape[self.moved] = self.before
-        return shape
+    is_alone: bool
 
 
 class History:
@@ -50,24 +42,26 @@ class History:
         self.last = None
         self._strokes = []
         self._open = None
+        self._before = None
 
     def begin_stroke(self, before, current, base):
         """A stroke begins with the shape `before`, which `current` equals and will leave. base: for pop_stroke()."""
         self._close(current)
         self._open = len(self.dabs), before, base
 
-    def add(self, dab, brush, place, moved, before):
-        """A dab that has been done; see Pulled."""
+    def add(self, dab, brush, place, before):
+        """A dab that has been done; see Pulled. before: the same array for all dabs that build on one another."""
         is_first = self._open is None or len(self.dabs) == self._open[0]
         self.dabs.append(dab._replace(is_first=is_first))
+        builds_on, self._before = brush.accumulate and before is self._before, before
         last = self.last
         if dab.kind != 'PULL':
             self.last = None
-        elif last and _continues(dab, brush, last):
+        elif builds_on and last and last.is_alone and _is_like(dab, brush, last):
             total = tuple(one + more for one, more in zip(last.dab.displacement, dab.displacement))
             self.last = last._replace(dab=last.dab._replace(displacement=total))
         else:
-            self.last = Pulled(dab, brush, place, moved, before)
+            self.last = Pulled(dab, brush, place, before, is_alone=not builds_on)
 
     def pop_stroke(self, current):
         """(shape, base) before the last stroke that did anything, which is forgotten; None where there is none."""
@@ -92,5 +86,5 @@ class History:
             self._strokes.append((first, indices, before[indices], base))
 
 
-def _continues(dab, brush, last):
-    return brush.accumulate and last.brush == brush and (last.dab.vertex, last.dab.radius) == (dab.vertex, dab.radius)
+def _is_like(dab, brush, last):
+    return last.brush == brush and (last.dab.vertex, last.dab.radius) == (dab.vertex, dab.radius)

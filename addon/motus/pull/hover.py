@@ -6,6 +6,7 @@ What is kept is dropped as soon as anything else than a stroke changes the objec
 import bpy
 from bpy.app.handlers import persistent
 
+from ..core import handlers, viewports
 from ..core.refusals import Refused
 from . import stage
 from .brush import Brush
@@ -22,14 +23,14 @@ _wanted = {}
 
 def register():
     """Watch for changes."""
-    for handlers, function in _watchers():
-        handlers.append(function)
+    handlers.add(_watchers())
 
 
 def unregister():
     """Forget all, and watch no more."""
-    for handlers, function in _watchers():
-        handlers.remove(function)
+    handlers.remove(_watchers())
+    if bpy.app.timers.is_registered(_read):
+        bpy.app.timers.unregister(_read)
     drop()
 
 
@@ -108,10 +109,7 @@ def _read():
         return  # the wish stays, so that it is not tried with every movement
     drop()
     _kept.update(key=wanted["key"], session=made, object=obj.name, data=obj.data.name)
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == 'VIEW_3D':
-                area.tag_redraw()
+    viewports.redraw()
 
 
 @persistent
@@ -132,17 +130,15 @@ def _on_change(*_arguments):
 
 @persistent
 def _on_load(*_arguments):
-    from . import cursor
     stage.clear()
     drop()
-    cursor.renew()
 
 
 def _watchers():
-    handlers = bpy.app.handlers
+    found = bpy.app.handlers
     return (
-        (handlers.depsgraph_update_post, _on_update), (handlers.undo_pre, _on_change), (handlers.redo_pre, _on_change),
-        (handlers.load_pre, _on_change), (handlers.load_post, _on_load))
+        (found.depsgraph_update_post, _on_update), (found.undo_pre, _on_change), (found.redo_pre, _on_change),
+        (found.load_pre, _on_change), (found.load_post, _on_load))
 
 
 classes = ()

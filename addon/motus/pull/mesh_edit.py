@@ -42,9 +42,9 @@ class EditMesh(ObjectMesh):
         """The cage is what is seen and edited."""
         return False
 
-    def is_muted(self):
+    def share_seen(self):
         """Edit Mode shows the shape key that is edited."""
-        return False
+        return 1.0
 
     def _edit_mesh(self):
         found = bmesh.from_edit_mesh(self.mesh)

@@ -31,21 +31,6 @@ def problem(obj):
     return None
 
 
-def open_mesh(obj):
-    """What reads and writes the object's mesh in the mode it is in. Raises Refused where problem() has a sentence."""
-    sentence = problem(obj)
-    if sentence:
-        raise Refused(sentence)
-    if obj.mode == 'EDIT':
-        from . import mesh_edit
-        # What has been edited so far is in Blender's edit mesh alone; this puts it into the arrays.
-        obj.update_from_editmode()
-        if len(obj.data.vertices) == 0:
-            raise Refused(tr("{object} has no vertices").format(object=obj.name))
-        return mesh_edit.EditMesh(obj)
-    return ObjectMesh(obj)
-
-
 class ObjectMesh:
     """A mesh in Object or Sculpt Mode. With shape keys it is the active one that is read and written."""
 
@@ -129,12 +114,19 @@ class ObjectMesh:
             return None
         return arrays.positions(seen)
 
-    def is_muted(self):
-        """Whether the shape key that is written has no effect on what is seen."""
+    def follows_whole(self):
+        """Whether all vertices follow, and what is written is the shape that pins are measured on."""
+        mask = self.mask()
+        has_mask = self.hidden() is not None or (mask is not None and mask.any())
+        return not has_mask and (self.key is None or self.key == self.mesh.shape_keys.reference_key)
+
+    def share_seen(self):
+        """How much of what is written is seen: the value of a shape key."""
         keys = self.mesh.shape_keys
-        if self.key is None or self.key == keys.reference_key or not keys.use_relative:
-            return False
-        return (self.key.mute or self.key.value == 0.0) and not self.obj.show_only_shape_key
+        is_whole = self.key is None or self.key == keys.reference_key or not keys.use_relative
+        if is_whole or self.obj.show_only_shape_key:
+            return 1.0
+        return 0.0 if self.key.mute else self.key.value
 
     def _write_key(self, flat):
         keys = self.mesh.shape_keys
@@ -162,6 +154,11 @@ def _followers(keys, leader):
             return found
         found += more
         names |= {key.name for key in more}
+
+
+def not_seen(key):
+    """The sentence on a shape key of which nothing is seen."""
+    return tr("The shape key {key} is not seen, as its value is 0 or it is muted").format(key=key.name)
 
 
 def nearest(positions, place, metric, hidden=None):

@@ -5,8 +5,9 @@ import bpy
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import history, keywords, modal, properties
+from . import history, keywords, meshes, modal, properties
 from .dab import Session
+from .falloff_curve import CURVE_SAMPLES
 from .history import Done
 from .properties import BrushKeywords
 
@@ -31,7 +32,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
     curve: bpy.props.FloatVectorProperty(
         name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
                                   "without it, those of the scene's own curve",
-        size=properties.CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
+        size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     dabs: bpy.props.CollectionProperty(
         type=properties.MOTUS_PG_dab, name="Dabs", description="What was done with the mouse",
         options={'HIDDEN', 'SKIP_SAVE'})
@@ -48,10 +49,13 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
                 "Nothing moved: what is in reach is hidden, masked or held by a limit"))
             return {'CANCELLED'}
         self.remember(context, session, with_dabs=False)
-        if session.mesh.is_muted():
-            self.report({'WARNING'}, tr("The shape key {key} is not seen, as its value is 0 or it is muted").format(
-                key=session.mesh.key.name))
+        if session.mesh.share_seen() == 0.0:
+            self.report({'WARNING'}, meshes.not_seen(session.mesh.key))
         return {'FINISHED'}
+
+    def start(self, context):
+        """A Session by the keywords. Raises Refused."""
+        return start(self, context)
 
     def remember(self, context, session, with_dabs=True):
         """Keep what a session did: for Redo, and as the last pull of the scene."""
@@ -102,7 +106,7 @@ def replay(session, dabs):
             session.begin_stroke()
         if dab.vertex >= len(session.current):
             raise no_such_vertex(session, dab.vertex)
-        displacement = np.array(dab.displacement, np.float32) * brush.strength
+        displacement = brush.strength * np.array(dab.displacement, float)
         done = Done(dab.kind, dab.vertex, displacement, dab.radius * brush.radius, dab.strength)
         has_acted = session.repeat(done) or has_acted
     session.flush()
@@ -121,11 +125,12 @@ def keep_dabs(items, session):
 
 
 def keep_last(record, session):
-    """Let the scene remember the last pull."""
+    """Let the scene remember the last stroke."""
     pulled = session.last
     keywords.copy(pulled.brush, record)
     record.radius = pulled.dab.radius
     record.object, record.vertex = session.object_name, pulled.dab.vertex
+    record.is_shape = not session.is_last_like_a_pin
     record.place, record.displacement = pulled.place, pulled.dab.displacement
     record.metric = session.space.metric(pulled.brush.unit).ravel().tolist()
     if pulled.brush.curve:

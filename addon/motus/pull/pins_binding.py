@@ -12,6 +12,8 @@ from ..core.lazy import numpy as np
 ATTRIBUTE = "motus_pin"
 TOLERANCE = 1e-5
 """Of the mesh's size: how far from the stored place a vertex may stand."""
+SHAPE = "motus_pin_shape"
+"""Attributes by this name, and numbers behind it, say how far pins that were made of strokes move each vertex."""
 FIRST_ANCHOR, LAST_ANCHOR = 1 << 20, 1 << 24
 """Blender interpolates the numbers of vertices for new ones between them, in single precision: what is halfway
 between none and one of these is none of them."""
@@ -46,7 +48,9 @@ def diagonal(positions):
 def anchors(mesh):
     """The numbers of a mesh's vertices, int32 (n,); None where it has none."""
     attribute = mesh.attributes.get(ATTRIBUTE)
-    if attribute is None or attribute.data_type != 'INT' or len(attribute.data) != len(mesh.vertices):
+    if attribute is None or (attribute.data_type, attribute.domain) != ('INT', 'POINT'):
+        return None
+    if len(attribute.data) != len(mesh.vertices):
         return None
     found = np.empty(len(mesh.vertices), np.int32)
     attribute.data.foreach_get("value", found)
@@ -73,9 +77,9 @@ def mark(mesh, vertex, used):
         return 0
     numbers = anchors(mesh)
     if numbers is None:
-        active = mesh.attributes.active_index
-        mesh.attributes.new(ATTRIBUTE, 'INT', 'POINT')
-        mesh.attributes.active_index = active
+        if ATTRIBUTE in mesh.attributes:  # of another kind
+            _remove_attribute(mesh, ATTRIBUTE)
+        _new_attribute(mesh, ATTRIBUTE, 'INT')
         numbers = anchors(mesh)
     own = int(numbers[vertex])
     if own and own not in used and np.count_nonzero(numbers == own) == 1:
@@ -95,15 +99,54 @@ def unmark(mesh, used):
         return
     kept = np.isin(numbers, list(used)) & (numbers != 0)
     if not kept.any():
-        active = mesh.attributes.active
-        name = active.name if active else ""
-        mesh.attributes.remove(mesh.attributes[ATTRIBUTE])
-        place = mesh.attributes.find(name)
-        if place >= 0:
-            mesh.attributes.active_index = place
+        _remove_attribute(mesh, ATTRIBUTE)
         return
     mesh.attributes[ATTRIBUTE].data.foreach_set("value", np.where(kept, numbers, 0).astype(np.int32))
     mesh.update()
+
+
+def shape(mesh, name):
+    """How far a pin that was made of a stroke moves each vertex, float32 (n, 3); None where the mesh does not say it."""
+    attribute = mesh.attributes.get(name)
+    if attribute is None or (attribute.data_type, attribute.domain) != ('FLOAT_VECTOR', 'POINT'):
+        return None
+    if len(attribute.data) != len(mesh.vertices):
+        return None
+    found = np.empty(3 * len(mesh.vertices), np.float32)
+    attribute.data.foreach_get("vector", found)
+    return found.reshape(-1, 3)
+
+
+def keep_shape(mesh, offsets):
+    """Let the mesh keep what shape() gives; returns its name."""
+    name = _new_attribute(mesh, SHAPE, 'FLOAT_VECTOR')
+    mesh.attributes[name].data.foreach_set("vector", np.ascontiguousarray(offsets, np.float32).ravel())
+    return name
+
+
+def drop_shapes(mesh, used):
+    """Take back the shapes that no pin has any more. used: names of those that pins have."""
+    if mesh.library or mesh.override_library:
+        return
+    for name in [name for name in mesh.attributes.keys() if name.startswith(SHAPE) and name not in used]:
+        _remove_attribute(mesh, name)
+
+
+def _new_attribute(mesh, name, kind):
+    """Its name, which Blender makes another one where that name is taken; the user's active attribute stays so."""
+    active = mesh.attributes.active_index
+    name = mesh.attributes.new(name, kind, 'POINT').name
+    mesh.attributes.active_index = active
+    return name
+
+
+def _remove_attribute(mesh, name):
+    active = mesh.attributes.active
+    kept = active.name if active else ""
+    mesh.attributes.remove(mesh.attributes[name])
+    place = mesh.attributes.find(kept)
+    if place >= 0:
+        mesh.attributes.active_index = place
 
 
 def _distances(positions, place):

@@ -9,7 +9,8 @@ from . import history, keywords
 from . import mesh_arrays as arrays
 from . import pins_setup as setup
 from . import pins_targets as targets
-from .properties import CURVE_SAMPLES, BrushKeywords
+from .falloff_curve import CURVE_SAMPLES
+from .properties import BrushKeywords
 
 AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
 DIRECTIONS = (
@@ -87,24 +88,26 @@ class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
         size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     name: bpy.props.StringProperty(name="Name", description="Name of the pin", options={'SKIP_SAVE'})
     from_last: bpy.props.BoolProperty(
-        name="From Last Pull", description="Turn the last pull into a pin: the mesh goes back to what it was before",
+        name="From Last Pull", description="Turn the last pull, or all of the last stroke, into a pin: the mesh goes back to "
+                                           "what it was before",
         options={'SKIP_SAVE'})
 
     def change(self, context, obj):
         check_finite(self, ("location", "displacement", "strength"))
+        name, own = self.name or tr("Pin"), {"strength": self.strength}
         if self.from_last:
-            vertex, values = self._from_last(context, obj)
+            record = context.scene.motus.pull.last
+            targets.check_record(record, obj)
+            if record.is_shape:
+                setup.add_shape(obj, targets.take_back(history.last_shapes, obj), name, own)
+                self.report({'INFO'}, tr("Pinned the last stroke on {object}").format(object=obj.name))
+                return
+            vertex, values = targets.from_record(record, obj)
+            targets.take_back(history.last_shapes, obj)
         else:
             vertex, values = targets.from_keywords(self, context, obj)
-        setup.add(obj, vertex, self.name or tr("Pin"), values | {"strength": self.strength})
+        setup.add(obj, vertex, name, values | own)
         self.report({'INFO'}, tr("Pinned at vertex {index} of {object}").format(index=vertex, object=obj.name))
-
-    def _from_last(self, context, obj):
-        record = context.scene.motus.pull.last
-        vertex, values = targets.from_record(record, obj)
-        if not targets.take_back(history.last_shapes, obj):
-            raise Refused(tr("The mesh has changed since the last pull, so that it cannot be taken out of it"))
-        return vertex, values
 
 
 class MOTUS_OT_pin_remove(PinOperator, bpy.types.Operator):
@@ -151,6 +154,7 @@ class MOTUS_OT_pin_mirror(PinOperator, bpy.types.Operator):
 
     def change(self, context, obj):
         pin = obj.motus.pull.pins[setup.pin_at(obj, self.index)]
+        setup.check_rooted(pin)
         vertex, values = targets.mirrored(obj, pin, targets.AXIS_INDEX[self.axis])
         setup.add(obj, vertex, pin.name, values)
 
@@ -172,6 +176,7 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
     def change(self, context, obj):
         check_finite(self, ("location",))
         pin = obj.motus.pull.pins[setup.pin_at(obj, self.index)]
+        setup.check_rooted(pin)
         positions = arrays.positions(obj.data)
         place = self.location if self.properties.is_property_set("location") else pin.place
         vertex = targets.checked(obj, positions, self.vertex) if self.vertex >= 0 else targets.nearest(

@@ -14,13 +14,15 @@ LOST = Problem("This pin has lost its place: bind it to another vertex, or remov
 AMBIGUOUS = Problem("Several vertices may be the root of this pin: bind it to one of them")
 NOT_USABLE = Problem("A setting of this pin is not a usable number")
 WITHOUT_GROUP = Problem("The vertex group of this pin is gone")
-SENTENCES = {solve.LOST: LOST, solve.AMBIGUOUS: AMBIGUOUS, solve.NOT_USABLE: NOT_USABLE, solve.WITHOUT_GROUP: WITHOUT_GROUP}
+WITHOUT_SHAPE = Problem("The shape of this pin is gone from the mesh: remove the pin")
+SENTENCES = {solve.LOST: LOST, solve.AMBIGUOUS: AMBIGUOUS, solve.NOT_USABLE: NOT_USABLE, solve.WITHOUT_GROUP: WITHOUT_GROUP,
+             solve.WITHOUT_SHAPE: WITHOUT_SHAPE}
 
 
 def state_of(context, obj, index):
     """How a pin is, as last evaluated: solve.OK where that is not known."""
     found = wiring.output(system(), obj, f"pin{index}", context.view_layer.depsgraph)
-    return solve.OK if found is None else int(found)
+    return int(found) if found in solve.PROBLEM_OF else solve.OK
 
 
 def draw_list(layout, context):
@@ -63,7 +65,9 @@ def _draw_problems(layout, context, obj):
         ui.draw_message(layout, NOT_FIRST.sentence, 'ERROR')
     states = [state_of(context, obj, index) for index in range(len(settings.pins))]
     if not any(states):
-        ui.draw_problem(layout, context, system(), obj)
+        problem = ui.draw_problem(layout, context, system(), obj)
+        if problem and problem.blocking and problem not in solve.PROBLEMS:
+            layout.operator("motus.pin_restore", text="Refresh", icon='FILE_REFRESH')
     elif settings.active_pin >= len(states) or states[settings.active_pin] == solve.OK:
         worst = next(state for state in states if state != solve.OK)
         ui.draw_message(layout, solve.PROBLEM_OF[worst].sentence, 'ERROR')
@@ -79,6 +83,9 @@ def draw_pin(layout, context):
         ui.draw_message(layout, sentence.sentence, 'ERROR')
     column = layout.column()
     column.use_property_split = True
+    if pin.shape:
+        column.prop(pin, "strength")
+        return
     for name in ("strength", "radius", "falloff"):
         column.prop(pin, name)
     if pin.falloff == 'CLASSIC':

@@ -5,8 +5,8 @@ import bpy
 from ..core import libraries, wiring
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
+from ..core.system import forget
 from ..core.translations import tr
-from ..core.wiring import readers
 from . import mesh_arrays as arrays
 from . import pins_binding as binding
 from . import pins_keys as keys
@@ -44,21 +44,38 @@ def pin_at(obj, index):
 
 def add(obj, vertex, name, values):
     """A new pin at the end of the list, with the root `vertex` and these settings; returns its index."""
+    pin = _append(obj, name, values)
+    bind(obj, pin, vertex)
+    rewire(obj)
+    return obj.motus.pull.active_pin
+
+
+def add_shape(obj, offsets, name, values):
+    """A new pin that moves each vertex by its own offset, (n, 3) in the object."""
+    _append(obj, name, values | {"shape": binding.keep_shape(obj.data, offsets)})
+    rewire(obj)
+
+
+def check_rooted(pin):
+    """Refuse a pin that has no root."""
+    if pin.shape:
+        raise Refused(tr("{pin} keeps the shape of a stroke and has no root").format(pin=pin.name))
+
+
+def _append(obj, name, values):
     settings = obj.motus.pull
     pin = settings.pins.add()
     pin.name = _free_name(settings, name)
     # All are set, so that no default is left for Blender to guess at when the list is read column by column.
     for field in [one.identifier for one in pin.bl_rna.properties if one.is_runtime and one.identifier != "name"]:
         setattr(pin, field, values.get(field, getattr(pin, field)))
-    bind(obj, pin, vertex)
     settings.active_pin = len(settings.pins) - 1
-    rewire(obj)
-    return settings.active_pin
+    return pin
 
 
 def bind(obj, pin, vertex):
     """Let a vertex be the root of a pin."""
-    others = _anchors_of_mesh(obj.data, but=pin)
+    others = _pins_of_mesh(obj.data, but=pin)
     elsewhere = {other.anchor for other in others if other.vertex != vertex}
     pin.vertex = vertex
     pin.place = arrays.positions(obj.data)[vertex]
@@ -76,11 +93,13 @@ def remove(obj, indices):
     for index in sorted(indices, reverse=True):
         settings.pins.remove(index)
     settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
-    binding.unmark(obj.data, {pin.anchor for pin in _anchors_of_mesh(obj.data)})
+    kept = _pins_of_mesh(obj.data)
+    binding.unmark(obj.data, {pin.anchor for pin in kept})
+    binding.drop_shapes(obj.data, {pin.shape for pin in kept})
     rewire(obj)
     if not left:
         keys.drop_empty(obj)
-        obj.motus.property_unset("pull")
+        forget(system(), obj)
 
 
 def reorder(obj, index, place):
@@ -112,17 +131,17 @@ def settle(obj):
     positions = arrays.positions(obj.data)
     anchors, size = binding.by_number(binding.anchors(obj.data)), binding.diagonal(positions)
     for pin, row in zip(obj.motus.pull.pins, table.read(obj.motus.pull.pins)):
-        root, _ = binding.root(row, positions, anchors, size) if row.is_usable else (None, None)
+        root, _ = binding.root(row, positions, anchors, size) if row.is_usable and not row.shape else (None, None)
         if root is not None and np.isfinite(positions[root]).all():
             pin.vertex, pin.place = root, positions[root]
 
 
 def _follow(obj, order):
     # A pin's number may soon be another's: who reads a pin that is gone reads what is never there, and Blender says so.
-    keys.reorder(obj, {old: new for new, old in enumerate(order)}, readers.absent_path(system(), "removed pin"))
+    keys.reorder(obj, {old: new for new, old in enumerate(order)}, wiring.absent_path(system(), "removed pin"))
 
 
-def _anchors_of_mesh(mesh, but=None):
+def _pins_of_mesh(mesh, but=None):
     """The pins, but for one, of all objects that have the mesh."""
     return [pin for obj in bpy.data.objects if obj.data == mesh and obj.is_property_set("motus")
             for pin in obj.motus.pull.pins if pin != but]

@@ -6,13 +6,15 @@ from ..core.system import Group, Problem, Vertices
 from . import pins_binding as binding
 from . import pins_shapes as shapes
 from . import pins_table as table
+from .properties import is_finite
 
 NOT_A_MESH = Problem("Pins move the points of a mesh, and this is none")
 NOT_FINITE_MESH = Problem("The mesh has a vertex whose position is not a finite number")
 BROKEN = Problem("Some pins have lost their place in the mesh and do nothing: bind them again", blocking=False)
 UNUSABLE = Problem("Some pins have a setting that is not a usable number, and do nothing", blocking=False)
 NO_GROUP = Problem("The vertex group of some pins is gone, so that they do nothing", blocking=False)
-PROBLEMS = (NOT_A_MESH, NOT_FINITE_MESH, BROKEN, UNUSABLE, NO_GROUP)
+NO_SHAPE = Problem("The shape of some pins is gone from the mesh, so that they do nothing", blocking=False)
+PROBLEMS = (NOT_A_MESH, NOT_FINITE_MESH, BROKEN, UNUSABLE, NO_GROUP, NO_SHAPE)
 
 INPUTS = (Vertices("mesh"),)
 
@@ -20,9 +22,10 @@ UNBAKEABLE = Problem("Pins have nothing to bake, for their strengths are keyed: 
 """What motus.bake answers on an object with pins."""
 
 OK, LOST, AMBIGUOUS = binding.OK, binding.LOST, binding.AMBIGUOUS
-NOT_USABLE, WITHOUT_GROUP = 3, 4
+NOT_USABLE, WITHOUT_GROUP, WITHOUT_SHAPE = 3, 4, 5
 """What the outputs say of each pin."""
-PROBLEM_OF = {LOST: BROKEN, AMBIGUOUS: BROKEN, NOT_USABLE: UNUSABLE, WITHOUT_GROUP: NO_GROUP}
+PROBLEM_OF = {LOST: BROKEN, AMBIGUOUS: BROKEN, NOT_USABLE: UNUSABLE, WITHOUT_GROUP: NO_GROUP,
+              WITHOUT_SHAPE: NO_SHAPE}
 
 
 def groups(owner):
@@ -54,6 +57,9 @@ def displace(owner, mesh, rows, offsets):
         return None
     states, is_unsettled = [], False
     for row in rows:
+        if row.shape:
+            states.append(_apply_shape(mesh, row, offsets))
+            continue
         root, state, reached = shape.find(row) if row.is_usable else (None, NOT_USABLE, None)
         if root is not None:
             is_unsettled |= root != row.vertex or tuple(shape.positions[root].tolist()) != row.place
@@ -75,18 +81,30 @@ def _apply(owner, mesh, shape, row, reached, offsets):
     return OK
 
 
+def _apply_shape(mesh, row, offsets):
+    found = binding.shape(mesh, row.shape)
+    if found is None:
+        return OK if mesh.is_editmode else WITHOUT_SHAPE  # in Edit Mode attributes cannot be read, and pins rest
+    furthest = max(found.max(initial=0.0), -found.min(initial=0.0))
+    if not (row.is_usable and is_finite(furthest) and is_finite(row.strength * float(furthest))):
+        return NOT_USABLE
+    if not row.is_muted and row.strength != 0.0:
+        found *= np.float32(row.strength)
+        offsets += found
+    return OK
+
+
 def move(offsets, positions, row, reached, weights):
     """Let one pin act on what those before it have left: positions + offsets, of which the offsets are changed."""
-    way = [row.strength * along for along in row.displacement]
     keywords = {"mirror": row.mirror, **row.profile}
     if row.limits is None and weights is None:
-        native.module.pull(offsets, (0.0, 0.0, 0.0), way, row.radius, reach=reached.reaches, out=offsets, **keywords)
+        native.module.pull(offsets, (0.0, 0.0, 0.0), row.way, row.radius, reach=reached.reaches, out=offsets, **keywords)
         return
     indices, reaches = reached.compact
     if row.limits is not None:
         keywords |= dict(zip(("clamp_axis", "minimum", "maximum"), row.limits))
     before = positions[indices] + offsets[indices]
-    after = native.module.pull(before, (0.0, 0.0, 0.0), way, row.radius, weights=weights, reach=reaches, **keywords)
+    after = native.module.pull(before, (0.0, 0.0, 0.0), row.way, row.radius, weights=weights, reach=reaches, **keywords)
     offsets[indices] += after - before
 
 

@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from ..core.lazy import numpy as np
+from .properties import is_finite
 
 FLOATS = {"strength": 1, "radius": 1, "scale_factor": 1, "minimum": 1, "maximum": 1, "displacement": 3, "place": 3,
           "metric": 9}
@@ -28,6 +29,12 @@ class Row(NamedTuple):
     mirror: str
     limits: Any
     vertex_group: str
+    shape: str
+
+    @property
+    def way(self):
+        """How far the root goes."""
+        return tuple(self.strength * along for along in self.displacement)
 
     @property
     def reach(self):
@@ -51,7 +58,8 @@ class Row(NamedTuple):
         numbers = (self.strength, self.radius, self.scale_factor, *self.displacement, *self.place, *self.metric,
                    *(self.curve or ()), *(end for end in (self.limits or ())[1:] if end is not None))
         ends = [end for end in (self.limits or ())[1:] if end is not None]
-        return bool(np.isfinite(numbers).all()) and self.radius > 0.0 and ends == sorted(ends)
+        is_number = bool(np.isfinite(numbers).all()) and is_finite(self.way)
+        return is_number and self.radius > 0.0 and ends == sorted(ends)
 
 
 def read(pins):
@@ -68,7 +76,7 @@ def read(pins):
         falloff = pin.falloff.lower()
         rows.append(Row(
             falloff=falloff, distance=pin.distance.lower(), mirror="".join(sorted(pin.mirror)).lower(),
-            curve=tuple(pin.curve) if falloff == "curve" else None, vertex_group=pin.vertex_group,
+            curve=tuple(pin.curve) if falloff == "curve" else None, vertex_group=pin.vertex_group, shape=pin.shape,
             limits=None if low is None and high is None else (AXES.index(pin.clamp_axis), low, high), **own))
     return rows
 

@@ -6,6 +6,7 @@ from ..core.translations import tr
 from . import mesh_arrays as arrays
 from . import meshes
 from .brush import AXIS_INDEX, Brush, Space, unit
+from .open_mesh import open_mesh
 from .properties import KEYWORDS
 
 PULL_SETTINGS = ("radius", "falloff", "scale_factor", "distance", "mirror", "vertex_group")
@@ -64,12 +65,16 @@ def settings_of(obj, brush, space):
     return found | _limits(brush, space)
 
 
-def from_record(record, obj):
-    """(root, settings) of the pin that does what the last pull did."""
+def check_record(record, obj):
+    """Refuse where the last pull is not one of this object."""
     if not record.object:
         raise Refused(tr("Nothing was pulled yet"))
     if record.object != obj.name:
         raise Refused(tr("The last pull was one of {object}").format(object=record.object))
+
+
+def from_record(record, obj):
+    """(root, settings) of the pin that does what the last pull did, if it was one at one root."""
     found = {name: getattr(record, name) for name in (*PULL_SETTINGS, "metric", "curve", "displacement")}
     found["mirror"] = set(record.mirror)
     limits = {name: getattr(record, name) for name in ("unit", *LIMITS)}
@@ -77,20 +82,20 @@ def from_record(record, obj):
 
 
 def take_back(shapes, obj):
-    """Give the mesh the shape before the last pull; False where it is not the one after it any more.
+    """Give the mesh the shape before the last stroke; returns how far it moved each vertex as it is seen, float32 (n, 3).
 
-    shapes: (object's name, before, after), or None.
+    shapes: (object's name, before, after), or None. Refuses where the mesh has another shape than that after it.
     """
-    mesh = meshes.open_mesh(obj)
-    if shapes is None or shapes[0] != obj.name:
-        return False
-    _, before, after = shapes
-    now = mesh.positions()
-    if now.shape != after.shape or not np.array_equal(now, after):
-        return False
+    mesh = open_mesh(obj)
+    _, before, after = shapes if shapes and shapes[0] == obj.name else (None, None, None)
+    if after is None or not np.array_equal(mesh.positions(), after):
+        raise Refused(tr("The mesh has changed since the last pull, so that it cannot be taken out of it"))
+    share = mesh.share_seen()
+    if share == 0.0:
+        raise Refused(meshes.not_seen(mesh.key))
     mesh.write(before)
     mesh.finish()
-    return True
+    return np.float32(share) * (after - before)
 
 
 def mirrored(obj, pin, axis):

@@ -2,8 +2,9 @@
 
 import bpy
 
-CURVE_SAMPLES = 32
-"""Forces of the user's curve at equal steps from the radius to the root."""
+from ..core import viewports
+from . import falloff_curve
+from .falloff_curve import CURVE_SAMPLES
 
 LARGEST = 1e18
 """Its square is just within single precision."""
@@ -88,14 +89,15 @@ KEYWORDS = tuple(BrushKeywords.__annotations__)
 def _ensure_curve(settings):
     # Only the brush keeps a curve; the operator has the same property.
     if isinstance(settings, MOTUS_PG_brush) and settings.falloff == 'CURVE':
-        from . import falloff_curve
         falloff_curve.ensure(settings)
 
 
 class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
-    """The last pull, so that it can be kept as a pin."""
+    """The last stroke, so that it can be kept as a pin."""
 
     object: bpy.props.StringProperty(name="Object", description="Name of the object that was pulled", options=set())
+    is_shape: bpy.props.BoolProperty(
+        name="Shape", description="The stroke did more than a pull at one root: a pin of it keeps the shape", options=set())
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
     place: bpy.props.FloatVectorProperty(
         name="Place", description="Where the root was before, in the object", size=3, subtype='XYZ', options=set())
@@ -133,7 +135,7 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
         name="Size Pressure", description="The pen's pressure sets the radius", default=False, options=set())
     show_inset: bpy.props.BoolProperty(
         name="Inset View", description="Show a perspective view in the corner while pulling", default=False,
-        options=set())
+        options=set(), update=lambda _brush, _context: viewports.redraw())
     last: bpy.props.PointerProperty(
         type=MOTUS_PG_pull_record, name="Last Pull", description="What was pulled last")
 

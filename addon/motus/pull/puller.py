@@ -31,14 +31,14 @@ class Puller:
     def pull(self, current, vertex, displacement, brush, radius, start):
         """Move `current` (n, 3) in place; distances are those of `start`. displacement: local.
 
-        Returns (indices that may have moved, where they were).
+        Returns the indices that may have moved.
         """
         reaches = self._reaches_of(vertex, brush, radius, start)
         moved = _together(reaches)
         before = current[moved]
         self._native_pull(current, vertex, displacement, brush, radius, current, reach=reaches)
         self._clamp(current, moved, before, brush)
-        return moved, before
+        return moved
 
     def pull_from(self, base, current, last_moved, vertex, displacement, brush, radius):
         """Make `current` what one dab makes of `base`, from which it differs at `last_moved` (None: anywhere) so far.
@@ -49,10 +49,10 @@ class Puller:
             np.copyto(current, base)
         elif len(last_moved):
             current[last_moved] = base[last_moved]
-        return self.pull(current, vertex, displacement, brush, radius, base)[0]
+        return self.pull(current, vertex, displacement, brush, radius, base)
 
     def smooth(self, current, vertex, strength, brush, radius, start):
-        """Even `current` out in place; (indices that may have moved, where they were)."""
+        """Even `current` out in place; returns the indices that may have moved."""
         moved, forces = np.empty(0, np.int64), np.empty(0, np.float32)
         for indices, distances in self._reaches_of(vertex, brush, radius, start):
             both = np.union1d(moved, indices)
@@ -70,7 +70,7 @@ class Puller:
         share = np.minimum(strength * forces, 1.0)[:, None]
         current[moved] += (share * (target - before)).astype(np.float32)
         self._clamp(current, moved, before, brush, always=True)
-        return moved, before
+        return moved
 
     def forces(self, vertex, brush, radius, start):
         """(indices, forces) of the dab's own image."""
@@ -100,7 +100,7 @@ class Puller:
 
     def may_sweep(self, brush, radius, start):
         """Whether sweep() does it, and takes less time than the tree that pull() asks."""
-        if brush.distance != 'STRAIGHT' or self._is_clamped_in_world(brush):
+        if brush.distance != 'STRAIGHT' or self.is_clamped_in_world(brush):
             return False
         if brush.mirror and self._space.is_skewed_by_mirrors(brush.unit):
             return False
@@ -111,6 +111,10 @@ class Puller:
                 self._extent = np.nan_to_num(np.ptp(start, axis=0))
         sides = np.linalg.norm(self._space.metric(brush.unit) * self._extent, axis=0)
         return brush.reach_of(radius) > LARGE * sides.max()
+
+    def is_clamped_in_world(self, brush):
+        """Whether the brush's limits are along none of the object's axes."""
+        return (brush.use_minimum or brush.use_maximum) and self._space.limits(brush) is None
 
     def sweep(self, shape, vertex, displacement, brush, radius, start, out, copy=None):
         """Let `out`, and the copy, be what one pass over all vertices makes of a shape; distances are those of `start`.
@@ -154,12 +158,9 @@ class Puller:
             self._reaches[key] = picker.reach(root, brush.reach_of(radius), brush.distance.lower(), metric)
         return self._reaches[key]
 
-    def _is_clamped_in_world(self, brush):
-        return (brush.use_minimum or brush.use_maximum) and self._space.limits(brush) is None
-
     def _clamp(self, current, moved, before, brush, always=False):
         """What the native function cannot: limits along an axis of the world that is none of the object's."""
-        if not (brush.use_minimum or brush.use_maximum) or not (always or self._is_clamped_in_world(brush)):
+        if not (brush.use_minimum or brush.use_maximum) or not (always or self.is_clamped_in_world(brush)):
             return
         changed = moved[(current[moved] != before).any(axis=1)]
         current[changed] = self._space.clamp(current[changed], brush)

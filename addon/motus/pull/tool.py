@@ -1,9 +1,11 @@
 """Pick & Pull in the toolbar of Object, Edit and Sculpt Mode."""
 
+from functools import partial
 from pathlib import Path
 
 import bpy
 
+from ..core import teardown
 from . import cursor, hover, inset, keymap, stage
 from .panel import draw_number, draw_radius
 
@@ -74,13 +76,9 @@ def register():
 
 def unregister():
     """Take the tool back; where it is in hand, Blender's own takes its place."""
-    stage.clear()
-    inset.stop()
-    cursor.unregister()
-    hover.unregister()
-    _put_down()
+    teardown.run(stage.clear, inset.stop, cursor.unregister, hover.unregister, _put_down)
     while _registered:
-        bpy.utils.unregister_tool(_registered.pop())
+        teardown.run(partial(bpy.utils.unregister_tool, _registered.pop()))
 
 
 def _put_down():

@@ -68,7 +68,7 @@ struct BoundTrack {
 };
 
 void bind_filter(py::module_& m) {
-    py::class_<SecondOrder>(m, "SecondOrder", R"(
+    py::class_<SecondOrder>(m, "SecondOrder", py::module_local(), R"(
 How an output y follows an input x: y + k1 y' + k2 y'' = x + k3 x'. Immutable; times in seconds.
 
 frequency f: Hz, > 0.  damping zeta: >= 0; 0 rings for ever, 1 is critical.  response r: 0 starts slowly, up to 1 responds
@@ -153,7 +153,7 @@ not finite; other arguments and errors as SecondOrder().)");
 }
 
 void bind_tracks(py::module_& m) {
-    py::class_<BoundTrack>(m, "Track", R"(
+    py::class_<BoundTrack>(m, "Track", py::module_local(), R"(
 An output at any time, in any order, of a SecondOrder and an input over time. Immutable.
 
 times: (m,), s, strictly rising.  inputs: (m,) or (m, d), linear between samples.  resets: rising indices of samples to
@@ -190,7 +190,7 @@ or its length is a whole number of periods without damping.)")
             },
             "times"_a, R"(
 Outputs at times, s, a number or (m,): of the shape of the times, with the inputs' d at its end where they had one.)");
-    py::class_<RotationTrack>(m, "RotationTrack", R"(
+    py::class_<RotationTrack>(m, "RotationTrack", py::module_local(), R"(
 The same for rotations: inputs (m, 4), unit quaternions w, x, y, z, each taken the shorter way from the one before. The
 output is the input turned by a rotation vector that is filtered in its tangent space: about one axis that is the filter of
 the angle. With `loop` the last input has to be the first one again.)")

@@ -23,6 +23,10 @@ enum class LatticeBasis { bernstein, linear, cardinal, catmull_rom, bspline };
 
 inline constexpr int max_lattice_resolution = 64;  ///< points along an axis, Blender's own limit
 
+/// Pulls at once, on lattices of which they move as many points: the work grows with the cube of the smaller
+/// of both numbers.
+inline constexpr std::size_t max_lattice_pulls = 1000;
+
 /// A lattice at rest: a grid of points in a parallelepiped. Any space, any unit of length. Points are counted
 /// with u fastest, then v, then w.
 struct Lattice {
@@ -86,7 +90,9 @@ struct LatticePullOptions {
 /// The smallest displacements (by the sum of squares) of the lattice points, additional to any they have, by
 /// which each pull's point moves by displacements[pull], or where that is not possible as nearly as can be
 /// (least squares). Returns what is left, displacement - reached, for each pull. out: point_count() values.
-/// Throws std::invalid_argument where sizes differ, a part names no pull, or a value is not finite.
+/// Throws std::invalid_argument where sizes differ, a part names no pull, a value is not finite, both the
+/// pulls and the lattice points that they move are more than max_lattice_pulls, or the weights of all pulls'
+/// points, which are kept, are more than 16 million (in no basis of Blender's).
 std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const LatticePart> parts,
                                      std::span<const glm::dvec3> displacements,
                                      const LatticePullOptions& options, std::span<glm::dvec3> out);

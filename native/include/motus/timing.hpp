@@ -15,6 +15,10 @@ namespace motus {
 /// d ease / d u; 0 at the ends where there is ease, and outside [0, 1].
 [[nodiscard]] double ease_derivative(double u, double ease_in, double ease_out);
 
+/// What comes after an eased way. rest: the end is held. go_on: its last speed is held. repeat: the way
+/// begins again, each time from where it ended, so that the distance keeps growing.
+enum class AfterEase { rest, go_on, repeat };
+
 /// Distance as a function of time: seconds from the start, and the curve's unit of length. Value type,
 /// immutable.
 ///
@@ -22,8 +26,10 @@ namespace motus {
 /// or a speed or a time that follows from the values overflows.
 class Timing {
   public:
-    /// `length` in `duration` seconds (> 0) with ease; before 0 and after `duration` it rests.
-    [[nodiscard]] static Timing eased(double duration, double length, double ease_in, double ease_out);
+    /// `length` in `duration` seconds (> 0) with ease; before 0 it rests, later than `duration` it does as
+    /// `after` says.
+    [[nodiscard]] static Timing eased(double duration, double length, double ease_in, double ease_out,
+                                      AfterEase after = AfterEase::rest);
     /// distance = speed * time, for all times.
     [[nodiscard]] static Timing constant(double speed);
     /// Monotone cubic through (time, distance) pins, times strictly increasing, >= 1 pin; rests outside.
@@ -46,6 +52,7 @@ class Timing {
   private:
     struct Eased {
         double duration, length, ease_in, ease_out;
+        AfterEase after;
         [[nodiscard]] double distance(double time) const;
         [[nodiscard]] double speed(double time) const;
     };

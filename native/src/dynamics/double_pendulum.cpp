@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "ieee_floats.hpp"
 #include "motion_cache.hpp"
 #include "units.hpp"
 
@@ -141,7 +142,7 @@ void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start,
     require_valid(times);
     require(times.size() == out.size(), "out must have a state for each time");
     const auto run = has_limits(pendulum) ? &integrate<LimitedSystem> : &integrate<DoubleSystem>;
-    run(pendulum, start, pivot, times, out);
+    in_ieee_floats([&] { run(pendulum, start, pivot, times, out); });
 }
 
 template <class System>
@@ -180,7 +181,7 @@ void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePend
     require(std::isfinite(time), "time must be finite");
     require(starts.size() == out.size(), "out must have a state for each start");
     const auto run = has_limits(pendulum) ? &integrate_many<LimitedSystem> : &integrate_many<DoubleSystem>;
-    run(pendulum, starts, time, out);
+    in_ieee_floats([&] { run(pendulum, starts, time, out); });
 }
 
 double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& start) {

@@ -6,14 +6,15 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <thread>
 #include <vector>
 
 #include "data/pendulum.hpp"
+#include "random.hpp"
 
 using namespace motus::dynamics;
+using motus::test::Random;
 
 namespace {
 
@@ -111,8 +112,8 @@ TEST_CASE("the double pendulum keeps its energy", "[double_pendulum]") {
 }
 
 TEST_CASE("the double pendulum solves the textbook's equations", "[double_pendulum]") {
-    std::mt19937_64 random(2);
-    const auto draw = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
+    Random random(2);
+    const auto draw = [&] { return random.between(0.0, 1.0); };
     for (int i = 0; i < 20; ++i) {
         const DoublePendulum pendulum{0.2 + draw(), 0.2 + draw(),  0.3 + draw(),
                                       0.3 + draw(), 15.0 * draw(), i % 2 == 0 ? 0.0 : 0.5 * draw()};

@@ -5,13 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
 #include "data/pendulum.hpp"
+#include "random.hpp"
 
 using namespace motus::dynamics;
+using motus::test::Random;
 
 namespace {
 
@@ -74,8 +75,8 @@ TEST_CASE("periods of the single pendulum are those of the reference", "[pendulu
 }
 
 TEST_CASE("the single pendulum solves its equation", "[pendulum]") {
-    std::mt19937_64 random(1);
-    const auto draw = [&] { return static_cast<double>(random() >> 11U) * 0x1p-53; };
+    Random random(1);
+    const auto draw = [&] { return random.between(0.0, 1.0); };
     for (int i = 0; i < 60; ++i) {
         const Pendulum pendulum{0.2 + 3.0 * draw(), 20.0 * draw(), i % 2 == 0 ? 0.0 : draw()};
         const PendulumState start{20.0 * draw() - 10.0, 16.0 * draw() - 8.0};

@@ -8,31 +8,28 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
+#include "random.hpp"
+
 using namespace motus::dynamics;
+using motus::test::Random;
 
 namespace {
-
-/// A number from 0 to 1, the same on every machine.
-double draw(std::mt19937_64& random) {
-    return static_cast<double>(random() >> 11U) * 0x1p-53;
-}
 
 struct Input {
     std::vector<double> times;
     std::vector<double> values;
 };
 
-Input random_input(std::mt19937_64& random, std::size_t samples, std::size_t dimensions) {
+Input random_input(Random& random, std::size_t samples, std::size_t dimensions) {
     Input input;
-    double time = draw(random);
+    double time = random.between(0.0, 1.0);
     for (std::size_t k = 0; k < samples; ++k) {
         input.times.push_back(time);
-        time += 0.01 + 0.2 * draw(random);
-        for (std::size_t i = 0; i < dimensions; ++i) input.values.push_back(4.0 * draw(random) - 2.0);
+        time += random.between(0.01, 0.21);
+        for (std::size_t i = 0; i < dimensions; ++i) input.values.push_back(random.between(-2.0, 2.0));
     }
     return input;
 }
@@ -85,7 +82,7 @@ const std::array filters{SecondOrder(0.8, 0.0, 0.0), SecondOrder(2.0, 0.3, -1.5)
 }  // namespace
 
 TEST_CASE("a track solves the equation", "[track]") {
-    std::mt19937_64 random(3);
+    Random random(3);
     for (const SecondOrder& filter : filters) {
         const Input input = random_input(random, 12, 1);
         const Track track(filter, input.times, input.values, 1);
@@ -95,7 +92,7 @@ TEST_CASE("a track solves the equation", "[track]") {
 
 TEST_CASE("frames between samples change nothing", "[track]") {
     // The same broken line with more samples on it: what a higher frame rate makes of linear motion.
-    std::mt19937_64 random(4);
+    Random random(4);
     for (const SecondOrder& filter : filters) {
         const Input coarse = random_input(random, 30, 1);
         Input fine;
@@ -118,7 +115,7 @@ TEST_CASE("frames between samples change nothing", "[track]") {
 }
 
 TEST_CASE("outputs at the samples are those of evaluate and of second_order", "[track]") {
-    std::mt19937_64 random(5);
+    Random random(5);
     constexpr std::size_t dimensions = 11;
     Input input = random_input(random, 40, dimensions);
     // Equal steps, but for their rounding.
@@ -140,7 +137,7 @@ TEST_CASE("outputs at the samples are those of evaluate and of second_order", "[
 }
 
 TEST_CASE("a track's velocity is its derivative", "[track]") {
-    std::mt19937_64 random(6);
+    Random random(6);
     const Input input = random_input(random, 20, 1);
     for (const SecondOrder& filter : filters) {
         const Track track(filter, input.times, input.values, 1);
@@ -183,7 +180,7 @@ TEST_CASE("a teleport starts anew", "[track]") {
 }
 
 TEST_CASE("a loop has no seam, and goes on for ever", "[track]") {
-    std::mt19937_64 random(7);
+    Random random(7);
     for (const SecondOrder& filter : filters) {
         Input input = random_input(random, 25, 2);
         const std::size_t last = 2 * (input.times.size() - 1);
@@ -225,14 +222,14 @@ TEST_CASE("a loop has no seam, and goes on for ever", "[track]") {
 }
 
 TEST_CASE("rotations about one axis are the filtered angle", "[track]") {
-    std::mt19937_64 random(8);
+    Random random(8);
     const glm::dvec3 axis(0.3, -0.5, 0.8);
     for (const SecondOrder& filter : filters) {
         Input input = random_input(random, 40, 1);
         for (double& value : input.values) value *= 0.7;  // less than half a turn apart
         std::vector<glm::dquat> rotations;
         for (const double angle : input.values)
-            rotations.push_back(about(axis, angle) * (draw(random) < 0.5 ? 1.0 : -1.0));
+            rotations.push_back(about(axis, angle) * (random.chance(0.5) ? 1.0 : -1.0));
         for (const Start start : {Start::at_rest, Start::loop}) {
             if (start == Start::loop) {
                 input.values.back() = input.values.front();
@@ -249,7 +246,7 @@ TEST_CASE("rotations about one axis are the filtered angle", "[track]") {
 }
 
 TEST_CASE("rotations know no first axis, and loop without a seam", "[track]") {
-    std::mt19937_64 random(9);
+    Random random(9);
     const glm::dquat turned = about({1.0, 2.0, -0.5}, 2.0);
     const SecondOrder filter(1.2, 0.35, 1.0);
     std::vector<double> times;

@@ -42,6 +42,10 @@ class TimingTest(unittest.TestCase):
         timing = native.Timing.eased(4.0, 10.0, ease_in=0.25, ease_out=0.25)
         np.testing.assert_allclose(timing.distance(np.array([-1.0, 0.0, 2.0, 4.0, 5.0])), [0, 0, 5, 10, 10])
         self.assertEqual(timing.speed(-1.0), 0.0)
+        for after, distance in (('rest', 10.0), ('go_on', 10.0), ('repeat', 25.0)):
+            timing = native.Timing.eased(4.0, 10.0, 0.25, 0.25, after=after)
+            self.assertEqual(timing.distance(10.0), distance)
+        self.assertEqual(native.Timing.eased(4.0, 10.0, after='go_on').distance(10.0), 25.0)
 
     def test_constant(self):
         self.assertEqual(native.Timing.constant(3.0).distance(-2.0), -6.0)
@@ -61,6 +65,7 @@ class TimingTest(unittest.TestCase):
         cases = (
             (lambda: make.eased(0.0, 1.0), "duration"),
             (lambda: make.eased(1.0, float("inf")), "length"),
+            (lambda: make.eased(1.0, 1.0, after="later"), "after"),
             (lambda: make.constant(float("nan")), "speed"),
             (lambda: make.pins([0.0, 0.0], [1.0, 2.0]), "times"),
             (lambda: make.pins([0.0, 1.0], [1.0]), "distances"),

@@ -34,14 +34,6 @@ def _candidates(thing):
             yield leader, [one]
 
 
-def frame_range(start, end, step):
-    """The frames from start to end inclusive; floats where the step is not whole."""
-    if end < start:
-        raise Refused(tr("The range is empty: the end frame comes before the start frame"))
-    count = int(math.floor((end - start) / step + 1e-6)) + 1
-    return [start + step * index for index in range(count)]
-
-
 def bake(scene, view_layer, owner, systems, frames):
     """Bake in steps: a generator of how many frames are done. Nothing is changed before the last one."""
     tracks = _tracks(owner, systems)
@@ -61,7 +53,7 @@ def bake(scene, view_layer, owner, systems, frames):
 
 
 def unbake(thing, name=""):
-    """Put back what was before baking; returns the objects that were baked together.
+    """Put back what was before baking; returns (objects that were baked together, those that could not be restored whole).
 
     thing: the owner or one of its members. name: of a system that has to be among the baked ones.
     """
@@ -71,11 +63,13 @@ def unbake(thing, name=""):
     if not baked or (name and name not in [one.name for one in systems]):
         raise Refused(tr("{object} is not baked").format(object=thing.name))
     for one in baked:
-        keys.restore(one)
+        check_local(one)
+        check_no_tweak_mode(one)
+    partial = [one for one in baked if not keys.restore(one)]
     for one in systems:
         system.of_owner(one, owner).is_baked = False
         wiring.set_muted(one, owner, False)
-    return baked
+    return baked, partial
 
 
 def _is_baked_with(owner, thing):

@@ -1,6 +1,8 @@
 """Writing baked keyframes into an action of their own, and taking them away again."""
 
 import json
+import math
+import re
 
 import bpy
 
@@ -8,7 +10,13 @@ from .. import actions
 
 PARKED_KEY = "motus_parked"
 """Custom property that the drivers of baked channels are aimed at until they are wanted again."""
-LARGEST_CHANNEL = 4
+CHANNELS = {"location": 3, "rotation_euler": 3, "rotation_quaternion": 4, "rotation_axis_angle": 4, "scale": 3}
+"""What is baked, and put back: sizes of the transform channels."""
+LARGEST_CHANNEL = max(CHANNELS.values())
+_STRING = r'"(?:[^"\\]|\\.)*"'
+_BONE = rf"(?:pose\.bones\[{_STRING}\]\.)?"
+_CHANNEL_PATH = re.compile(rf"{_BONE}(?P<channel>{'|'.join(CHANNELS)})")
+_MUTE_PATH = re.compile(rf"{_BONE}constraints\[{_STRING}\]\.mute")
 
 
 def write(id_data, tracks, frames):
@@ -51,20 +59,69 @@ def remember(id_data, owner, tracks, muted):
 
 
 def restore(id_data):
-    """Undo what write(), mute() and remember() did to an object."""
+    """Undo what write(), mute() and remember() did to an object; False where the file does not say all of it any more."""
     state = id_data.motus.bake
-    kept = json.loads(state.kept)
+    values, constraints, drivers, is_whole = _kept(state.kept)
     baked, state.action = state.action, None
     # Where the user has chosen yet another action since, it stays.
     if id_data.animation_data and id_data.animation_data.action == baked:
-        actions.assign(id_data, state.previous_action, state.previous_slot)
+        is_whole &= _assign_previous(id_data, state)
     if baked and baked.users == 0:
         bpy.data.actions.remove(baked)
-    _unmute(id_data, kept["muted"])
-    for path, values in kept["values"].items():
-        _set_values(id_data, path, values)
+    for path in constraints:
+        _set_muted(id_data, path, False)
+    is_whole &= _unpark(id_data, drivers)
+    for path, numbers in values.items():
+        _set_values(id_data, path, numbers)
     id_data.motus.property_unset("bake")
     id_data.update_tag()
+    return is_whole
+
+
+def _assign_previous(id_data, state):
+    try:
+        actions.assign(id_data, state.previous_action, state.previous_slot)
+    except RuntimeError:  # it animates another type of datablock
+        actions.assign(id_data, None)
+        return False
+    return True
+
+
+def _kept(text):
+    """(values by path, paths of constraints, [(data path, index, was muted)] of drivers, whether that is all).
+
+    Of what the file says only that is taken which baking can have changed.
+    """
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        found = None
+    muted = _get(found, "muted", dict)
+    values, constraints, drivers = (
+        _get(found, "values", dict), _get(muted, "constraints", list), _get(muted, "drivers", list))
+    parts = [
+        {path: numbers for path, numbers in (values or {}).items() if _is_channel(path, numbers)},
+        [path for path in constraints or () if isinstance(path, str) and _MUTE_PATH.fullmatch(path)],
+        [tuple(place) for place in drivers or () if _is_driver(place)]]
+    return *parts, all(one is not None and len(one) == len(part) for one, part in zip((values, constraints, drivers), parts))
+
+
+def _get(holder, key, kind):
+    found = holder.get(key) if isinstance(holder, dict) else None
+    return found if isinstance(found, kind) else None
+
+
+def _is_channel(path, numbers):
+    match = _CHANNEL_PATH.fullmatch(path)
+    if not match or not isinstance(numbers, list) or len(numbers) != CHANNELS[match["channel"]]:
+        return False
+    return all(isinstance(one, float) and math.isfinite(one) for one in numbers)
+
+
+def _is_driver(place):
+    if not isinstance(place, list) or [type(part) for part in place] != [str, int, bool]:
+        return False
+    return bool(_CHANNEL_PATH.fullmatch(place[0]))
 
 
 def mute(id_data, tracks, sinks):
@@ -87,18 +144,19 @@ def mute(id_data, tracks, sinks):
     return {"constraints": constraints, "drivers": kept}
 
 
-def _unmute(id_data, kept):
-    for path in kept["constraints"]:
-        _set_muted(id_data, path, False)
-    waiting = list(kept["drivers"])
-    for curve in _drivers(id_data):
-        if curve.data_path == f'["{PARKED_KEY}"]':
-            # In the order of the datablock's drivers, but for those that the user has removed since.
-            place = next(place for place in waiting if place[1] == curve.array_index)
-            waiting.remove(place)
-            curve.data_path, curve.mute = place[0], place[2]
+def _unpark(id_data, waiting):
+    """Aim parked drivers at their channels again; False where it is not known at which."""
+    parked = [curve for curve in _drivers(id_data) if curve.data_path == f'["{PARKED_KEY}"]']
+    for curve in parked:
+        # In the order of the datablock's drivers, but for those that the user has removed since.
+        place = next((place for place in waiting if place[1] == curve.array_index), None)
+        if place is None:
+            return False
+        waiting.remove(place)
+        curve.data_path, curve.mute = place[0], place[2]
     if PARKED_KEY in id_data:
         del id_data[PARKED_KEY]
+    return True
 
 
 def others(thing, sinks):

@@ -3,9 +3,9 @@
 import bpy
 
 from .. import actions, copies
-from ..system import groups_of, of_owner, registered
+from ..system import drop_dead_copy, groups_of, of_owner, registered
 from . import (
-    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, override_drivers,
+    anchor, attribute_sink, carriers, drivers, geometry_sink, limit_sink, order, outbox, override_drivers,
     overrides, proxy_sink, readers, solver_driver)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
@@ -21,6 +21,7 @@ def _attach(system, owner):
     _detach(system, owner)
     settings = of_owner(system, owner)
     settings.is_active = True
+    settings.is_released = False
     settings.order_proxy = order.proxy_for(system, settings)
     groups = groups_of(system, owner)
     for group, kind in zip(groups, carriers.kinds(system, owner, groups)):
@@ -82,6 +83,7 @@ def detach(system, owner):
 
 def _detach(system, owner):
     settings = of_owner(system, owner)
+    drop_dead_copy(owner)
     override_drivers.drop_stand_ins(owner)
     remove(sinks(system, owner))
     remove_orphans(system, owner)
@@ -107,8 +109,8 @@ def _detach(system, owner):
 
 
 def refresh(system, owner):
-    """Wire again after a change of what is driven or read: targets, members, channels."""
-    if not is_attached(system, owner):
+    """Wire again after a change of what is driven or read: targets, members, channels. What is linked stays as it is."""
+    if owner.library or not is_attached(system, owner):
         return
     _refresh(system, owner)
     refresh_others(system, owner)
@@ -124,7 +126,7 @@ def _refresh(system, owner):
         for offset, (index, _) in enumerate(places if old else ()):
             constraint = thing.constraints[index]
             constraint.mute = old[min(offset, len(old) - 1)][1]
-            thing.constraints.move(index, old[0][0] + offset)
+            thing.constraints.move(index, min(old[0][0] + offset, len(thing.constraints) - 1))
 
 
 def refresh_others(system, owner):
@@ -201,7 +203,7 @@ def is_attached(system, owner):
 
 def touch(system, owner):
     """Let Blender evaluate the system again after a change of settings from Python."""
-    if healing.has_strange_carriers(system, owner):
+    if carriers.has_strange_carriers(system, owner):
         refresh(system, owner)  # a copy, which was driven along with the first one until now
     elif not _tag(system, owner):
         refresh(system, owner)  # a member was deleted since
@@ -212,11 +214,11 @@ def _tag(system, owner):
     owner.update_tag()
     for _, hub in outbox.hubs(system, owner):
         hub.data.update_tag()
-    hub = of_owner(system, owner).hub
+    hub = outbox.hub_of(system, owner)
     if hub and system.member_data:
         # Reading a list of settings item by item in every solve would be dear where there are many members.
         data = [float(value) for value in system.member_data(owner)]
-        if len(data) != len(hub.data.get(outbox.MEMBER_DATA_KEY, data)):
+        if not outbox.has_room(hub.data, len(data)):
             return False
         hub.data[outbox.MEMBER_DATA_KEY] = data
     return True

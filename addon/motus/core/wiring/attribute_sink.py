@@ -7,13 +7,16 @@ drivers or constraints of its own) the solver blends its row with the member's o
 because nothing moves it. The original mesh holds the own transforms and identities too, for Blenders without the add-on.
 """
 
+from contextlib import suppress
+
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native
+from .. import native, stored
 from ..lazy import numpy as np
+from ..stored import Damaged
 from ..system import Variable, groups_of, registered
-from . import drivers, limit_sink, outbox
+from . import attributes, drivers, limit_sink, outbox
 from .scratch import scratch
 
 ATTRIBUTE = "motus_transform"
@@ -53,12 +56,12 @@ def add(system, group, index, hub):
 
 def undriven_key(system, constraint):
     """Key of the system's group whose sink without a driver this is; None where it is none. Others have drivers."""
-    return outbox.key_on_hub(system, constraint.target.data) if _kind_of(constraint) in {STILL, RELATIVE} else None
+    return outbox.key_on_hub(system, constraint.target.data) if _kind_of(system, constraint) in {STILL, RELATIVE} else None
 
 
 def needs_driver(system, constraint):
     """Whether this is a sink of the system that has a driver, or should have."""
-    return _kind_of(constraint) == MOVES and outbox.key_on_hub(system, constraint.target.data) is not None
+    return _kind_of(system, constraint) == MOVES and outbox.key_on_hub(system, constraint.target.data) is not None
 
 
 def is_bereft(system, constraint):
@@ -71,32 +74,55 @@ def _name(system):
     return f"Motus {system.label}"
 
 
-def _kind_of(constraint):
+def _kind_of(system, constraint):
     """Of the member whose sink this is; None where it is none."""
     if constraint.type != 'GEOMETRY_ATTRIBUTE' or constraint.target is None or constraint.target.type != 'MESH':
         return None
-    kinds = constraint.target.data.get(STILL_KEY)
-    return kinds[constraint.sample_index] if kinds is not None and constraint.sample_index < len(kinds) else None
+    mesh, index = constraint.target.data, constraint.sample_index
+    kinds = _kinds(mesh)
+    if kinds is not None and 0 <= index < len(kinds):
+        return kinds[index]
+    # What the file says of the members is missing or damaged: the sinks are theirs all the same.
+    is_ours = constraint.attribute_name == ATTRIBUTE and limit_sink.is_called(constraint, _name(system))
+    return STILL if is_ours else None
+
+
+def _kinds(mesh):
+    """For each member what STILL_KEY says; None where that is missing or damaged."""
+    try:
+        return stored.whole_numbers(mesh.get(STILL_KEY), len(mesh.vertices))
+    except Damaged:
+        return None
 
 
 def write(mesh, members, locations, rotations, scales, weight):
     """Fill the attribute of the evaluated mesh; `members()` are the evaluated members."""
     if weight < 1.0:
-        still = np.array(mesh[STILL_KEY]) == STILL
+        still = np.array(stored.whole_numbers(mesh.get(STILL_KEY), len(mesh.vertices))) == STILL
         if still.any():
             shares = np.where(still, weight, 1.0)[:, None]
-            own_locations, own_rotations, _ = own_poses(members())
+            own_locations, own_rotations, _ = _own_poses_of(mesh, members())
             locations = own_locations + shares * (locations - own_locations)
             rotations = _slerp(own_rotations, rotations, shares)
     _store(mesh, locations, rotations, scales)
 
 
-def write_neutral(mesh):
-    """Let the evaluated mesh's relative members be as they are by themselves."""
+def write_rest(mesh, members):
+    """Let the evaluated mesh's members be where they are by themselves, but those that move: their influence is 0."""
+    kinds = _kinds(mesh)
+    if kinds is not None and STILL in kinds:
+        _store(mesh, *_own_poses_of(mesh, members()))
+        return
     count = len(mesh.vertices)
     rotations = np.zeros((count, 4))
     rotations[:, 0] = 1.0
     _store(mesh, np.zeros((count, 3)), rotations, None)
+
+
+def _own_poses_of(mesh, members):
+    if len(members) != len(mesh.vertices):
+        raise Damaged("another number of members")
+    return own_poses(members)
 
 
 def own_poses(members):
@@ -138,14 +164,7 @@ def _slerp(start, end, shares):
 def _store(mesh, locations, rotations, scales):
     matrices = scratch("matrices", (len(locations), 16), np.float32)
     native.module.pack_matrices(locations, rotations, out=matrices, scales=scales)
-    data = mesh.attributes[ATTRIBUTE].data
-    if not mesh.is_evaluated or mesh.original.library is None:
-        data.foreach_set("value", matrices.ravel())
-        return
-    import ctypes
-    # On linked data foreach_set writes nothing (5.2). Assigning an item un-shares the array from the original.
-    data[0].value = data[0].value
-    ctypes.memmove(data[0].as_pointer(), matrices.ctypes.data, matrices.nbytes)
+    attributes.write(mesh, ATTRIBUTE, 'FLOAT4X4', matrices)
 
 
 @persistent
@@ -154,11 +173,15 @@ def store_own_poses(*_):
     if native.module is None:
         return
     for mesh in bpy.data.meshes:
-        owner = mesh.get(outbox.OWNER_KEY)
-        if owner is None or mesh.library or STILL not in list(mesh.get(STILL_KEY, ())):
+        if mesh.library or STILL not in (_kinds(mesh) or ()):
             continue
         for system in registered.values():
-            wired = [key for key, hub in outbox.hubs(system, owner) if hub.data == mesh]
-            for group in groups_of(system, owner) if wired else ():
-                if group.key == wired[0] and len(group.members) == len(mesh.vertices):
-                    _store(mesh, *own_poses(group.members))
+            with suppress(Damaged):
+                _store_own_poses(system, outbox.owner_of(system, mesh), mesh)
+
+
+def _store_own_poses(system, owner, mesh):
+    wired = [key for key, hub in outbox.hubs(system, owner) if hub.data == mesh]
+    for group in groups_of(system, owner) if wired else ():
+        if group.key == wired[0]:
+            _store(mesh, *_own_poses_of(mesh, group.members))

@@ -10,7 +10,7 @@ import bpy
 
 from .. import capabilities
 from ..lazy import numpy as np
-from . import outbox
+from . import attributes, outbox
 from .scratch import scratch
 
 ATTRIBUTE = "motus_offset"
@@ -28,6 +28,8 @@ def add(system, owner, hub):
     """Let the owner's points be moved by what the hub holds, by the modifier that is there already or a new one."""
     found = modifier(system, owner)
     if found is not None:
+        if not _is_whole(found.node_group):
+            found.node_group = _node_group(system)
         _set_hub(found, hub)
         return
     active = getattr(owner.modifiers, "active", None)
@@ -83,16 +85,7 @@ def write(carrier, offsets):
     missing = len(offsets) - len(carrier.vertices)
     if missing > 0:
         carrier.vertices.add(missing)
-    data = carrier.attributes[ATTRIBUTE].data
-    if len(data) == 0:
-        return
-    if carrier.original.library is None:
-        data.foreach_set("vector", offsets.reshape(-1))
-        return
-    import ctypes
-    # On linked data foreach_set writes nothing (5.2). Assigning an item un-shares the array from the original.
-    data[0].vector = data[0].vector
-    ctypes.memmove(data[0].as_pointer(), offsets.ctypes.data, offsets.nbytes)
+    attributes.write(carrier, ATTRIBUTE, 'FLOAT_VECTOR', offsets)
 
 
 def write_nothing(carrier):
@@ -124,14 +117,22 @@ def _set_hub(found, hub):
 
 
 def _socket_identifier(group):
-    sockets = group.interface.items_tree if capabilities.has_tree_interface() else group.inputs
-    return next(socket.identifier for socket in sockets if socket.name == HUB_SOCKET)
+    return next(socket.identifier for socket in _sockets(group) if socket.name == HUB_SOCKET)
+
+
+def _sockets(group):
+    return group.interface.items_tree if capabilities.has_tree_interface() else group.inputs
+
+
+def _is_whole(group):
+    """Whether it has its input, which somebody may have removed."""
+    return any(socket.name == HUB_SOCKET for socket in _sockets(group))
 
 
 def _node_group(system):
     """The node group of all the system's sinks in this file."""
     for group in bpy.data.node_groups:
-        if group.get(KEY) == system.name and group.library is None:
+        if group.get(KEY) == system.name and group.library is None and _is_whole(group):
             return group
     group = bpy.data.node_groups.new(f"Motus {system.label}", 'GeometryNodeTree')
     group[KEY] = system.name

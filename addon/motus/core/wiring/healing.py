@@ -17,19 +17,23 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native, presence
+from .. import deleted, handlers, native
 from ..system import of_owner, registered
-from . import anchor, geometry_sink, outbox, overrides, proxy_sink, relations, sinks
+from . import anchor, attaching, carriers, drivers, geometry_sink, outbox, overrides, relations, sinks
+from .solver_driver import waits
 
 log = logging.getLogger(__name__)
 
+_in_use = [False]
+"""Whether any solver was called since the file was opened. Until then there is nothing of Motus in it that could need help."""
 _asked = set()
+# Owners by their names, those of this file: what is linked is wired in its own.
 _driver_counts = {}
 """(system, owner) -> how many drivers the owner had when it was last looked through."""
 _object_count = [-1]
 """How many objects the file had when they were last looked through."""
 _bone_counts = {}
-"""armature -> how many bones it had when the rigs with it were last looked through."""
+"""key of an armature -> how many bones it had when the rigs with it were last looked through."""
 _watched = set()
 """(system, owner) whose points are moved."""
 _unsettled = set()
@@ -38,8 +42,15 @@ _given_up = set()
 """(system, owner) that could not be given carriers of their own."""
 
 
+def note_use():
+    """Called by every solver."""
+    _in_use[0] = True
+
+
 def check(system, owner):
     """Called by the solver with the evaluated owner."""
+    if owner.library:
+        return
     animation = owner.animation_data
     place, count = (system.name, owner.name), len(animation.drivers) if animation else 0
     if _driver_counts.get(place) != count:
@@ -49,38 +60,33 @@ def check(system, owner):
 
 def watch(system, owner):
     """Called by the solver with the evaluated owner whose points it moves; None where that was removed."""
-    if owner is not None:
+    if owner is not None and not owner.library:
         _watched.add((system.name, owner.name))
 
 
 def ask_to_settle(system, owner):
     """Have System.settle called with the original of an evaluated owner, after the evaluation."""
-    _unsettled.add((system.name, owner.name))
-
-
-def has_driven_settings(owner, settings):
-    """Whether a driver of the owner sets one of the settings."""
-    prefix = settings.path_from_id() + "."
-    animation = owner.animation_data
-    return animation is not None and any(curve.data_path.startswith(prefix) for curve in animation.drivers)
-
-
-def has_strange_carriers(system, owner):
-    """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
-    return outbox.has_strange_hubs(system, owner) or (
-        system.groups is not None and proxy_sink.has_strange_proxies(owner))
+    if not owner.library:
+        _unsettled.add((system.name, owner.name))
 
 
 @persistent
-def _heal(_scene=None, depsgraph=None):
-    if bpy.app.is_job_running('RENDER'):
+def _heal_after_frame(_scene=None, depsgraph=None):
+    _heal(depsgraph=depsgraph, is_edit=False)
+
+
+@persistent
+def _heal(_scene=None, depsgraph=None, is_edit=True):
+    if not _in_use[0] or bpy.app.is_job_running('RENDER'):
         return
-    _try(lambda: _heal_all(depsgraph))
+    _try(lambda: _heal_all(depsgraph, is_edit))
 
 
-def _heal_all(depsgraph):
+def _heal_all(depsgraph, is_edit):
     _heal_driven()
-    _heal_copies()
+    # To count the objects takes 0.1 ms where there are 5000. What is new stands in a collection, or it is not evaluated.
+    if is_edit or depsgraph is None or _object_count[0] < 0 or deleted.have_collections_changed(depsgraph):
+        _heal_copies()
     _heal_meshes()
     if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
         _heal_edited(depsgraph)
@@ -95,24 +101,22 @@ def _try(heal):
 
 
 def _heal_driven():
-    from . import attaching
     while _asked:
         name, owner_name = _asked.pop()
-        owner = bpy.data.objects.get(owner_name)
+        owner = bpy.data.objects.get((owner_name, None))
         system = registered.get(name)
         # To ask an object for its settings gives it some.
-        if not owner or owner.library or not system or not owner.is_property_set("motus"):
+        if not owner or not system or not owner.is_property_set("motus"):
             continue
         if not attaching.is_attached(system, owner):
             continue
         if system.groups is not None:
             attaching.refresh_changed(system, owner)
-        elif has_driven_settings(owner, of_owner(system, owner)) and not _is_direct(owner):
+        elif drivers.has_driven_settings(owner, of_owner(system, owner)) and not _is_direct(owner):
             attaching.refresh(system, owner)
 
 
 def _heal_meshes():
-    from . import attaching
     for place in list(_watched):
         system, owner = _find(*place)
         if owner is None:
@@ -127,8 +131,8 @@ def _heal_meshes():
 
 def _find(name, owner_name):
     """The system and the owner of these names; (None, None) where they are not there or not wired in this file."""
-    system, owner = registered.get(name), bpy.data.objects.get(owner_name)
-    if not system or not owner or owner.library or not owner.is_property_set("motus") or not of_owner(system, owner).is_active:
+    system, owner = registered.get(name), bpy.data.objects.get((owner_name, None))
+    if not system or not owner or not owner.is_property_set("motus") or not of_owner(system, owner).is_active:
         return None, None
     return system, owner
 
@@ -141,15 +145,13 @@ def _heal_copies():
     count = len(bpy.data.objects)
     if count == _object_count[0]:
         return
-    presence.forget_removed()
     relations.look()
-    from . import attaching
     for system, owner in _attached():
         place = system.name, owner.name
-        if place in _given_up or not has_strange_carriers(system, owner):
+        if place in _given_up or not carriers.has_strange_carriers(system, owner):
             continue
         attaching.refresh(system, owner)
-        if has_strange_carriers(system, owner):
+        if carriers.has_strange_carriers(system, owner):
             _given_up.add(place)
     _object_count[0] = len(bpy.data.objects)
 
@@ -161,20 +163,31 @@ def _attached():
 
 
 def _heal_overrides():
-    from . import attaching
     overrides.forget()
     if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
         return
+    _release_overrides()
     for system, owner in _attached():
         if overrides.is_lost(system, owner):
             attaching.refresh(system, owner)
 
 
+def _release_overrides():
+    """Take off overrides again what was taken off them, and came back from their library."""
+    for obj in bpy.data.objects:
+        if not obj.override_library or obj.library or not obj.is_property_set("motus"):
+            continue
+        for system in registered.values():
+            settings = of_owner(system, obj)
+            if settings.is_released and not settings.is_active:
+                sinks.release(system, obj)
+                overrides.unmark(system, obj)
+
+
 def _heal_edited(depsgraph):
-    from . import attaching
     edited = [update.id.original for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
     edited = {armature for armature in edited if not armature.is_editmode}
-    _heal_joined({armature for armature in edited if _bone_counts.get(armature.name) != len(armature.bones)})
+    _heal_joined({armature for armature in edited if _bone_counts.get(_key(armature)) != len(armature.bones)})
     touched = [(system, owner) for system, owner in (_attached() if edited else ())
                if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))]
     for system, owner in touched:
@@ -186,7 +199,7 @@ def _heal_edited(depsgraph):
 
 
 def _heal_joined(grown):
-    _bone_counts.update((armature.name, len(armature.bones)) for armature in grown)
+    _bone_counts.update((_key(armature), len(armature.bones)) for armature in grown)
     for obj in bpy.data.objects if grown else ():
         if obj.data not in grown or obj.library or obj.override_library:
             continue
@@ -211,15 +224,20 @@ def _discard(rig):
     bpy.data.objects.remove(rig)
 
 
+def _key(datablock):
+    """What tells a datablock from others of its kind, linked ones of the same name among them."""
+    return datablock.name, datablock.library and datablock.library.name
+
+
 def _armatures(system, owner):
     """The data of the owner and of all objects that it reads."""
-    from .solver_driver import waits
     read = [pair[0] for key, _ in outbox.carriers(system, owner) for pair in waits(system, owner, key)]
     return {owner.data, *(obj.data for obj in read if obj)}
 
 
 @persistent
 def _forget(*_):
+    _in_use[0] = False
     _asked.clear()
     _driver_counts.clear()
     _bone_counts.clear()
@@ -232,8 +250,8 @@ def _forget(*_):
 
 
 @persistent
-def _loaded(*_):
-    """Before the first evaluation."""
+def loaded(*_):
+    """Before the first evaluation of a file."""
     _forget()
     _try(lambda: (overrides.complete_references(), _heal_overrides()))
 
@@ -241,16 +259,15 @@ def _loaded(*_):
 @persistent
 def _updated(_scene=None, depsgraph=None):
     # Not after every change of the frame: neither what Blender keeps of an override nor what an object hangs on changes then.
-    if bpy.app.is_job_running('RENDER'):
+    if not (_in_use[0] or overrides.has_marks()) or bpy.app.is_job_running('RENDER'):
         return
     if overrides.has_new_marks():
         _try(_heal_overrides)
-    if depsgraph is not None and depsgraph.id_type_updated('OBJECT'):
+    if _in_use[0] and depsgraph is not None and depsgraph.id_type_updated('OBJECT'):
         _try(lambda: _heal_order(depsgraph))
 
 
 def _heal_order(depsgraph):
-    from . import attaching
     if not relations.have_changed(depsgraph):
         return
     for system, owner in _attached():
@@ -258,23 +275,19 @@ def _heal_order(depsgraph):
             attaching.refresh_changed(system, owner)
 
 
-_HANDLERS = (bpy.app.handlers.depsgraph_update_post, bpy.app.handlers.frame_change_post)
+def _watched_handlers():
+    found = bpy.app.handlers
+    return (
+        (found.depsgraph_update_post, _heal), (found.frame_change_post, _heal_after_frame),
+        (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references))
 
 
 def register():
     """Watch for what was noticed."""
-    for handlers in _HANDLERS:
-        handlers.append(_heal)
-    bpy.app.handlers.depsgraph_update_post.append(_updated)
-    bpy.app.handlers.load_post.append(_loaded)
-    bpy.app.handlers.save_pre.append(overrides.complete_references)
+    handlers.add(_watched_handlers())
 
 
 def unregister():
     """Stop watching."""
-    bpy.app.handlers.save_pre.remove(overrides.complete_references)
-    bpy.app.handlers.load_post.remove(_loaded)
-    bpy.app.handlers.depsgraph_update_post.remove(_updated)
-    for handlers in _HANDLERS:
-        handlers.remove(_heal)
+    handlers.remove(_watched_handlers())
     _forget()

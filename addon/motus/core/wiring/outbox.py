@@ -9,20 +9,24 @@ influence of the sinks, and 0 where they may not act. On the original the weight
 without the add-on nothing acts.
 
 A system with several groups has an outbox a group. Beside it lies, for such a system, what the group needs to know: the
-names of its outputs and of its members, and Group.data; as text, with a digest by which it is parsed only once.
+names of its outputs and of its members, and Group.data; as text, which is parsed only once.
+
+All of that may have been changed by whoever had the file: opened() and owner_of() check it, and raise Damaged.
 """
 
 import functools
-import hashlib
 import json
+import math
 import re
 from collections import OrderedDict
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import NamedTuple, Optional
 
 import bpy
 
-from ..system import Problem, of_owner
+from .. import stored
+from ..stored import Damaged, Newer
+from ..system import Problem, groups_of, of_owner
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
 POSE_SIZE = 6
@@ -32,11 +36,13 @@ OWNER_KEY = "motus_owner"
 """Custom property of a hub's mesh: the object whose settings it computes."""
 MEMBER_DATA_KEY = "motus_member_data"
 """Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
-INTERNAL, SILENT = -1, -2
+INTERNAL, SILENT, DAMAGED, NEWER = -1, -2, -3, -4
+VERSION = 1
+"""Of what lies in an outbox and beside it; to be raised where an add-on of today could not read it."""
 LARGEST_CACHE = 256  # groups whose Info is known at a time
 
 _infos = OrderedDict()
-"""Info by digest: what is the same content is the same Info, in whatever file it lies."""
+"""(carrier's name, name of the property) -> (what lies there, the Info that it says or the exception for why it says none)."""
 
 
 @dataclass(frozen=True)
@@ -49,13 +55,18 @@ class Info:
     is_relative: bool
     uses_attribute: bool
     data: dict
-    reads: tuple = ()  # names of the bones in Group.reads
+    reads: tuple  # names of the bones in Group.reads
 
     @functools.cached_property
     def layout(self):
         """What lies where in the outbox."""
         return Layout(FIRST_OUTPUT + len(self.outputs), len(self.members), self.has_scales, self.is_relative,
                       self.uses_attribute)
+
+    @functools.cached_property
+    def places(self):
+        """Slot of each output by its name."""
+        return _places(self.outputs)
 
 
 class Layout(NamedTuple):
@@ -67,11 +78,40 @@ class Layout(NamedTuple):
     is_relative: bool
     has_attribute: bool
 
+    @property
+    def size(self):
+        """How many slots there are."""
+        in_slots = 0 if self.has_attribute else self.members
+        return self.base + in_slots * (POSE_SIZE + SCALE_SIZE * self.has_scales)
 
+
+class Outbox(NamedTuple):
+    """One that was found to be what it should be. slots: its memory. info: None where the system declares no groups."""
+
+    slots: memoryview
+    layout: Layout
+    info: Optional[Info]
+
+
+def _is_data(value):
+    """Whether a parsed value may be Group.data."""
+    return isinstance(value, dict) and all(
+        isinstance(one, str) or stored.fits(one, float) or stored.fits(one, [float]) for one in value.values())
+
+
+_INFO_FORM = ([str], [str], bool, bool, bool, _is_data, [str])
+
+_DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
+_NEWER_PROBLEM = Problem(
+    "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
 _MIRRORED_PROBLEM = Problem(
     "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale", blocking=False)
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
+_OWN_PROBLEMS = {
+    INTERNAL: _INTERNAL_PROBLEM, SILENT: _SILENT_PROBLEM, DAMAGED: _DAMAGED_PROBLEM, NEWER: _NEWER_PROBLEM}
+
+_Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # to look them up there costs more than the question
 
 
 def out_key(system, group=""):
@@ -92,7 +132,7 @@ def out_path(system, index=None, group=""):
 
 def slot_pattern(system):
     """Matches data paths of slots of any of the system's outboxes: group "key" is the group's, "slot" the index."""
-    return re.compile(rf'\["motus_{system.name}_out(?:_(?P<key>\w+))?"\]\[(?P<slot>\d+)\]$')
+    return re.compile(rf'\["motus_{system.name}_out(?:_(?P<key>\w+))?"\]\[(?P<slot>\d{{1,9}})\]$')
 
 
 def pose_base(group):
@@ -127,9 +167,7 @@ def create(system, carrier, group, uses_attribute):
             group.outputs, tuple(member.thing.name for member in group.members), has_scales(group),
             any(member.is_relative for member in group.members), uses_attribute, group.data,
             tuple(bone for _, bone in group.reads))
-        text = json.dumps(list(vars(noted).values()))
-        digest = hashlib.sha1(text.encode()).hexdigest()
-        carrier[info_key(system, group.key)] = {"digest": digest, "text": text}
+        carrier[info_key(system, group.key)] = {"version": VERSION, "text": json.dumps(list(vars(noted).values()))}
 
 
 def remove(system, carrier):
@@ -144,18 +182,14 @@ def _is_ours(system, key):
 
 def hub_of(system, owner, group=""):
     """The hub object of a group; None where the owner carries it itself."""
-    settings = of_owner(system, owner)
-    if not group:
-        return settings.hub
-    entry = settings.more_hubs.get(group)
-    return entry.object if entry else None
+    return dict(hubs(system, owner)).get(group)
 
 
 def hubs(system, owner):
     """(group's key, hub object) of all groups that have one, whether it is the owner's own or not."""
     settings = of_owner(system, owner)
-    found = [("", settings.hub)] if settings.hub else []
-    return found + [(entry.name, entry.object) for entry in settings.more_hubs if entry.object]
+    pointers = [("", settings.hub), *((entry.name, entry.object) for entry in settings.more_hubs)]
+    return [(key, hub) for key, hub in pointers if hub and hub.type == 'MESH']
 
 
 def lost_hubs(system, owner):
@@ -171,9 +205,9 @@ def carriers(system, owner):
 
 
 def _on(system, carrier):
-    prefix = out_key(system)
-    return [(key[len(prefix) + 1:], carrier) for key in carrier.keys()
-            if key == prefix or key.startswith(prefix + "_")]
+    names = [name[len(prefix):] for name in carrier.keys() for prefix in (out_key(system), info_key(system))
+             if name == prefix or name.startswith(f"{prefix}_")]
+    return [(name[1:], carrier) for name in dict.fromkeys(names)]
 
 
 def carrier_of(system, owner, group=""):
@@ -197,19 +231,84 @@ def key_on_hub(system, mesh):
     return next((key for key, _ in _on(system, mesh)), None)
 
 
-def info(system, carrier, group=""):
-    """The Info that create() noted beside the outbox; None where the system declares no groups, or another version of the
-    add-on has noted something else."""
-    noted = carrier.get(info_key(system, group))
-    digest = noted.get("digest") if noted is not None else None
-    if digest is None:
+def opened(system, carrier, group=""):
+    """A group's Outbox on a carrier, original or evaluated. Raises Damaged where it is not what create() makes."""
+    slots = stored.doubles(carrier.get(out_key(system, group)))
+    noted = _info(system, carrier, group)
+    layout = _layout_without_info(system, carrier, len(slots)) if noted is None else noted.layout
+    if len(slots) != layout.size:
+        raise Damaged("another number of slots")
+    return Outbox(slots, layout, noted)
+
+
+def layout_of(system, carrier, group, size):
+    """The Layout that an outbox of so many slots should have, whatever its own is. Raises Damaged where nobody knows."""
+    noted = _info(system, carrier, group)
+    return _layout_without_info(system, carrier, size) if noted is None else noted.layout
+
+
+def _layout_without_info(system, carrier, size):
+    base = FIRST_OUTPUT + len(system.outputs)
+    if isinstance(carrier, _Mesh) and size == base:
+        return Layout(base, len(carrier.vertices), False, False, True)
+    return Layout(base, max(0, size - base) // POSE_SIZE, False, False, False)
+
+
+def has_room(mesh, count):
+    """Whether a hub's mesh has data for so many members, or none as yet."""
+    if MEMBER_DATA_KEY not in mesh:
+        return True
+    try:
+        return len(stored.doubles(mesh[MEMBER_DATA_KEY], count)) == count
+    except Damaged:
+        return False
+
+
+def owner_of(system, carrier):
+    """The object whose settings a carrier's solver computes. Raises Damaged without one."""
+    owner = carrier.get(OWNER_KEY) if isinstance(carrier, _Mesh) else carrier
+    # To ask an object for settings that it has not would give it some.
+    if not isinstance(owner, _Object) or not owner.is_property_set("motus") or not owner.motus.is_property_set(system.name):
+        raise Damaged("no owner")
+    return owner
+
+
+def _info(system, carrier, group):
+    if system.groups is None:
         return None
-    found = _infos.get(digest)
-    if found is None:
-        found = _infos[digest] = Info(*json.loads(noted["text"]))
+    name = info_key(system, group)
+    noted = carrier.get(name)
+    read = getattr(noted, "get", None)
+    said = (read("text"), read("version", VERSION)) if read else (None, VERSION)
+    place = carrier.name_full, name
+    known = _infos.get(place)
+    if known is None or known[0] != said:
+        known = _infos[place] = said, _parsed(*said)
         if len(_infos) > LARGEST_CACHE:
             _infos.popitem(last=False)
+    found = known[1]
+    if not isinstance(found, Info):
+        raise found("no info")
     return found
+
+
+def _parsed(text, version):
+    """The Info that a text says, or the exception that tells why it says none."""
+    if isinstance(version, int) and version > VERSION:
+        return Newer
+    try:
+        said = stored.parse(text, _INFO_FORM)
+    except Damaged:
+        return Damaged
+    return Info(*said)
+
+
+def info(system, carrier, group=""):
+    """The Info that create() noted beside the outbox; None where the system declares no groups, or one of the two is damaged."""
+    try:
+        return opened(system, carrier, group).info
+    except Damaged:
+        return None
 
 
 def output_names(system, carrier, group=""):
@@ -226,9 +325,23 @@ def output_path(system, name, owner=None, group=""):
 
 def output(system, owner, name, depsgraph, group=""):
     """Value of an output as last evaluated; None where nothing was."""
-    carrier = carrier_of(system, owner, group).evaluated_get(depsgraph)
-    out, names = carrier.get(out_key(system, group)), output_names(system, carrier, group)
-    return None if out is None or name not in names else out[FIRST_OUTPUT + names.index(name)]
+    _, values = _told(system, carrier_of(system, owner, group).evaluated_get(depsgraph), group, [name])
+    return values[0] if values else None
+
+
+def _told(system, evaluated, group, names):
+    """(weight, values of the outputs) on an evaluated carrier; values: None where not all of them are there."""
+    try:
+        box = opened(system, evaluated, group)
+    except Damaged:
+        return 0.0, None
+    known = _places(system.outputs) if box.info is None else box.info.places
+    values = [box.slots[known[name]] for name in names] if known.keys() >= set(names) else [math.nan]
+    return box.slots[WEIGHT], values if all(map(math.isfinite, values)) else None
+
+
+def _places(outputs):
+    return {name: FIRST_OUTPUT + index for index, name in enumerate(outputs)}
 
 
 def outputs_of(system, owner, entry, names, depsgraph):
@@ -238,29 +351,37 @@ def outputs_of(system, owner, entry, names, depsgraph):
     """
     wanted = [f"{entry}.{name}" for name in names]
     for key, carrier in carriers(system, owner):
-        evaluated = carrier.evaluated_get(depsgraph)
-        out, known = evaluated.get(out_key(system, key)), output_names(system, evaluated, key)
+        weight, values = _told(system, carrier.evaluated_get(depsgraph), key, wanted)
         # Blender 5 may copy the owner anew without solving again (a change of mode): all is 0 for a while.
-        if out is not None and out[WEIGHT] != 0.0 and wanted[0] in known:
-            return [out[FIRST_OUTPUT + known.index(name)] for name in wanted]
+        if values and weight != 0.0:
+            return values
     return None
 
 
 def problem(system, owner, depsgraph):
     """The Problem that the solvers of the owner reported, a blocking one first; or None."""
-    outs = [carrier.evaluated_get(depsgraph).get(out_key(system, key)) for key, carrier in carriers(system, owner)]
-    found = sorted(filter(None, (_problem_of(system, out) for out in outs)), key=lambda one: not one.blocking)
-    if found or not outs:
-        return found[0] if found else None
+    carried = carriers(system, owner)
+    if not carried:
+        is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
+        return _DAMAGED_PROBLEM if is_bereft else None
+    problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key) for key, carrier in carried)
+    found = sorted(filter(None, problems), key=lambda one: not one.blocking)
+    if found:
+        return found[0]
     if system.groups is not None or not owner.matrix_basis.is_negative:
         return None
     return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
 
 
-def _problem_of(system, out):
-    if out is None:
-        return None
-    code = int(out[STATUS])
-    if code < 0:
-        return _INTERNAL_PROBLEM if code == INTERNAL else _SILENT_PROBLEM
-    return system.problems[code - 1] if code else None
+def _problem_of(system, evaluated, key):
+    try:
+        owner_of(system, evaluated)
+        status = opened(system, evaluated, key).slots[STATUS]
+    except Newer:
+        return _NEWER_PROBLEM
+    except Damaged:
+        return _DAMAGED_PROBLEM
+    if status in _OWN_PROBLEMS:
+        return _OWN_PROBLEMS[status]
+    known = (None, *system.problems)
+    return known[int(status)] if 0.0 <= status < len(known) else _DAMAGED_PROBLEM

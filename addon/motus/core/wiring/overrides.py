@@ -17,7 +17,7 @@ from ..system import groups_of, input_variables, registered
 from . import carriers, override_drivers
 
 _known = {}
-"""(name of the mark, name of the override) -> what it said when it was last looked at."""
+"""(name of the mark, name of the override) -> what it said when it was last looked at, None where there was none."""
 
 
 def mark(system, owner, groups):
@@ -33,9 +33,11 @@ def mark(system, owner, groups):
 
 
 def unmark(system, obj):
-    """Take the note away."""
+    """Take the note away. On an override it comes back when its library is loaded again."""
     obj.pop(_key(system), None)
     _known.pop((_key(system), obj.name), None)
+    if obj.override_library and not obj.library:
+        _known[_key(system), obj.name] = None
 
 
 def is_lost(system, owner):
@@ -49,6 +51,11 @@ def is_lost(system, owner):
         return True
     _known.update({(_key(system), obj.name): digest for obj in overridden})
     return False
+
+
+def has_marks():
+    """Whether there is anything to compare."""
+    return bool(_known)
 
 
 def has_new_marks():

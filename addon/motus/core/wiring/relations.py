@@ -6,16 +6,16 @@ Blender tells handlers which objects were updated, not why; so what an object ha
 import bpy
 
 _known = {}
-"""What each object hung on when it was last looked at, by its name."""
+"""What each object hung on when it was last looked at, by its name and its library's file."""
 
 
 def look():
     """Note what the objects hang on that are not known yet."""
-    objects = bpy.data.objects
-    for name in _known.keys() - set(objects.keys()):
-        del _known[name]
-    for name in set(objects.keys()) - _known.keys():
-        _known[name] = _hangs_on(objects[name])
+    objects = {_key(obj): obj for obj in bpy.data.objects}
+    for key in _known.keys() - objects.keys():
+        del _known[key]
+    for key in objects.keys() - _known.keys():
+        _known[key] = _hangs_on(objects[key])
 
 
 def have_changed(depsgraph):
@@ -23,18 +23,24 @@ def have_changed(depsgraph):
     changed = False
     for update in depsgraph.updates:
         is_object = update.is_updated_transform and isinstance(update.id, bpy.types.Object)
-        # By its name: another handler may have removed it since, and to ask the copy for its original would crash.
-        obj = bpy.data.objects.get(update.id.name) if is_object else None
+        # By its key: another handler may have removed it since, and to ask the copy for its original would crash.
+        key = _key(update.id) if is_object else None
+        obj = bpy.data.objects.get(key) if key else None
         if obj:
             now = _hangs_on(obj)
-            changed = changed or _known.get(obj.name, now) != now
-            _known[obj.name] = now
+            changed = changed or _known.get(key, now) != now
+            _known[key] = now
     return changed
 
 
 def forget():
     """Forget all objects."""
     _known.clear()
+
+
+def _key(obj):
+    """By which bpy.data.objects finds it, too."""
+    return obj.name, obj.library and obj.library.filepath
 
 
 def _hangs_on(obj):

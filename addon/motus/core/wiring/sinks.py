@@ -1,21 +1,25 @@
 """Finding sinks again, by what they read: names can be changed, and copies carry sinks that nobody listed."""
 
+import re
+
 import bpy
 
 from ..system import groups_of, of_owner
 from . import attribute_sink, drivers, limit_sink, outbox, proxy_sink
 
+_DIRECT = re.compile(r'motus_direct\(self,"(?P<system>\w+)\.?(?P<key>\w*)",(?P<slot>\d{1,9}),')
 _DRIVEN = (".influence", ".to_min_x_rot", ".to_min_x_scale")
 """A sink is known by the driver of one of these: the influence, or what a relative one has instead."""
 
 
 def on_object(system, obj):
     """Yields (Object or PoseBone, constraint, carrier, group's key) of every sink of the system, whoever drives it."""
-    pattern = outbox.slot_pattern(system)
+    pattern, undriven = outbox.slot_pattern(system), set()
     for thing in (obj, *(obj.pose.bones if obj.pose else ())):
         for constraint in thing.constraints:
             key = attribute_sink.undriven_key(system, constraint)
             if key is not None:
+                undriven.add(constraint)
                 yield thing, constraint, constraint.target.data, key
             proxy = proxy_sink.proxy_of(constraint)
             read = proxy and _read_first(system, pattern, proxy)
@@ -30,11 +34,18 @@ def on_object(system, obj):
         path = path.rpartition(".")[0]
         read = path not in seen and _read_by_sink(system, pattern, curve, obj)
         constraint = _resolve(obj, path) if read else None
-        if constraint:
+        if constraint and constraint not in undriven and _is_sure(system, constraint, read):
             seen.add(path)
             yield _holder(obj, path), constraint, *read
     if obj.override_library and not obj.library:
         yield from _bereft(system, obj, _driven_constraints(obj))
+
+
+def _is_sure(system, constraint, read):
+    """Whether a constraint that reads a slot of an outbox is a sink: where nobody knows what the slots are, by its name."""
+    if system.groups is None or outbox.info(system, *read) is not None:
+        return True
+    return constraint.type == 'GEOMETRY_ATTRIBUTE' or limit_sink.is_named(system, constraint)
 
 
 def _bereft(system, obj, driven):
@@ -118,7 +129,8 @@ def release(system, obj):
 def makers(system, obj):
     """Owners of the hubs and proxies that the sinks on an object hang on."""
     found = {(proxy_sink.proxy_of(constraint) or carrier) for _, constraint, carrier, _ in on_object(system, obj)}
-    return {one.get(proxy_sink.KEY) or one.get(outbox.OWNER_KEY) for one in found} - {None}
+    owners = [one.get(proxy_sink.KEY) or one.get(outbox.OWNER_KEY) for one in found]
+    return {owner for owner in owners if isinstance(owner, bpy.types.Object)}
 
 
 def remove(found):
@@ -190,9 +202,9 @@ def _driven_objects(system, owner):
 
 def _read(system, pattern, driver, obj):
     """(carrier, group's key) of the outbox that a driver reads; None for any other driver."""
-    if driver.expression.startswith("motus_direct(self,"):
-        name, _, key = driver.expression.split('"', 2)[1].partition(".")
-        return (obj, key) if name == system.name else None
+    direct = _DIRECT.match(driver.expression)
+    if direct:
+        return (obj, direct["key"]) if direct["system"] == system.name else None
     for variable in driver.variables:
         target = variable.targets[0]
         slot = pattern.match(target.data_path)
@@ -242,8 +254,9 @@ def _read_by_sink(system, pattern, curve, obj):
 
 def _slot(pattern, driver):
     """Which slot of the outbox a driver is known to read."""
-    if driver.expression.startswith("motus_direct("):
-        return int(driver.expression.split(",", 3)[2])
+    direct = _DIRECT.match(driver.expression)
+    if direct:
+        return int(direct["slot"])
     paths = [variable.targets[0].data_path for variable in driver.variables]
     return next(int(match["slot"]) for match in map(pattern.match, paths) if match)
 

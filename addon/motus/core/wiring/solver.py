@@ -2,22 +2,23 @@
 
 import logging
 from array import array
+from contextlib import suppress
 
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import native
+from .. import handlers, native, stored
 from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
+from ..stored import Damaged, Newer
 from ..system import Context, Vertices, groups_of, of_owner, registered
-from . import geometry_sink, healing, outbox
-from .attribute_sink import ATTRIBUTE, store_own_poses, write, write_neutral
+from . import attribute_sink, geometry_sink, healing, outbox, revival
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
 log = logging.getLogger(__name__)
 
-_Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # to look them up there costs more than the question
+_Object = bpy.types.Object  # to look it up there costs more than the question
 
 
 def motus_solve(self, name, frame, depsgraph, *values):
@@ -25,21 +26,27 @@ def motus_solve(self, name, frame, depsgraph, *values):
 
     name: of the system, with the group's key after a dot where it has one.
     """
-    name, _, key = name.partition(".")
+    # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
     try:
         keep_state()
-        system = registered[name]
-        out = self[outbox.out_key(system, key)]
-        _solve(system, key, self, memoryview(out), frame, depsgraph, values)
+        healing.note_use()
+        system, key = _called(name)
+        box = outbox.opened(system, self, key)
+        owner = outbox.owner_of(system, self)
+        _solve(system, key, self, owner, box, frame, depsgraph, values)
         if system.moves_points:
-            healing.watch(system, self.get(outbox.OWNER_KEY))
+            healing.watch(system, owner)
         elif system.groups is not None or isinstance(self, _Object):
-            healing.check(system, self.get(outbox.OWNER_KEY) or self)
-    except Exception:
-        # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
-        log.exception("Motus: %s could not be computed on %s", name, self.name)
-        return _fail(self, name, key)
-    return out[outbox.STATUS]
+            healing.check(system, owner)
+    except Exception as error:
+        return _fail(self, name, error)
+    return box.slots[outbox.STATUS]
+
+
+def _called(name):
+    """The system and the group's key that a driver names."""
+    name, _, key = name.partition(".")
+    return registered[name], key
 
 
 class _Points:
@@ -52,35 +59,26 @@ class _Points:
 
 def motus_direct(self, name, slot, frame, depsgraph, *values):
     """Value of one outbox slot, for sinks that are driven without an outbox. Never raises."""
-    name, _, key = name.partition(".")
-    out = None
+    box = None
     try:
         keep_state()
-        system = registered[name]
+        healing.note_use()
+        system, key = _called(name)
         carrier = self.id_data
-        out = array('d', carrier[outbox.out_key(system, key)])
-        _solve(system, key, carrier, memoryview(out), frame, depsgraph, values)
-        return out[slot]
-    except Exception:
-        log.exception("Motus: %s could not be computed on %s", name, self.id_data.name)
-        return _neutral(system, carrier, key, slot) if out else 0.0
+        found = outbox.opened(system, carrier, key)
+        box = found._replace(slots=memoryview(array('d', found.slots)))
+        _solve(system, key, carrier, outbox.owner_of(system, carrier), box, frame, depsgraph, values)
+        return box.slots[slot]
+    except Exception as error:
+        _log(self, name, error)
+        # Only a scale is not 0 where it does nothing; what nobody can read has the influence 0.
+        return float(box is not None and isinstance(slot, int) and slot >= box.layout.base + outbox.POSE_SIZE * box.layout.members)
 
 
-def _layout(system, info, carrier, size):
-    if info is not None:
-        return info.layout
-    has_attribute = isinstance(carrier, _Mesh) and ATTRIBUTE in carrier.attributes
-    base = outbox.FIRST_OUTPUT + len(system.outputs)
-    members = len(carrier.vertices) if has_attribute else (size - base) // outbox.POSE_SIZE
-    return outbox.Layout(base, members, False, False, has_attribute)
-
-
-def _solve(system, key, carrier, out, frame, depsgraph, values):
-    info = outbox.info(system, carrier, key)
-    layout = _layout(system, info, carrier, len(out))
-    box = np.frombuffer(out)
-    owner = carrier.get(outbox.OWNER_KEY) if isinstance(carrier, _Mesh) else carrier
-    if native.module is None or owner is None:  # owner: of a hub, removed from the file
+def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
+    layout, info = found.layout, found.info
+    box = np.frombuffer(found.slots)
+    if native.module is None:
         _do_nothing(box, layout)
         if system.moves_points:
             geometry_sink.write_nothing(carrier)
@@ -92,7 +90,7 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
     context = Context(
         settings=settings, owner=owner, frame=frame, depsgraph=depsgraph, locations=poses.locations,
         rotations=poses.rotations, scales=poses.scales, outputs=box[outbox.FIRST_OUTPUT:layout.base],
-        member_data=_member_data(system, carrier, owner), group=key, data={} if info is None else info.data)
+        member_data=_member_data(system, carrier, owner, count), group=key, data={} if info is None else info.data)
     inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
     offsets = _room(system, carrier, inputs, context) if system.moves_points else None
     problem = system.solve(context, **inputs)
@@ -110,8 +108,9 @@ def _solve(system, key, carrier, out, frame, depsgraph, values):
         if context.wants_to_settle:
             healing.ask_to_settle(system, owner)
     elif layout.has_attribute:
-        write(carrier, lambda: groups_of(system, owner)[0].members, context.locations, context.rotations,
-              context.scales if layout.has_scales else None, weight)
+        attribute_sink.write(
+            carrier, lambda: groups_of(system, owner)[0].members, context.locations, context.rotations,
+            context.scales if layout.has_scales else None, weight)
     elif weight > 0.0 or layout.is_relative:
         _pack(box, layout, context)
 
@@ -174,30 +173,50 @@ def _do_nothing(box, layout):
         box[end:] = 1.0
 
 
-def _member_data(system, carrier, owner):
+def _member_data(system, carrier, owner, count):
     if system.member_data is None:
         return None
-    if carrier == owner:
-        return system.member_data(owner)
-    return np.frombuffer(memoryview(carrier[outbox.MEMBER_DATA_KEY]))
+    if carrier != owner:
+        return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
+    data = system.member_data(owner)
+    if len(data) != count:
+        raise Damaged("another number of members")
+    return data
 
 
-def _neutral(system, carrier, key, slot):
-    layout = _layout(system, outbox.info(system, carrier, key), carrier, len(carrier[outbox.out_key(system, key)]))
-    return 1.0 if slot >= layout.base + outbox.POSE_SIZE * layout.members else 0.0
-
-
-def _fail(carrier, name, key):
-    out = carrier.get(outbox.out_key(registered[name], key)) if name in registered else None
-    if out is not None:
-        system = registered[name]
-        layout = _layout(system, outbox.info(system, carrier, key), carrier, len(out))
-        _do_nothing(np.frombuffer(memoryview(out)), layout)
-        if layout.has_attribute and layout.is_relative:
-            write_neutral(carrier)
-        elif system.moves_points:
-            geometry_sink.write_nothing(carrier)
+def _fail(carrier, name, error):
+    """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
+    _log(carrier, name, error)
+    for rest in (_rest_slots, _rest_attribute):
+        with suppress(Exception):
+            rest(*_called(name), carrier)
+    if isinstance(error, Damaged):
+        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
     return float(outbox.INTERNAL)
+
+
+def _log(carrier, name, error):
+    # What is damaged in a file is said in the panel; here it would be said at every frame.
+    if not isinstance(error, Damaged):
+        log.error("Motus: %s could not be computed on %s", name, getattr(carrier, "name", carrier), exc_info=error)
+
+
+def _rest_slots(system, key, carrier):
+    memory = memoryview(carrier[outbox.out_key(system, key)])
+    box = np.frombuffer(memory, memory.format)
+    # Where nobody knows what the slots are: in a file that is as it was saved, all are 0, but for scales, which are 1.
+    box[box != 1] = 0
+    box[outbox.STATUS:outbox.FIRST_OUTPUT] = 0
+    layout = outbox.layout_of(system, carrier, key, len(box))
+    box[outbox.FIRST_OUTPUT:layout.base] = 0
+    _do_nothing(box, layout)
+
+
+def _rest_attribute(system, key, carrier):
+    if system.moves_points:
+        geometry_sink.write_nothing(carrier)
+    elif isinstance(carrier, bpy.types.Mesh):
+        attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 
 
 _FUNCTIONS = {"motus_solve": motus_solve, "motus_direct": motus_direct, "motus_points": _Points()}
@@ -209,18 +228,23 @@ def _fill_namespace(*_):
     bpy.app.driver_namespace.update(_FUNCTIONS)
 
 
+def _watched():
+    found = bpy.app.handlers
+    return (found.load_post, _fill_namespace), (found.save_pre, attribute_sink.store_own_poses)
+
+
 def register():
     """Make the driver functions known, now and after every file load."""
     _fill_namespace()
-    bpy.app.handlers.load_post.append(_fill_namespace)
-    bpy.app.handlers.save_pre.append(store_own_poses)
+    handlers.add(_watched())
     healing.register()
+    revival.register()
 
 
 def unregister():
     """Take the driver functions back."""
+    revival.unregister()
     healing.unregister()
-    bpy.app.handlers.save_pre.remove(store_own_poses)
-    bpy.app.handlers.load_post.remove(_fill_namespace)
+    handlers.remove(_watched())
     for name in _FUNCTIONS:
         bpy.app.driver_namespace.pop(name, None)

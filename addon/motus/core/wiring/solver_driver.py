@@ -1,7 +1,9 @@
 """The driver that calls the solver, and the variables by which it waits for what it reads."""
 
+import bpy
+
 from ..system import BonesOwn, Setting, Transform, Variable, input_variables, of_owner
-from . import drivers, healing, outbox, waiting
+from . import drivers, outbox, waiting
 
 
 def add(system, owner, group, carrier):
@@ -19,7 +21,7 @@ def add(system, owner, group, carrier):
 def direct(system, owner, group):
     """(expression with {slot}, variables) where the sinks of an owner are to compute for themselves; else None."""
     settings = of_owner(system, owner)
-    if not settings.use_direct_drivers and (system.groups or not healing.has_driven_settings(owner, settings)):
+    if not settings.use_direct_drivers and (system.groups or not drivers.has_driven_settings(owner, settings)):
         return None
     expression, variables = _call(system, owner, group, with_settings=True)
     return f'motus_direct(self,"{_name(system, group)}",{{slot}},frame,depsgraph{expression})', variables
@@ -33,7 +35,7 @@ def waits(system, owner, key):
     animation = owner.animation_data
     curve = animation and animation.drivers.find(outbox.out_path(system, group=key), index=outbox.STATUS)
     targets = [variable.targets[0] for variable in curve.driver.variables if variable.type == 'TRANSFORMS'] if curve else ()
-    return [(target.id, target.bone_target) for target in targets]
+    return [(target.id if isinstance(target.id, bpy.types.Object) else None, target.bone_target) for target in targets]
 
 
 def renamed_reads(system, owner):

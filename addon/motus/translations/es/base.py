@@ -22,6 +22,10 @@ INTERFACE = {
     "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale":
         "Reflejado por una escala negativa, que las restricciones de rotación no conservan: aplica la escala",
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
+    "What this file holds for the solver is damaged: press Refresh, or set it up again":
+        "Lo que este archivo guarda para el solucionador está dañado: pulsa Actualizar, o configúralo de nuevo",
+    "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh":
+        "Creado por una versión más nueva de Motus, cuyos datos esta no puede leer: actualiza Motus, o pulsa Actualizar",
     "Not evaluated: the add-on's driver functions are not available in this file yet":
         "Sin evaluar: las funciones de los controladores del complemento aún no están disponibles en este archivo",
     "This copy of Motus is built for Python {pythons}, but this Blender runs Python {python}: install a Motus release that contains it":
@@ -45,6 +49,11 @@ INTERFACE = {
         "{bone} de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
     "A pin of {object} is from its library and cannot be removed here: mute it":
         "Un alfiler de {object} viene de su biblioteca y no se puede quitar aquí: siléncialo",
+    "Released": "Liberado",
+    "What the library has wired on this override was taken off it":
+        "Lo que la biblioteca había conectado en esta redefinición se ha quitado de ella",
+    "The wagons of {object} are from its library and cannot be uncoupled here: remove the train":
+        "Los vagones de {object} vienen de su biblioteca y no se pueden desenganchar aquí: quita el tren",
     "This target is from the library of {object} and cannot be removed here":
         "Este objetivo viene de la biblioteca de {object} y no se puede quitar aquí",
 
@@ -98,8 +107,10 @@ INTERFACE = {
     "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de capturar",
     "Baked {frames} frames of {objects} objects": "Capturados {frames} fotogramas de {objects} objetos",
     "Unbaked {objects} objects": "Deshecha la captura de {objects} objetos",
-    "Baking frame {done} of {all} (Esc cancels)": "Capturando el fotograma {done} de {all} (Esc cancela)",
-    "Baking was cancelled: nothing has changed": "Se canceló la captura: nada ha cambiado",
+    "Not all that these were before baking is in the file any more: {objects}":
+        "El archivo ya no contiene todo lo que estos eran antes de la captura: {objects}",
+    "Step {done} of {all} (Esc cancels)": "Paso {done} de {all} (Esc cancela)",
+    "Cancelled: nothing has changed": "Cancelado: no ha cambiado nada",
     "Select an object, or name one": "Selecciona un objeto o indica su nombre",
     "There is no object {object} in the scene": "No hay ningún objeto {object} en la escena",
     "The range is empty: the end frame comes before the start frame":
@@ -296,6 +307,7 @@ INTERFACE = {
     "{view} of {curve}": "{view} de {curve}",
     "Removed from {objects}": "Quitado de {objects}",
     "Nothing here follows a path": "Aquí nada sigue una trayectoria",
+    "Nothing here is a wagon of a train": "Aquí nada es un vagón de un tren",
     "Go to Object Mode first": "Pasa antes al modo Objeto",
     "Select the object that shall follow": "Selecciona el objeto que ha de seguir la curva",
     "Choose a curve to follow": "Elige la curva que se sigue",

@@ -168,8 +168,6 @@ INTERFACE = {
     "Frame Range": "Intervalo de fotogramas",
     "Frames from one to the next, less than one for sub-frames":
         "Fotogramas de uno al siguiente, menos de uno para subfotogramas",
-    "Step {done} of {all} (Esc cancels)": "Paso {done} de {all} (Esc cancela)",
-    "Cancelled: nothing has changed": "Cancelado: no ha cambiado nada",
     "Key the bones so that their own animation is the solution":
         "Pone claves en los huesos para que su propia animación sea la solución",
     "Key the targets and poles so that the solution is the animated pose":

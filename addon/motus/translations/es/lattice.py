@@ -87,12 +87,14 @@ INTERFACE = {
     "Where the lattice deforms one object only, let it move along as the object's child":
         "Si la jaula deforma un solo objeto, deja que se mueva con él como su hija",
     "Which way the lattice's axes point": "Hacia dónde apuntan los ejes de la jaula",
+    "At most {count} vertices can be held": "Se pueden retener {count} vértices como máximo",
     "{keyword} is not a list of whole numbers": "{keyword} no es una lista de números enteros",
     "{lattice} deforms {objects}": "{lattice} deforma {objects}",
     "{modifier} of {object} cannot be applied: {error}": "{modifier} de {object} no se puede aplicar: {error}",
     "{modifier} of {object} has no influence there": "{modifier} de {object} no tiene influencia ahí",
     "{objects} without a lattice": "{objects} sin jaula",
     "{object} deforms nothing that is shown": "{object} no deforma nada que se muestre",
+    "The lattice would be too large or too small for Blender": "La jaula sería demasiado grande o pequeña para Blender",
     "{object} has no geometry": "{object} no tiene geometría",
     "{object} has no lattice modifier {modifier}": "{object} no tiene el modificador de jaula {modifier}",
     "{object} has no shape that a lattice deforms: meshes, curves, surfaces, texts and lattices have":

@@ -35,6 +35,19 @@ INTERFACE = {
     "Several vertices may be the root of this pin: bind it to one of them":
         "Varios vértices pueden ser la raíz de esta ancla: fíjala a uno de ellos",
     "A setting of this pin is not a usable number": "Un ajuste de esta ancla no es un número utilizable",
+    "Shape": "Forma",
+    "Name of the mesh's attribute that says how far each vertex goes, where the pin was made of a stroke; empty for a pull at "
+    "one root":
+        "Nombre del atributo de la malla que dice cuánto se desplaza cada vértice, si el ancla se hizo de un trazo; vacío para un "
+        "tirón de una sola raíz",
+    "The stroke did more than a pull at one root: a pin of it keeps the shape":
+        "El trazo hizo más que un tirón de una sola raíz: un ancla de él guarda la forma",
+    "The shape of some pins is gone from the mesh, so that they do nothing":
+        "La forma de algunas anclas ya no está en la malla, así que no hacen nada",
+    "The shape of this pin is gone from the mesh: remove the pin":
+        "La forma de esta ancla ya no está en la malla: quita el ancla",
+    "{pin} keeps the shape of a stroke and has no root": "{pin} guarda la forma de un trazo y no tiene raíz",
+    "Pinned the last stroke on {object}": "Anclado el último trazo en {object}",
     "The vertex group of this pin is gone": "El grupo de vértices de esta ancla ya no existe",
     "Which pin; -1 means all of them": "Qué ancla; -1 significa todas",
     "Keep a pull in the object's list, where it can be keyed, muted and removed again":
@@ -47,8 +60,8 @@ INTERFACE = {
     "How far the root goes, instead of the brush's direction and strength":
         "Cuánto se mueve la raíz, en lugar de la dirección y la fuerza del pincel",
     "From Last Pull": "Del último tirón",
-    "Turn the last pull into a pin: the mesh goes back to what it was before":
-        "Convierte el último tirón en un ancla: la malla vuelve a lo que era antes",
+    "Turn the last pull, or all of the last stroke, into a pin: the mesh goes back to what it was before":
+        "Convierte el último tirón, o el último trazo entero, en un ancla: la malla vuelve a lo que era antes",
     "Pinned at vertex {index} of {object}": "Anclado en el vértice {index} de {object}",
     "The mesh has changed since the last pull, so that it cannot be taken out of it":
         "La malla ha cambiado desde el último tirón, así que no se puede deshacer en ella",

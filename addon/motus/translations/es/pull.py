@@ -142,6 +142,9 @@ INTERFACE = {
     "Use Minimum": "Usar mínimo",
     "Vertex": "Vértice",
     "Vertex Group": "Grupo de vértices",
+    "The displacement or the radius of this pull is too large": "El desplazamiento o el radio de este tirón es demasiado grande",
+    "There is no 3D view to align to: choose another alignment":
+        "No hay vista 3D con la que alinear: elige otra alineación",
     "Vertex {index} has no normal: choose another direction":
         "El vértice {index} no tiene normal: elige otra dirección",
     "Vertex {index} is at no place: its coordinates are not finite":

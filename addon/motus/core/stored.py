@@ -1,0 +1,106 @@
+"""What is stored in a file is somebody else's: here it is checked before anything relies on it.
+
+Custom properties may have any type and length, and a text may say anything. What does not have the form that Motus gives it
+raises Damaged; the solver driver turns that into a sentence for the panel.
+"""
+
+import json
+import math
+import re
+
+LARGEST_TEXT = 1 << 22
+"""Characters; the plan of a hundred chains has 40,000."""
+DEEPEST = 16
+"""Lists and objects within each other. Python's parser calls itself for each, and evaluation threads have a small stack."""
+LARGEST_NUMBER = 1 << 32
+
+_BRACKET = re.compile(r"[\[{\]}]")
+
+
+class Damaged(Exception):
+    """What is stored is not what Motus stores."""
+
+
+class Newer(Damaged):
+    """What is stored was made by a newer version of Motus."""
+
+
+def doubles(value, count=None):
+    """Memory of a custom property that holds float64 numbers, so many where `count` is given."""
+    try:
+        memory = memoryview(value)
+    except TypeError:
+        raise Damaged("no array of numbers") from None
+    if memory.format != 'd' or memory.readonly or count not in (None, len(memory)):
+        raise Damaged("another array of numbers")
+    return memory
+
+
+def whole_numbers(value, count):
+    """The same of an array of 32-bit integers."""
+    try:
+        memory = memoryview(value)
+    except TypeError:
+        raise Damaged("no array of whole numbers") from None
+    if memory.format != 'i' or len(memory) != count:
+        raise Damaged("another array of whole numbers")
+    return memory
+
+
+def parse(text, form):
+    """What a JSON text says, which has to have this form (see fits)."""
+    if not isinstance(text, str) or len(text) > LARGEST_TEXT or _is_deep(text):
+        raise Damaged("no text that can be read")
+    try:
+        said = json.loads(text)
+    except (ValueError, RecursionError) as error:
+        raise Damaged("no JSON") from error
+    if not fits(said, form):
+        raise Damaged("another form")
+    return said
+
+
+def fits(value, form):
+    """Whether a parsed value has a form.
+
+    str, bool; int: 0 to LARGEST_NUMBER; float: any finite number; [form]: a list of such; (form, form): a list of just
+    these; {name: form}: an object with just these, but for names that end in "?", which may be missing; a function: tells.
+    """
+    if isinstance(form, list):
+        return isinstance(value, list) and all(fits(one, form[0]) for one in value)
+    if isinstance(form, tuple):
+        return isinstance(value, list) and len(value) == len(form) and all(map(fits, value, form))
+    if isinstance(form, dict):
+        return isinstance(value, dict) and _has_fields(value, form)
+    return _FITS.get(form, form)(value)
+
+
+def _has_fields(value, form):
+    names = {name.rstrip("?") for name in form}
+    return value.keys() <= names and all(
+        fits(value[name.rstrip("?")], one) if name.rstrip("?") in value else name.endswith("?")
+        for name, one in form.items())
+
+
+def _is_number(value):
+    # A whole number may be too large for a float.
+    return type(value) is float and math.isfinite(value) or type(value) is int and abs(value) <= LARGEST_NUMBER
+
+
+_FITS = {
+    str: lambda value: isinstance(value, str),
+    bool: lambda value: isinstance(value, bool),
+    int: lambda value: type(value) is int and 0 <= value <= LARGEST_NUMBER,
+    float: _is_number,
+}
+
+
+def _is_deep(text):
+    """Whether lists and objects lie deeper within each other than anything that Motus writes."""
+    outside_strings = "".join(text.replace("\\\\", "").replace('\\"', "").split('"')[::2])
+    depth = 0
+    for bracket in _BRACKET.finditer(outside_strings):
+        depth += 1 if bracket[0] in "[{" else -1
+        if depth > DEEPEST:
+            return True
+    return False

@@ -1,0 +1,43 @@
+"""The list of the demo scenes, the one place to add another to. Pure Python: `./motus demo` reads it without Blender."""
+
+from typing import NamedTuple
+
+
+class DemoScene(NamedTuple):
+    """A scene, and what `./motus demo` renders of it. Times are seconds into the scene."""
+
+    name: str  # for `./motus demo`, and of the files that it writes
+    identifier: str  # for motus.demo_scene
+    module: str  # in this folder: its build(context) makes the scene and shows it in the window
+    label: str
+    description: str
+    stills: tuple  # (camera, time), the most beautiful first
+    film: tuple  # (time of its start, time of its end)
+    ambience: float  # m up to which things darken each other
+
+
+# The first one's still is rendered before all others, and its film is the one that `./motus demo` without a name makes.
+SCENES = (
+    DemoScene(
+        name="flight", identifier="PATH", module="banked_flight", label="Banked Flight",
+        description="An aeroplane on a curved course over a lake, with a chasing camera",
+        stills=(("Wide Camera", 1.05), ("Fly-By Camera", 9.5), ("Chase Camera", 6.2)),
+        film=(5.9, 9.8),  # the markers cut between cameras on the way
+        ambience=3.0,
+    ),
+    DemoScene(
+        name="reach", identifier="IK", module="reaching", label="Reaching Pilot",
+        description="A wooden figure whose hand and eyes follow a butterfly, while its feet and other hand stay put",
+        stills=(("Lookout Camera", 3.05), ("Lookout Camera", 4.4), ("Lookout Camera", 0.6)),
+        film=(0.0, 9.0),
+        ambience=0.5,
+    ),
+    DemoScene(
+        name="pull", identifier="PULL", module="pulling", label="Pulled from Clay",
+        description="A landscape that rises from the sea and a face full of feeling, both pulled into shape and moved "
+                    "by pins",
+        stills=(("Studio Camera", 4.1), ("Studio Camera", 5.2), ("Studio Camera", 1.6)),
+        film=(0.0, 9.0),
+        ambience=1.0,
+    ),
+)

@@ -1,0 +1,108 @@
+"""One small scene of each system, all of it at work, and where everything in it really is."""
+
+import bpy
+import ik_cases
+import lattice_cases
+import look_at_cases
+import numpy as np
+import path_cases
+import pin_cases
+
+FRAMES = (1, 13, 25.5, 40)
+
+
+def build():
+    """A follower, a train, an arm, a figure that looks, pins, a pulled lattice; and users' drivers that read Motus."""
+    target = _link("Target", place=(0.6, 0.3, 1.4))
+    for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
+        target.location = place
+        target.keyframe_insert("location", frame=frame)
+    _paths()
+    _rigs()
+    _meshes()
+    bpy.context.view_layer.update()
+
+
+def _paths():
+    course = path_cases.curve_data("Course")
+    path_cases.add_bezier(course, path_cases.cubic_knots(path_cases.CLIMB))
+    _link("Course", course)
+    for name in ("Car", "Keyed", "Driven", "Engine", "Wagon 1", "Wagon 2"):
+        _link(name)
+    bpy.ops.motus.path_follow_add(object="Car", curve="Course", duration=4.0)
+    keyed = bpy.data.objects["Keyed"]
+    bpy.ops.motus.path_follow_add(object="Keyed", curve="Course", timing='MANUAL')
+    for frame, value in ((1, 0.1), (40, 0.8)):
+        keyed.motus.path.distance_factor = value
+        keyed.keyframe_insert("motus.path.distance_factor", frame=frame)
+    bpy.ops.motus.path_follow_add(object="Driven", curve="Course", timing='MANUAL')
+    _drive(bpy.data.objects["Driven"], "motus.path.distance_factor", "v", bpy.data.objects["Target"], "location.x")
+    bpy.ops.motus.path_train_add(objects="Engine,Wagon 1,Wagon 2", curve="Course", gap=0.7, speed=0.5)
+    # What users' own drivers read of Motus: an output, and a setting.
+    _drive(_link("Gauge"), "location", "v", bpy.data.objects["Car"], '["motus_path_out"][3]', 0)
+    _drive(_link("Shadow"), "location", "v", keyed, "motus.path.distance_factor", 1)
+
+
+def _rigs():
+    arm = _rig("Arm", lambda bones: ik_cases.add_chain(bones, "Bone", ik_cases.ARM, None))
+    bpy.ops.motus.ik_add(object=arm.name, bone="Bone 1", target="Target")
+    figure = look_at_cases.build_rig(name="Figure")
+    figure.location.x = 3.0
+    bpy.ops.motus.look_at_add(object=figure.name, bone="Head", target="Target")
+
+
+def _rig(name, build_bones):
+    rig = _link(name, bpy.data.armatures.new(name))
+    bpy.context.view_layer.objects.active = rig
+    bpy.ops.object.mode_set(mode='EDIT')
+    build_bones(rig.data.edit_bones)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    return rig
+
+
+def _meshes():
+    grid = pin_cases.new_grid()
+    pin_cases.key_strength(pin_cases.add(grid, pin_cases.centre(grid)), {1: 0.0, 40: 1.0})
+    ball = lattice_cases.ball(place=(0.0, 5.0, 0.0))
+    bpy.ops.motus.lattice_fit(objects=ball.name, use_parent=False)
+    lattice = bpy.context.object
+    lattice.data.points[0].co_deform.z += 0.4
+    lattice.keyframe_insert("location", frame=1)
+    lattice.location.x += 0.5
+    lattice.keyframe_insert("location", frame=40)
+
+
+def _link(name, data=None, place=(0.0, 0.0, 0.0)):
+    obj = bpy.data.objects.new(name, data)
+    obj.location = place
+    bpy.context.scene.collection.objects.link(obj)
+    return obj
+
+
+def _drive(obj, path, expression, source, source_path, index=-1):
+    curve = obj.driver_add(path, index)
+    variable = curve.driver.variables.new()
+    variable.name = "v"
+    variable.targets[0].id = source
+    variable.targets[0].data_path = source_path
+    curve.driver.expression = expression
+
+
+def states(frames=FRAMES):
+    """Frame -> (object, bone or "mesh") -> numbers: the evaluated transforms and shapes of all that shows."""
+    return {frame: _state(frame) for frame in frames}
+
+
+def _state(frame):
+    whole = int(frame // 1)
+    bpy.context.scene.frame_set(whole, subframe=frame - whole)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    found = {}
+    for obj in bpy.context.view_layer.objects:
+        evaluated = obj.evaluated_get(depsgraph)
+        found[obj.name, ""] = np.array(evaluated.matrix_world).ravel()
+        for bone in evaluated.pose.bones if evaluated.pose else ():
+            found[obj.name, bone.name] = np.array(evaluated.matrix_world @ bone.matrix).ravel()
+        if obj.type == 'MESH':
+            found[obj.name, "mesh"] = pin_cases.evaluated(obj).ravel()
+    return found
