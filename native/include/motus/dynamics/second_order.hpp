@@ -49,7 +49,7 @@ class SecondOrder {
 
   private:
     struct Raw {};
-    SecondOrder(Raw, double rate, double damping, double lead);
+    SecondOrder(Raw raw, double rate, double damping, double lead);
 
     double rate_;
     double damping_;
