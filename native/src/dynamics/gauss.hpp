@@ -77,7 +77,7 @@ struct Drive {
 };
 
 /// The derivatives at a step's stages, from which the next step of the same length can begin.
-template <int size>
+template <std::size_t size>
 struct Derivatives {
     alignas(64) std::array<std::array<double, stages>, size> values{};
     bool are_known = false;
@@ -98,24 +98,25 @@ struct GaussStep {
 
 template <class Lanes, class System>
 class GaussStages {
-    static constexpr int size = System::size;
+    static constexpr std::size_t size = System::size;
     static constexpr std::size_t width = lane_count<Lanes>;
     static constexpr std::size_t count = stages / width;
     using Row = std::array<Lanes, count>;
+    using Values = std::array<Lanes, size>;
 
   public:
     explicit GaussStages(GaussStep<System>& step) : step_(step) {
         load_drive();
         if (step.derivatives->are_known) {
             const auto& before = step.derivatives->values;
-            for (int d = 0; d < size; ++d) f_[d] = product(gauss.next, before[d].data());
+            for (std::size_t d = 0; d < size; ++d) f_[d] = product(gauss.next, before[d]);
         } else {
-            Lanes y[size];
-            for (int d = 0; d < size; ++d) y[d] = Lanes((*step.state)[static_cast<std::size_t>(d)]);
+            Values y{};
+            for (std::size_t d = 0; d < size; ++d) y[d] = Lanes((*step.state)[d]);
             for (std::size_t i = 0; i < count; ++i) {
-                Lanes f[size];
-                (*step.system)(y, drive_[0][i], drive_[1][i], f);
-                for (int d = 0; d < size; ++d) f_[d][i] = f[d];
+                Values f{};
+                (*step.system)(y.data(), drive_[0][i], drive_[1][i], f.data());
+                for (std::size_t d = 0; d < size; ++d) f_[d][i] = f[d];
             }
         }
     }
@@ -124,23 +125,23 @@ class GaussStages {
 
     /// One round of the fixed-point iteration.
     void iterate() {
-        Row y[size];
-        for (int d = 0; d < size; ++d) {
-            alignas(64) double f[stages];
+        std::array<Row, size> y{};
+        for (std::size_t d = 0; d < size; ++d) {
+            alignas(64) Stages f{};
             store(f_[d], f);
             y[d] = product(gauss.integrals, f);
-            const Lanes start((*step_.state)[static_cast<std::size_t>(d)]);
+            const Lanes start((*step_.state)[d]);
             const Lanes h(step_.length);
             for (Lanes& one : y[d]) one = start + h * one;
         }
         Lanes change(0.0);
         Lanes largest(0.0);
         for (std::size_t i = 0; i < count; ++i) {
-            Lanes at[size];
-            Lanes f[size];
-            for (int d = 0; d < size; ++d) at[d] = y[d][i];
-            (*step_.system)(at, drive_[0][i], drive_[1][i], f);
-            for (int d = 0; d < size; ++d) {
+            Values at{};
+            Values f{};
+            for (std::size_t d = 0; d < size; ++d) at[d] = y[d][i];
+            (*step_.system)(at.data(), drive_[0][i], drive_[1][i], f.data());
+            for (std::size_t d = 0; d < size; ++d) {
                 change = max(change, abs(f[d] - f_[d][i]));
                 largest = max(largest, abs(f[d]));
                 f_[d][i] = f[d];
@@ -153,56 +154,54 @@ class GaussStages {
     void finish() {
         step_.converged = converged_;
         step_.tail = 0.0;
-        for (int d = 0; d < size; ++d) {
-            const auto row = static_cast<std::size_t>(d);
-            auto& f = step_.derivatives->values[row];
-            store(f_[d], f.data());
+        for (std::size_t d = 0; d < size; ++d) {
+            auto& f = step_.derivatives->values[d];
+            store(f_[d], f);
             // Angles, the first half, are judged as they are, what drives them by its size.
-            const double scale = 2 * d < size ? 1.0 : std::max(1.0, std::abs((*step_.state)[row]));
+            const double scale = 2 * d < size ? 1.0 : std::max(1.0, std::abs((*step_.state)[d]));
             step_.tail = std::max(step_.tail, std::abs(step_.length * dot(gauss.tail, f)) / scale);
-            if (converged_) (*step_.state)[row] += step_.length * dot(gauss.weights, f);
+            if (converged_) (*step_.state)[d] += step_.length * dot(gauss.weights, f);
         }
         step_.derivatives->are_known = converged_;
     }
 
   private:
-    using Table = std::array<std::array<double, stages>, stages>;
+    using Stages = std::array<double, stages>;
+    using Table = std::array<Stages, stages>;
 
     void load_drive() {
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const double start = step_.drive.start[axis];
             const double more = step_.drive.end[axis] - start;
-            alignas(64) double at[stages];
+            alignas(64) Stages at{};
             for (std::size_t i = 0; i < stages; ++i) at[i] = start + more * gauss.nodes[i];
             drive_[axis] = load(at);
         }
     }
 
     /// Sums over j of table[j] times f[j]; in the same order whatever the number of lanes.
-    [[nodiscard, gnu::always_inline]] static Row product(const Table& table, const double* f) {
-        Row sums;
-        sums.fill(Lanes(0.0));
+    [[nodiscard, gnu::always_inline]] static Row product(const Table& table, const Stages& f) {
+        Row sums{};
         for (std::size_t j = 0; j < stages; ++j) {
-            const Row part = load(table[j].data());
+            const Row part = load(table[j]);
             const Lanes factor(f[j]);
             for (std::size_t i = 0; i < count; ++i) sums[i] = sums[i] + part[i] * factor;
         }
         return sums;
     }
 
-    [[nodiscard, gnu::always_inline]] static Row load(const double* values) {
-        Row row;
+    [[nodiscard, gnu::always_inline]] static Row load(const Stages& values) {
+        Row row{};
         for (std::size_t i = 0; i < count; ++i)
-            __builtin_memcpy(&row[i].lanes, values + i * width, sizeof(Lanes));
+            __builtin_memcpy(&row[i].lanes, values.data() + i * width, sizeof(Lanes));
         return row;
     }
-    [[gnu::always_inline]] static void store(const Row& row, double* values) {
+    [[gnu::always_inline]] static void store(const Row& row, Stages& values) {
         for (std::size_t i = 0; i < count; ++i)
-            __builtin_memcpy(values + i * width, &row[i].lanes, sizeof(Lanes));
+            __builtin_memcpy(values.data() + i * width, &row[i].lanes, sizeof(Lanes));
     }
 
-    [[nodiscard]] static double dot(const std::array<double, stages>& a,
-                                    const std::array<double, stages>& b) {
+    [[nodiscard]] static double dot(const Stages& a, const Stages& b) {
         double sum = 0.0;
         for (std::size_t i = 0; i < stages; ++i) sum += a[i] * b[i];
         return sum;
@@ -229,9 +228,9 @@ class GaussStages {
         last_change_ = change;
     }
 
+    std::array<Row, size> f_{};
+    std::array<Row, 2> drive_{};
     GaussStep<System>& step_;
-    Row f_[size];
-    Row drive_[2];
     double last_change_ = 0.0;
     int rounds_ = 0;
     bool converged_ = false;

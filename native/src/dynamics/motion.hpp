@@ -18,7 +18,7 @@ namespace motus::dynamics {
 /// Momenta are scaled likewise.
 struct SingleSystem {
     [[nodiscard]] friend bool operator==(const SingleSystem&, const SingleSystem&) = default;
-    static constexpr int size = 2;  ///< angle, velocity
+    static constexpr std::size_t size = 2;  ///< angle, velocity
     double gravity = 1.0;
     double damping = 0.0;
 
@@ -37,7 +37,7 @@ struct SingleSystem {
 /// from both momenta alike, which is what c omega takes from the velocities.
 struct DoubleSystem {
     [[nodiscard]] friend bool operator==(const DoubleSystem&, const DoubleSystem&) = default;
-    static constexpr int size = 4;  ///< both angles, both momenta
+    static constexpr std::size_t size = 4;  ///< both angles, both momenta
     double gravity = 1.0;
     double damping = 0.0;
     double mass = 0.5;    ///< of the lower bob, of both; 0 to 1
@@ -72,7 +72,7 @@ struct DoubleSystem {
 /// The double pendulum with limits: no Hamiltonian has them.
 struct LimitedSystem {
     [[nodiscard]] friend bool operator==(const LimitedSystem&, const LimitedSystem&) = default;
-    static constexpr int size = 4;  ///< both angles, both angular velocities
+    static constexpr std::size_t size = 4;  ///< both angles, both angular velocities
     DoubleSystem free;
     double most_acceleration = 0.0;
     double most_velocity = 0.0;

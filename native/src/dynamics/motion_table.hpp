@@ -54,7 +54,7 @@ class MotionTable {
         for (const MotionTable* table : tables)
             if (!table->reaches(table->place_of(time).last())) short_ones.push_back(table);
         std::ranges::sort(short_ones);  // locked in one order by all threads, and each once
-        short_ones.erase(std::ranges::unique(short_ones).begin(), short_ones.end());
+        short_ones.erase(std::unique(short_ones.begin(), short_ones.end()), short_ones.end());
         for (std::size_t i = 0; i < short_ones.size(); i += steps_at_once) {
             std::vector<Growth> growths;
             std::array<std::unique_lock<std::mutex>, steps_at_once> locks;
