@@ -158,10 +158,12 @@ TEST_CASE("animated curves of many segments hold no more memory than stated", "[
 TEST_CASE("the tables of a tangled curve of 10,000 segments have room in the caches", "[cache]") {
     constexpr std::size_t segments = 1'000;  // a tenth of them: what they take grows evenly
     RandomCurves random(8);
-    std::vector<glm::dvec3> points{random.point(1.0)};
-    glm::dvec3 handle = random.point(0.5);
+    std::vector<glm::dvec3> points{random.in_cube(1.0)};
+    glm::dvec3 handle = random.in_cube(0.5);
     for (std::size_t i = 0; i < segments; ++i) {
-        const glm::dvec3 from = points.back(), to = random.point(1.0), next_handle = random.point(0.5);
+        const glm::dvec3 from = points.back();
+        const glm::dvec3 to = random.in_cube(1.0);
+        const glm::dvec3 next_handle = random.in_cube(0.5);
         if (i > 0) points.push_back(from);
         points.insert(points.end(), {from + handle, to - next_handle, to});
         handle = next_handle;

@@ -159,7 +159,7 @@ TEST_CASE("a thousand pulls take memory for what they move", "[lattice]") {
     std::vector<glm::dvec3> displacements;
     for (std::size_t pull = 0; pull < 300; ++pull) {
         parts.push_back({pull, dice.place(lattice)});
-        displacements.push_back(dice.point(1.0));
+        displacements.push_back(dice.in_cube(1.0));
     }
     std::vector<glm::dvec3> out(point_count(lattice)), left;
     for (const bool outside : {false, true}) {
@@ -184,7 +184,7 @@ TEST_CASE("more pulls than points are solved by the points", "[lattice]") {
     std::vector<glm::dvec3> displacements;
     // Four times those of a field that the lattice can do, and one point pulled away from it.
     std::vector<glm::dvec3> field(point_count(lattice));
-    for (glm::dvec3& v : field) v = dice.point(1.0);
+    for (glm::dvec3& v : field) v = dice.in_cube(1.0);
     for (std::size_t pull = 0; pull < 3 * max_lattice_pulls; ++pull) {
         parts.push_back({pull, dice.place(lattice)});
         displacements.push_back(moved_by(lattice_weights(lattice, parts[pull].place), field));
@@ -231,12 +231,12 @@ TEST_CASE("a function of a symmetric matrix times vectors", "[lattice]") {
         std::vector<double> matrix(size * size, 0.0);
         for (std::size_t term = 0; term < (size + 1) / 2; ++term) {
             std::vector<double> v(size);
-            for (double& value : v) value = dice.number(-1, 1);
+            for (double& value : v) value = dice.between(-1.0, 1.0);
             for (std::size_t i = 0; i < size; ++i)
                 for (std::size_t j = 0; j < size; ++j) matrix[i * size + j] += v[i] * v[j];
         }
         std::vector<glm::dvec3> columns(size);
-        for (glm::dvec3& row : columns) row = dice.point(1.0);
+        for (glm::dvec3& row : columns) row = dice.in_cube(1.0);
         const auto times = [&](const std::vector<glm::dvec3>& vectors) {
             std::vector<glm::dvec3> product(size, glm::dvec3(0.0));
             for (std::size_t i = 0; i < size; ++i)

@@ -120,10 +120,12 @@ TEST_CASE("from the centre of an arc few parts of it are looked at", "[nearest]"
             CHECK(found.parts <= most);
             for (const double t : parameters(arc, 1001))
                 REQUIRE(found.distance <= glm::length(position(arc, t)) * (1.0 + 2e-12));
-            CHECK(nearest(arc, random.point(1e-9)).parts <= most);
+            CHECK(nearest(arc, random.in_cube(1e-9)).parts <= most);
             CHECK(nearest(arc, {0.0, 0.0, 1.0}).parts <= most);
         }
     }
-    for (int trial = 0; trial < 200; ++trial)
-        CHECK(nearest(random.bezier(2 + trial % 40), random.point(2.0)).parts <= most);
+    for (int trial = 0; trial < 200; ++trial) {
+        const Curve curve = random.bezier(2 + trial % 40);
+        CHECK(nearest(curve, random.in_cube(2.0)).parts <= most);
+    }
 }
