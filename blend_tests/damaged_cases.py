@@ -351,7 +351,7 @@ def _plans(plan, random_numbers):
     entries = known.get("chains") or known.get("heads")
     for name, value in entries[0].items():
         for other in (None, -5, 1e300, math.nan, "nobody", [], ["nobody"], [1, 2], {"iterations": 1e300}, {"nobody": 1.0},
-                      [value] * 3, value[:-1] if isinstance(value, list) else value, value * 40 if isinstance(value, list) else 2**40):
+                      [value] * 3, *([value[:-1], value * 40] if isinstance(value, list) else [2**40])):
             yield json.dumps(_changed(plan, lambda entry, name=name, other=other: entry.__setitem__(name, other)))
         yield json.dumps(_changed(plan, lambda entry, name=name: entry.pop(name)))
     for guards in (5, [5], [[1, 2, 3]], [["Side", 99]], [["Side", -1]], [["nobody", 0]], [["Side", 0]] * 50):
@@ -375,8 +375,9 @@ def _putting_text(case, value):
 def _of_attributes(case, mesh):
     """Other attributes and other points of a hub's mesh."""
     for name in [one.name for one in mesh.attributes if one.name.startswith("motus_")]:
-        for data_type, domain in (('FLOAT', 'POINT'), ('FLOAT_COLOR', 'POINT'), ('FLOAT_VECTOR', 'FACE'), ('FLOAT_VECTOR', 'CORNER'),
-                                  ('FLOAT_VECTOR', 'EDGE'), ('INT', 'POINT'), ('FLOAT4X4', 'FACE'), ('FLOAT4X4', 'EDGE')):
+        for data_type, domain in (
+                ('FLOAT', 'POINT'), ('FLOAT_COLOR', 'POINT'), ('FLOAT_VECTOR', 'FACE'), ('FLOAT_VECTOR', 'CORNER'),
+                ('FLOAT_VECTOR', 'EDGE'), ('INT', 'POINT'), ('FLOAT4X4', 'FACE'), ('FLOAT4X4', 'EDGE')):
             if data_type in {one.identifier for one in bpy.types.Attribute.bl_rna.properties["data_type"].enum_items}:
                 yield Damage(f"{name} as {data_type} of {domain}", _replacing(case, name, data_type, domain), True)
         yield Damage(f"{name} removed", lambda owner, name=name: _drop(carrier_of(case, owner), name))

@@ -169,6 +169,10 @@ class PullTest(support.SceneTestCase):
         refused("has no vertex 300", vertex=300)
         refused("held is not a list", held="one")
         refused("has no vertex -3", held="-3")
+        most = support.addon("core.native").module.Lattice.MAX_PULLS
+        self.lattice.data.points_u = self.lattice.data.points_v = self.lattice.data.points_w = 12
+        refused(f"At most {most - 1} vertices", held=",".join(["7"] * most))
+        refused(f"At most {most // 4 - 1} vertices", held=",".join(["7"] * (most // 4)), mirror={'X', 'Z'})
         refused("There is no object", object="Nobody")
         refused("has no lattice modifier Other", modifier="Other")
         refused("displacement is not a finite", displacement=(0, 0, math.nan))

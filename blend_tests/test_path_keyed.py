@@ -1,6 +1,7 @@
 """Follow Path by a keyed speed: the distance is the integral of what Blender's F-curve says."""
 
 import time
+import tracemalloc
 
 import bpy
 import numpy as np
@@ -23,7 +24,7 @@ def integral(curve, first, last, jumps=()):
     return total
 
 
-class KeyedSpeed(PathTestCase):
+class KeyedCase(PathTestCase):
     def setUp(self):
         super().setUp()
         self.line(LENGTH)
@@ -46,6 +47,8 @@ class KeyedSpeed(PathTestCase):
                 found = self.output(car, "distance", frame)
                 self.assertLessEqual(abs(found - wanted), tolerance * max(abs(wanted), 1e-3), f"{found} instead of {wanted}")
 
+
+class KeyedSpeed(KeyedCase):
     def test_smooth_keys(self):
         for interpolation in ('SINE', 'BEZIER', 'LINEAR', 'CUBIC'):
             with self.subTest(interpolation):
@@ -108,9 +111,151 @@ class KeyedSpeed(PathTestCase):
         car = self.keyed([(1 + 25 * index, 3.0 + index % 4) for index in range(11)], 'BEZIER')
         keyed = support.addon("path.keyed")
         curve = keyed.find(car, car.motus.path, "speed")
-        best = min(_seconds(lambda: keyed.samples(curve, 1.0, 251.0)) for _ in range(20))
+        best = min(_seconds(lambda: keyed.integral(curve, 1.0, 251.0)) for _ in range(20))
         self.assertLess(best, 2e-3, "an order of magnitude above what it should take")
         print(f"250 frames of a keyed speed: {best * 1e3:.3f} ms")
+
+
+class Counted:
+    """An F-curve that counts how often it is evaluated."""
+
+    def __init__(self, curve):
+        self._curve, self.evaluations = curve, 0
+
+    def __getattr__(self, name):
+        return getattr(self._curve, name)
+
+    def evaluate(self, frame):
+        self.evaluations += 1
+        return self._curve.evaluate(frame)
+
+
+class FarStart(KeyedCase):
+    """A start, a key or an end that lies a million frames away is no more work than one nearby."""
+
+    MOST = 40_000  # evaluations for a frame; three million of them took five seconds
+
+    def counted(self, call):
+        """The result of call(F-curve), which has not evaluated it too often."""
+        curve = Counted(self.curve)
+        result = call(curve)
+        self.assertLess(curve.evaluations, self.MOST)
+        return result
+
+    def integral_from(self, first, last):
+        return self.counted(lambda curve: support.addon("path.keyed").integral(curve, first, last))
+
+    def cyclic(self, before, after, count=0):
+        self.keyed([(10.0, 2.0), (14.25, 30.0), (20.0, 5.0)], 'BEZIER')
+        modifier = self.curve.modifiers.new('CYCLES')
+        modifier.mode_before, modifier.mode_after = before, after
+        modifier.cycles_before = modifier.cycles_after = count
+        return modifier
+
+    def test_linear_extrapolation(self):
+        car = self.keyed([(1, 2.0), (11, 3.0)], 'LINEAR', start_frame=-1e6)
+        self.curve.extrapolation = 'LINEAR'
+        for now in (-999.0, 6.5, 400.0, 1e6):
+            wanted = 0.5 * ((1.9 + 0.1 * now) ** 2 - (1.9 - 1e5) ** 2) / 0.1
+            found = self.integral_from(-1e6, now)
+            self.assertLess(abs(found - wanted), 1e-6 * 5e10)
+        self.assertAlmostEqual(self.output(car, "distance", 400) / (self.integral_from(-1e6, 400.0) / 24.0), 1.0, places=6)
+
+    def test_laps_equal_what_is_summed_over_them(self):
+        for before, after in (('REPEAT', 'MIRROR'), ('MIRROR', 'REPEAT_OFFSET'), ('REPEAT_OFFSET', 'REPEAT'), ('NONE', 'NONE')):
+            for count in (0, 2):
+                for extrapolation in ('CONSTANT', 'LINEAR'):
+                    self.cyclic(before, after, count)
+                    self.curve.extrapolation = extrapolation
+                    jumps = [10.0 + 10.0 * lap for lap in range(-9, 12)]
+                    for first, last in ((10, 20), (-31.5, 10), (-63, -24.25), (12, 26), (20, 52.75), (-40, 71), (53, 66)):
+                        with self.subTest(before=before, after=after, count=count, first=first, last=last):
+                            wanted = integral(self.curve, first, last, jumps)
+                            found = self.integral_from(float(first), float(last))
+                            self.assertLess(abs(found - wanted), 2e-5 * max(abs(wanted), 100.0))
+                    bpy.data.objects.remove(bpy.data.objects["Car"])
+
+    def test_laps_without_end(self):
+        self.cyclic('REPEAT', 'MIRROR')
+        lap = self.integral_from(10.0, 20.0)
+        self.assertAlmostEqual(self.integral_from(10.0 - 1e6, 20.0) / lap, 100_001.0, delta=1e-6)
+        self.assertAlmostEqual(self.integral_from(10.0, 10.0 + 1e6) / lap, 100_000.0, delta=1e-6)
+        bpy.data.objects.remove(bpy.data.objects["Car"])
+        self.cyclic('REPEAT_OFFSET', 'REPEAT_OFFSET')
+        # Lap n lies n times 3 m/s above the first.
+        self.assertAlmostEqual(self.integral_from(10.0 - 1e6, 10.0) / (1e5 * lap - 30.0 * 1e5 * 100_001 / 2.0), 1.0, places=9)
+
+    def test_a_period_of_next_to_nothing(self):
+        self.keyed([(1.0, 2.0), (1.25, 4.0)], 'LINEAR')
+        modifier = self.curve.modifiers.new('CYCLES')
+        modifier.mode_before = modifier.mode_after = 'REPEAT'
+        self.assertAlmostEqual(self.integral_from(-1e6, 1e6) / (3.0 * 2e6), 1.0, places=3)
+        self.curve.modifiers.new('NOISE').strength = 0.0
+        self.assertTrue(np.isfinite(self.integral_from(-1e6, 1e6)))
+
+    def test_other_modifiers(self):
+        """Frame by frame near the keys, as ever; far away the mean of a noise and the slope of a line are still right."""
+        keyed = support.addon("path.keyed")
+        self.keyed([(1, 2.0), (11, 3.0)], 'LINEAR')
+        noise = self.curve.modifiers.new('NOISE')
+        noise.strength, noise.scale = 1.0, 30.0
+        self.assertAlmostEqual(
+            self.integral_from(-500.0, 1500.0) / integral(self.curve, -500.0, 1500.0, range(-500, 1500)), 1.0, places=5)
+        far = [self.integral_from(-1e6, now) for now in (400.0, 400.001)]
+        self.assertLess(far[1] - far[0], 0.01, "the distance grows by what is between")
+        self.assertGreater(far[1], far[0])
+        self.curve.modifiers.remove(noise)
+        line = self.curve.modifiers.new('GENERATOR')
+        line.use_additive, line.coefficients = True, (0.0, 0.01)
+        wanted = 2.0 * (1.0 + 9e5) + 25.0 + 0.5 * 0.01 * (11.0 ** 2 - 9e5 ** 2)
+        self.assertAlmostEqual(self.integral_from(-9e5, 11.0) / wanted, 1.0, places=5)
+        self.assertEqual(len(keyed.bounds(self.curve, -5.0, 5.0)), 11)
+
+    def test_keys_far_apart(self):
+        for interpolation in ('LINEAR', 'SINE', 'BEZIER'):
+            self.keyed([(1, 2.0), (1 + 240, 8.0)], interpolation)
+            near = self.integral_from(1.0, 181.0)
+            for key in self.curve.keyframe_points:
+                for name in ("co", "handle_left", "handle_right"):
+                    place = getattr(key, name)
+                    setattr(key, name, (1.0 + 4000.0 * (place[0] - 1.0), place[1]))
+            self.curve.update()
+            self.assertAlmostEqual(self.integral_from(1.0, 1.0 + 4000.0 * 180.0) / near / 4000.0, 1.0, places=5)
+            bpy.data.objects.remove(bpy.data.objects["Car"])
+
+    def test_a_lag_reads_what_it_remembers(self):
+        """A frame a million frames after the start of a cyclic speed; the wiring sees it, and the lag's past is the curve's."""
+        car = self.keyed([(1, 3.0), (25, 9.0)], 'LINEAR', start_frame=-9e5, lag_rate=0.5)
+        modifier = self.curve.modifiers.new('CYCLES')
+        modifier.mode_before = modifier.mode_after = 'REPEAT'
+        find, keyed = support.addon("path.keyed").find, support.addon("path.keyed")
+        self.addCleanup(setattr, keyed, "find", find)
+        found = []
+        keyed.find = lambda *arguments: found.append(Counted(find(*arguments))) or found[-1]
+        distance = self.output(car, "distance", 700)
+        self.assertTrue(found)
+        self.assertLess(max(curve.evaluations for curve in found), self.MOST)
+        self.assertAlmostEqual(distance / (self.integral_from(-9e5, 700.0) / 24.0), 1.0, places=9)
+
+    def test_too_far_is_said(self):
+        car = self.keyed([(1, 3.0), (25, 9.0)], 'LINEAR', start_frame=-3e38)
+        self.curve.extrapolation = 'LINEAR'
+        self.assertIn("not a finite number", self.sentence(car, 30))
+
+
+class ShortLoops(PathTestCase):
+    def test_a_lag_on_a_short_loop_takes_no_memory(self):
+        self.bezier(circle_knots(20.0), cyclic=True)
+        car = self.follow(extend='LOOP', duration=0.01, ease_in=0.2, lag_rate=2.0)
+        self.at(car, 2)
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        fraction = self.output(car, "fraction", 12001)
+        self.assertLess(tracemalloc.get_traced_memory()[1], 500_000, "fifty thousand laps in tables were ten times as much")
+        duration = car.motus.path.duration
+        done = 500.0 % duration / duration
+        trapezium = support.addon("core.native").module.ease(done, car.motus.path.ease_in, 0.0)
+        self.assertAlmostEqual(fraction % 1.0, trapezium % 1.0, places=5)
 
 
 class Strips(PathTestCase):
@@ -160,6 +305,20 @@ class Strips(PathTestCase):
 
 
 class ByHand(PathTestCase):
+    def test_a_key_far_away_is_no_work(self):
+        """A fraction with a key a million frames ago, under a lag, which remembers two minutes."""
+        self.bezier(circle_knots(20.0), cyclic=True)
+        car = self.follow(timing='MANUAL', extend='LOOP', lag_rate=2.0)
+        for frame, value in ((-900_000, 0.0), (1, 0.0), (25, 0.5)):
+            car.motus.path.distance_factor = value
+            car.keyframe_insert("motus.path.distance_factor", frame=frame)
+        keyed = support.addon("path.keyed")
+        self.addCleanup(setattr, keyed, "find", keyed.find)
+        find, found = keyed.find, []
+        keyed.find = lambda *arguments: found.append(Counted(find(*arguments))) or found[-1]
+        self.assertAlmostEqual(self.output(car, "fraction", 25), 0.5, places=6)
+        self.assertLess(max(curve.evaluations for curve in found), 5_000)
+
     def test_lag_remembers_a_jump_of_the_fraction_as_one(self):
         """A stepped fraction under a lag: what the orientation trails is the way that was gone, not one far off it."""
         self.bezier(circle_knots(20.0), cyclic=True)

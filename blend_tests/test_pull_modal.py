@@ -178,9 +178,9 @@ class Adjusting(unittest.TestCase):
 
     def test_wheel(self):
         adjusting = support.addon("pull.adjusting")
-        self.assertGreater(adjusting.notched(a_brush(radius=1.0), "radius", True), 1.0)
-        self.assertEqual(adjusting.notched(a_brush(radius=3.0, distance='EDGES'), "radius", False), 2.0)
-        self.assertEqual(adjusting.notched(a_brush(radius=1.0, distance='EDGES'), "radius", False), 1.0)
+        self.assertGreater(adjusting.notched(a_brush(radius=1.0), "radius", 1), 1.0)
+        self.assertEqual(adjusting.notched(a_brush(radius=3.0, distance='EDGES'), "radius", -1), 2.0)
+        self.assertEqual(adjusting.notched(a_brush(radius=1.0, distance='EDGES'), "radius", -1), 1.0)
 
 
 class CursorShape(unittest.TestCase):
@@ -357,6 +357,22 @@ class WithoutAWindow(support.SceneTestCase):
         self.assertAlmostEqual(brush.radius, 1.21, places=5)
         bpy.ops.motus.pull_adjust(number='STRENGTH', steps=-1)
         self.assertAlmostEqual(brush.strength, 0.1 / 1.1, places=6)
+
+    def test_many_notches_are_one_step(self):
+        brush, adjust = bpy.context.scene.motus.pull, support.addon("pull.adjust")
+        self.addCleanup(setattr, adjust, "notched", adjust.notched)
+        asked, notched = [], adjust.notched
+        adjust.notched = lambda *arguments: asked.append(arguments) or notched(*arguments)
+        brush.radius = 1.0
+        bpy.ops.motus.pull_adjust(number='RADIUS', steps=100)
+        self.assertEqual(len(asked), 1)
+        self.assertAlmostEqual(brush.radius / 1.1 ** 100, 1.0, places=6)
+        bpy.ops.motus.pull_adjust(number='RADIUS', steps=-100)
+        self.assertAlmostEqual(brush.radius, 1.0, places=5)
+        for steps in (2 ** 31 - 1, -2 ** 31):
+            self.assertEqual(bpy.ops.motus.pull_adjust(number='RADIUS', steps=steps), {'FINISHED'})
+            self.assertTrue(np.isfinite(brush.radius))
+        self.assertEqual(len(asked), 4)
 
     def test_nothing_is_kept_of_a_closed_file(self):
         hover = support.addon("pull.hover")

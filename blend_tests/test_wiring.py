@@ -23,11 +23,19 @@ class ThreadTest(WiringTestCase):
         target = toy_system.new_target()
         build(target)
         local = threading.local()
-        found = {}
+        found, with_state = {}, set()
+
+        def keep_state():
+            if per_thread.keep_state():
+                with_state.add(threading.get_ident())
+
+        patch = mock.patch.object(solver, "keep_state", keep_state)
+        patch.start()
+        self.addCleanup(patch.stop)
 
         def probe(value):
             thread = threading.get_ident()
-            if thread in per_thread._with_state:  # what is local from now on stays
+            if thread in with_state:  # what is local from now on stays
                 found.setdefault(thread, []).append(getattr(local, "value", None))
                 local.value = value
             return value

@@ -118,8 +118,8 @@ class DamagedTest(support.SceneTestCase):
                 owner = linked.override_create(remap_local_usages=True)
                 bpy.context.view_layer.objects.active = owner
                 evaluated()
-                # Blender finds a linked object of the name too.
-                bpy.context.scene.collection.objects.unlink(linked) if linked.users_collection else None
+                if linked.users_collection:
+                    bpy.context.scene.collection.objects.unlink(linked)
                 support.addon("core.wiring").refresh(support.addon("ik").SYSTEM, owner)
                 self.assertTrue(are_same(evaluated(), live))
                 self.assertIsNone(problem(case, owner))

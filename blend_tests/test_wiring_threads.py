@@ -1,4 +1,4 @@
-"""What solvers and handlers leave alone: solvers the file, which the main thread may be editing; handlers files without Motus."""
+"""What is left alone: by solvers the file, which the main thread may be editing; by handlers files without Motus."""
 
 import sys
 import threading

@@ -11,6 +11,7 @@ import toy_system
 from mathutils import Matrix, Quaternion
 
 core = support.addon("core.system")
+settings = support.addon("core.settings")
 dependencies = support.addon("core.dependencies")
 
 solve_calls = 0
@@ -25,22 +26,22 @@ class MOTUS_PG_bend_entry(bpy.types.PropertyGroup):
     """`name` is the first bone's."""
 
     length: bpy.props.IntProperty(default=2)
-    target: bpy.props.PointerProperty(type=bpy.types.Object, update=core.rewire, override={'LIBRARY_OVERRIDABLE'})
-    target_bone: bpy.props.StringProperty(update=core.rewire, override={'LIBRARY_OVERRIDABLE'})
-    weight: bpy.props.FloatProperty(default=1.0, update=core.touch, override={'LIBRARY_OVERRIDABLE'})
-    stretch: bpy.props.FloatProperty(update=core.rewire, override={'LIBRARY_OVERRIDABLE'})
+    target: bpy.props.PointerProperty(type=bpy.types.Object, update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
+    target_bone: bpy.props.StringProperty(update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
+    weight: bpy.props.FloatProperty(default=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    stretch: bpy.props.FloatProperty(update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
 
 
-class MOTUS_PG_bend(core.SystemSettings, bpy.types.PropertyGroup):
+class MOTUS_PG_bend(settings.SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        default=1.0, min=0.0, max=1.0, update=core.touch, override={'LIBRARY_OVERRIDABLE'})
+        default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_bend_entry, override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
 
 
-class MOTUS_PG_nod(core.SystemSettings, bpy.types.PropertyGroup):
+class MOTUS_PG_nod(settings.SystemSettings, bpy.types.PropertyGroup):
     """The same for a second system on the same rigs."""
 
-    influence: bpy.props.FloatProperty(default=1.0, update=core.touch, override={'LIBRARY_OVERRIDABLE'})
+    influence: bpy.props.FloatProperty(default=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_bend_entry, override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
 
 

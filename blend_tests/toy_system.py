@@ -11,6 +11,7 @@ import support
 from mathutils import Euler, Quaternion, Vector
 
 core = support.addon("core.system")
+settings = support.addon("core.settings")
 deleted = support.addon("core.deleted")
 TILT = Euler((0.3, -0.2, 0.1)).to_quaternion()
 STEP = 0.25
@@ -26,15 +27,15 @@ class MOTUS_PG_toy_follower(bpy.types.PropertyGroup):
     object: bpy.props.PointerProperty(type=bpy.types.Object)
 
 
-class MOTUS_PG_orbit(core.SystemSettings, bpy.types.PropertyGroup):
+class MOTUS_PG_orbit(settings.SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        default=1.0, min=0.0, max=1.0, update=core.touch, override={'LIBRARY_OVERRIDABLE'})
-    target: bpy.props.PointerProperty(type=bpy.types.Object, update=core.rewire, override={'LIBRARY_OVERRIDABLE'})
-    radius: bpy.props.FloatProperty(default=2.0, update=core.touch, override={'LIBRARY_OVERRIDABLE'})
-    speed: bpy.props.FloatProperty(default=1.0, update=core.touch, override={'LIBRARY_OVERRIDABLE'})
-    use_location: bpy.props.BoolProperty(default=True, update=core.rewire)
-    use_rotation: bpy.props.BoolProperty(default=True, update=core.rewire)
-    bone: bpy.props.StringProperty(update=core.rewire)
+        default=1.0, min=0.0, max=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    target: bpy.props.PointerProperty(type=bpy.types.Object, update=settings.rewire, override={'LIBRARY_OVERRIDABLE'})
+    radius: bpy.props.FloatProperty(default=2.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    speed: bpy.props.FloatProperty(default=1.0, update=settings.touch, override={'LIBRARY_OVERRIDABLE'})
+    use_location: bpy.props.BoolProperty(default=True, update=settings.rewire)
+    use_rotation: bpy.props.BoolProperty(default=True, update=settings.rewire)
+    bone: bpy.props.StringProperty(update=settings.rewire)
     followers: bpy.props.CollectionProperty(type=MOTUS_PG_toy_follower)
 
 

@@ -195,7 +195,6 @@ def test_inset_on_and_off():
     yield from hover()
     without = window_support.pixels((yield from window_support.picture("pull_inset_off")))[2]
     brush().show_inset = True
-    window_support.draw_all()
     yield from hover()
     with_inset = window_support.pixels((yield from window_support.picture("pull_inset_on")))[2]
     region = window_support.region()
@@ -207,7 +206,6 @@ def test_inset_on_and_off():
     # What is in the inset is a picture of a mesh, not one flat colour.
     assert len(np.unique(parts[1].round(2).reshape(-1, 4), axis=0)) > 30
     brush().show_inset = False
-    window_support.draw_all()
     yield from hover()
     again = window_support.pixels((yield from window_support.picture("pull_inset_off_again")))[2]
     part = np.frombuffer(again, np.float32).reshape(shape)[

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <cstdio>
 #include <glm/geometric.hpp>
-#include <random>
 #include <string>
 #include <vector>
 
+#include "../tests/random.hpp"
 #include "motus/arc_length.hpp"
+#include "motus/nearest.hpp"
 #include "stopwatch.hpp"
 
 using namespace motus;
@@ -78,10 +79,9 @@ void print_row(const char* name, double nanoseconds, double error, double refere
 }
 
 [[nodiscard]] std::vector<double> random_distances(std::size_t count, double length) {
-    std::mt19937_64 engine(1);
-    std::uniform_real_distribution<double> distribution(0.0, length);
+    test::Random random(1);
     std::vector<double> s(count);
-    for (double& value : s) value = distribution(engine);
+    for (double& value : s) value = random.between(0.0, length);
     return s;
 }
 
@@ -136,14 +136,9 @@ void run(const std::string& name, const Curve& curve) {
 }
 
 [[nodiscard]] Curve random_spline(std::size_t count) {
-    std::mt19937_64 engine(2);
-    std::uniform_real_distribution<double> distribution(-1.0, 1.0);
+    test::Random random(2);
     std::vector<glm::dvec3> points(count);
-    for (glm::dvec3& p : points) {
-        p.x = distribution(engine);
-        p.y = distribution(engine);
-        p.z = distribution(engine);
-    }
+    for (glm::dvec3& p : points) p = random.in_cube();
     std::vector<glm::dvec3> left(count);
     std::vector<glm::dvec3> right(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -162,4 +157,17 @@ int main() {
     run("S curve", Curve::bezier(Points{{0, 0, 0}, {3, 0, 0}, {1, 4, 0}, {4, 4, 0}}));
     run("cusp", Curve::bezier(Points{{0, 0, 0}, {4, 4, 0}, {0, 4, 0}, {4, 0, 0}}));
     run("cyclic spline", random_spline(20));
+
+    // A quarter of a circle: all of it is as far away, to 1e-9.
+    const Curve arc = Curve::bezier(Points{{1, 0, 0},
+                                           {1.00000000625, 0.196349533525, 0},
+                                           {0.95593920208, 0.392699157297, 0},
+                                           {0.86781806787, 0.577513221277, 0},
+                                           {0.73925876301, 0.73925876301, 0},
+                                           {0.577513221277, 0.86781806787, 0},
+                                           {0.392699157297, 0.95593920208, 0},
+                                           {0.196349533525, 1.00000000625, 0},
+                                           {0, 1, 0}});
+    std::printf("nearest point of an arc, from its centre %8.1f us\n",
+                bench::nanoseconds([&] { bench::keep(nearest(arc, glm::dvec3(0.0)).distance); }) * 1e-3);
 }

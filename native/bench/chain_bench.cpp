@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/trigonometric.hpp>
-#include <random>
 #include <vector>
 
+#include "../tests/random.hpp"
 #include "motus/chain.hpp"
 #include "motus/limited_chain.hpp"
 #include "stopwatch.hpp"
@@ -23,23 +23,7 @@ using Joints = std::vector<glm::dvec3>;
 constexpr double tolerance = 1e-6;  // of the length
 constexpr int most_rounds = 10000;
 
-class Random {
-  public:
-    explicit Random(unsigned seed) : bits_(seed) {}
-
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(bits_()) / 4294967296.0;
-    }
-    glm::dvec3 direction() {
-        const double z = between(-1.0, 1.0);
-        const double angle = between(0.0, 6.283185307179586);
-        const double r = std::sqrt(1.0 - z * z);
-        return {r * std::cos(angle), r * std::sin(angle), z};
-    }
-
-  private:
-    std::mt19937 bits_;
-};
+using test::Random;
 
 struct Task {
     Joints joints;
@@ -61,7 +45,8 @@ std::vector<Task> make_tasks(std::size_t bones, double reach, std::size_t count)
             task.joints.push_back(task.joints.back() +
                                   length * glm::normalize(direction + 0.2 * random.direction()));
         }
-        task.target = (reach > 0.0 ? reach : random.between(0.02, 0.95)) * random.direction();
+        const double distance = reach > 0.0 ? reach : random.between(0.02, 0.95);
+        task.target = distance * random.direction();
     }
     return tasks;
 }
@@ -244,14 +229,14 @@ void limited_chains() {
             std::vector<glm::dquat> rest, rotations(bones, {1.0, 0.0, 0.0, 0.0});
             std::vector<JointLimits> limits;
             for (std::size_t i = 0; i < bones; ++i) {
-                rest.push_back(glm::angleAxis(random.between(-0.5, 0.5), random.direction()));
+                rest.push_back(random.rotation(0.5));
                 const double wide = random.between(0.3, 2.0);
                 const double narrow = i % 2 == 0 ? random.between(0.1, 0.8) : 0.0;
                 limits.push_back({{-0.1, -narrow, -narrow}, {wide, narrow, narrow}});
             }
             const std::vector<glm::dvec3> offsets(bones, {0.0, 1.0 / static_cast<double>(bones), 0.0});
             const LimitedChain chain{.rest = rest, .offsets = offsets, .limits = limits};
-            const glm::dvec3 target = random.between(0.1, 1.1) * random.direction();
+            const glm::dvec3 target = random.at_distance(0.1, 1.1);
             ChainReport report;
             const double time = bench::nanoseconds(
                 [&] {

@@ -123,6 +123,12 @@ int main() {
                    {rotations.data(), 1});
         }),
         0.0);
+    lagging.lag_rate = 1e-6;
+    row("1 follower that hardly turns, at 500 s", bench::nanoseconds([&] {
+            follow(frames, timing, 500.0, {offsets.data(), 1}, lagging, {locations.data(), 1},
+                   {rotations.data(), 1});
+        }),
+        0.0);
     std::vector<float> matrices(16 * follower_count);
     row("matrices of 1000 poses", bench::nanoseconds([&] { pack_matrices(locations, rotations, matrices); }),
         0.0);

@@ -77,6 +77,23 @@ int main() {
     row("B-spline", LatticeBasis::bspline, 16, positions);
     row("Bernstein", LatticeBasis::bernstein, 4, positions);
     row("Bernstein", LatticeBasis::bernstein, 8, positions);
+    Lattice large;
+    large.resolution = {16, 16, 16};
+    std::vector<LatticePart> parts;
+    std::vector<glm::dvec3> pulls;
+    for (std::size_t i = 0; i < max_lattice_pulls; ++i) {
+        const auto along = static_cast<double>(i) / static_cast<double>(max_lattice_pulls);
+        parts.push_back({i, {along, std::fmod(31.7 * along, 1.0), std::fmod(97.3 * along, 1.0)}});
+        pulls.push_back({0.0, 0.0, std::sin(40.0 * along)});
+    }
+    std::vector<glm::dvec3> moves(point_count(large));
+    const double many = milliseconds(
+        [&] {
+            const auto left = pull_lattice(large, parts, pulls, {}, moves);
+            bench::keep(left);
+        },
+        1);
+    std::printf("\n  %zu pulls at once, B-spline 16^3 %21.1f ms\n", max_lattice_pulls, many);
     const double fitting = milliseconds(
         [&] {
             const OrientedBox box = small_box(positions, glm::dmat3(1.0));

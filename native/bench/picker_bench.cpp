@@ -7,9 +7,9 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <vector>
 
+#include "../tests/random.hpp"
 #include "motus/picker.hpp"
 #include "stopwatch.hpp"
 
@@ -51,16 +51,16 @@ Mesh landscape() {
 
 /// The same with its vertices and triangles in no order.
 Mesh shuffled(const Mesh& mesh) {
-    std::mt19937 random(3);
+    test::Random random(3);
     std::vector<std::size_t> places(mesh.positions.size());
     std::iota(places.begin(), places.end(), std::size_t{0});
-    std::shuffle(places.begin(), places.end(), random);
+    random.shuffle(std::span(places));
     Mesh result = mesh;
     for (std::size_t i = 0; i < places.size(); ++i) result.positions[places[i]] = mesh.positions[i];
     for (glm::ivec3& t : result.triangles)
         for (int corner = 0; corner < 3; ++corner)
             t[corner] = static_cast<int>(places[static_cast<std::size_t>(t[corner])]);
-    std::shuffle(result.triangles.begin(), result.triangles.end(), random);
+    random.shuffle(std::span(result.triangles));
     return result;
 }
 
@@ -201,12 +201,11 @@ void dab(std::vector<glm::vec3>& positions, const Indices& vertices, const glm::
 }
 
 void compare_queries(const Mesh& mesh, const Picker& picker, const PlainTree& plain) {
-    std::mt19937 random(1);
-    std::uniform_real_distribution<float> across(-0.45f, 0.45f);
+    test::Random random(1);
     std::vector<glm::vec3> places(500);
     for (glm::vec3& p : places) {
-        p.x = across(random);
-        p.y = across(random);
+        p.x = random.between(-0.45f, 0.45f);
+        p.y = random.between(-0.45f, 0.45f);
         p.z = height(p.x, p.y);
     }
     const std::vector<glm::vec3> few(places.begin(), places.begin() + 5);

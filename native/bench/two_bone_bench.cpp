@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <random>
 #include <vector>
 
+#include "../tests/random.hpp"
 #include "motus/two_bone.hpp"
 #include "stopwatch.hpp"
 
@@ -38,25 +38,19 @@ TwoBoneSolution solve_plainly(const TwoBone& chain) {
 
 /// Random chains near the origin, their targets at shares of the way from folded to straight.
 std::vector<TwoBone> random_chains(std::size_t count, double nearest, double farthest) {
-    std::mt19937 engine(1);
-    std::normal_distribution<double> normal;
-    const auto between = [&](double a, double b) {
-        return std::uniform_real_distribution<double>(a, b)(engine);
-    };
-    const auto direction = [&] {
-        return glm::normalize(glm::dvec3(normal(engine), normal(engine), normal(engine)));
-    };
+    test::Random random(1);
     std::vector<TwoBone> chains(count);
     for (TwoBone& chain : chains) {
-        chain.length1 = between(0.1, 2.0);
-        chain.length2 = between(0.1, 2.0);
+        chain.length1 = random.between(0.1, 2.0);
+        chain.length2 = random.between(0.1, 2.0);
         const double folded = std::abs(chain.length1 - chain.length2);
         const double straight = chain.length1 + chain.length2;
-        chain.root = direction();
-        chain.target = chain.root + (folded + (straight - folded) * between(nearest, farthest)) * direction();
-        chain.pole = chain.root + between(1.0, 5.0) * direction();
-        chain.plane = direction();
-        chain.bend = between(0.0, 1.0) < 0.5 ? 1 : -1;
+        chain.root = random.direction();
+        const double distance = folded + (straight - folded) * random.between(nearest, farthest);
+        chain.target = chain.root + distance * random.direction();
+        chain.pole = chain.root + random.at_distance(1.0, 5.0);
+        chain.plane = random.direction();
+        chain.bend = random.chance(0.5) ? 1 : -1;
     }
     return chains;
 }

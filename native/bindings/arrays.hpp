@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <initializer_list>
@@ -15,6 +16,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace motus::bindings {
 
@@ -39,26 +41,39 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
 
 [[nodiscard]] inline std::string shape_of(const py::array& array) {
     std::string text = "(";
-    for (py::ssize_t axis = 0; axis < array.ndim(); ++axis)
-        text += (axis > 0 ? ", " : "") + std::to_string(array.shape(axis));
+    for (py::ssize_t axis = 0; axis < array.ndim(); ++axis) {
+        if (axis > 0) text += ", ";
+        text += std::to_string(array.shape(axis));
+    }
     return text + (array.ndim() == 1 ? ",)" : ")");
 }
 
-/// The object as contiguous float64. Integers and other floats are converted; TypeError for anything else
-/// (complex, bool, strings, objects), ValueError where the values are ragged or one of them is not finite.
+/// A copy of the object as contiguous float64. Integers and other floats are converted; TypeError for
+/// anything else (complex, bool, strings, objects), ValueError where the values are ragged or one of them is
+/// not finite. A copy, since another thread may write into the caller's array after the values have been
+/// looked at.
 [[nodiscard]] inline DoubleArray doubles(py::handle object, std::string_view name) {
     const py::array array = py::array::ensure(object);
     if (!array) value_error(name, "must be an array of numbers, all rows of one length");
     const char kind = array.dtype().kind();
     if (kind != 'f' && kind != 'i' && kind != 'u') type_error(name, "must hold real numbers");
-    DoubleArray result = DoubleArray::ensure(array);
-    if (!result) type_error(name, "cannot be converted to float64");
-    if (!is_aligned(result)) result = DoubleArray(result.attr("copy")());
+    const DoubleArray given = DoubleArray::ensure(array);
+    if (!given) type_error(name, "cannot be converted to float64");
+    DoubleArray result(py::array::ShapeContainer(given.shape(), given.shape() + given.ndim()));
     const double* values = result.data();
+    if (result.size() > 0)
+        std::memcpy(result.mutable_data(), given.data(), static_cast<std::size_t>(given.nbytes()));
     for (py::ssize_t i = 0; i < result.size(); ++i) {
         if (!std::isfinite(values[i])) value_error(name, "every value must be finite");
     }
     return result;
+}
+
+/// The memory that doubles() copies from, where that is an array's own; of other objects nothing.
+[[nodiscard]] inline std::span<const double> memory_of(py::handle object) {
+    if (!py::isinstance<DoubleArray>(object)) return {};
+    const auto array = py::reinterpret_borrow<DoubleArray>(object);
+    return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 /// A number: int, float or an array of no dimension. TypeError for others, ValueError where it is not finite.
@@ -162,6 +177,13 @@ class Points {
     DoubleArray result = new_array({points.size(), 3});
     std::copy(points.begin(), points.end(), points_of(result).begin());
     return result;
+}
+
+/// Values of an array of the caller's that must not change after they have been checked: while the
+/// interpreter's lock is given away another thread may write into the array.
+template <class T>
+[[nodiscard]] std::vector<T> copied(std::span<const T> values) {
+    return {values.begin(), values.end()};
 }
 
 /// Gives the interpreter's lock away for work that takes longer than handing it over does. No Python in its

@@ -149,7 +149,7 @@ Solution solve(const py::object& reason_type, const py::object& joints, const py
 }
 
 void bind_solution(py::module_& m) {
-    py::class_<Solution>(m, "ChainSolution", R"(
+    py::class_<Solution>(m, "ChainSolution", py::module_local(), R"(
 Where the joints of a chain stand, from solve_chain().)")
         .def_readonly("joints", &Solution::joints, "(n + 1, 3), the root first.")
         .def_readonly("rotations", &Solution::rotations, R"(

@@ -275,7 +275,7 @@ Raises ValueError for another shape or where a value is not finite.)");
 }
 
 void bind_constructors(py::module_& m) {
-    py::class_<Bezier, BoundCurve>(m, "Bezier", R"(
+    py::class_<Bezier, BoundCurve>(m, "Bezier", py::module_local(), R"(
 A Bezier curve of any degree n, 1 to 64, t in [0, 1].)")
         .def(py::init([](const py::object& points) {
                  return Bezier(Curve::bezier(Points(points, "control_points").values()));
@@ -283,7 +283,7 @@ A Bezier curve of any degree n, 1 to 64, t in [0, 1].)")
              "control_points"_a, R"(
 control_points: (n + 1, 3), 2 to 65 rows.  Raises ValueError for another shape or where a value is not finite,
 TypeError where they are not real numbers.)");
-    py::class_<Spline, BoundCurve>(m, "Spline", R"(
+    py::class_<Spline, BoundCurve>(m, "Spline", py::module_local(), R"(
 Cubic segments through points with two handles each, as Blender's Bezier splines; t in [0, segment_count].)")
         .def(py::init([](const py::object& points, const py::object& left, const py::object& right,
                          const py::object& cyclic) {
@@ -295,7 +295,7 @@ Cubic segments through points with two handles each, as Blender's Bezier splines
 points, handles_left, handles_right: (k, 3), k >= 2.  cyclic: adds the segment from the last point to the first.
 Raises ValueError for another shape, different k, or where a value is not finite, TypeError where they are not real
 numbers.)");
-    py::class_<Chain, BoundCurve>(m, "Chain", R"(
+    py::class_<Chain, BoundCurve>(m, "Chain", py::module_local(), R"(
 Bezier segments of one degree, each with its own control points, so that neighbours may be apart; t in
 [0, segment_count].)")
         .def(py::init([](const py::object& points, const py::object& cyclic) {
@@ -304,7 +304,7 @@ Bezier segments of one degree, each with its own control points, so that neighbo
              "control_points"_a, "cyclic"_a = false, R"(
 control_points: (segments, degree + 1, 3), degree 1 to 64.  cyclic: says that the end is the start; adds no segment.
 Raises ValueError for another shape or where a value is not finite, TypeError where they are not real numbers.)");
-    py::class_<BSpline, BoundCurve>(m, "BSpline", R"(
+    py::class_<BSpline, BoundCurve>(m, "BSpline", py::module_local(), R"(
 Blender's NURBS spline with all weights 1, as Bezier segments of degree order - 1, exactly; one a knot span.)")
         .def(
             py::init([](const py::object& points, const py::object& order, const py::object& cyclic,
@@ -318,7 +318,7 @@ Blender's NURBS spline with all weights 1, as Bezier segments of degree order - 
 points: (k, 3), k >= 2.  order: 2 to 6.  The flags are Blender's (use_cyclic_u, use_endpoint_u, use_bezier_u) and decide
 the knots; what Blender shows as the bare control polygon gives that polygon.
 Raises ValueError for another shape or order or where a value is not finite, TypeError where they are not real numbers.)");
-    py::class_<PolyLine, BoundCurve>(m, "PolyLine", R"(
+    py::class_<PolyLine, BoundCurve>(m, "PolyLine", py::module_local(), R"(
 Straight segments from point to point, as Blender's poly splines; t in [0, segment_count].)")
         .def(py::init([](const py::object& points, const py::object& cyclic) {
                  return PolyLine(poly_line(Points(points, "points").values(), flag(cyclic, "cyclic")));
@@ -331,7 +331,7 @@ Raises ValueError for another shape or where a value is not finite, TypeError wh
 }  // namespace
 
 void bind_curve(py::module_& m) {
-    py::class_<BoundCurve> curve(m, "Curve", R"(
+    py::class_<BoundCurve> curve(m, "Curve", py::module_local(), R"(
 A curve of Bezier segments of one degree; the base of Bezier, Spline, Chain, BSpline and PolyLine. Immutable.
 
 The parameter t runs over [0, segment_count], segment i over [i, i + 1].)");

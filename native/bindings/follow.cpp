@@ -56,8 +56,8 @@ py::tuple follow_curve(const py::object& curve, const py::object& timing, const 
     const auto rows = static_cast<py::ssize_t>(count);
     auto location_rows = output<double>(locations, "locations", {rows, 3});
     auto rotation_rows = output<double>(rotations, "rotations", {rows, 4});
-    require_apart(along.values(), "offsets", values_of(location_rows), "locations");
-    require_apart(along.values(), "offsets", values_of(rotation_rows), "rotations");
+    require_apart(memory_of(offsets), "offsets", values_of(location_rows), "locations");
+    require_apart(memory_of(offsets), "offsets", values_of(rotation_rows), "rotations");
     require_apart(values_of(location_rows), "locations", values_of(rotation_rows), "rotations");
     const std::span<glm::dvec3> location_out = points_of(location_rows);
     const std::span<glm::dquat> rotation_out = quaternions_in(rotation_rows.mutable_data(), count);
@@ -73,6 +73,7 @@ py::tuple follow_curve(const py::object& curve, const py::object& timing, const 
 }  // namespace
 
 void bind_follow(py::module_& m) {
+    m.attr("LAG_MEMORY") = lag_memory;  // s
     m.def("follow", &follow_curve, "curve"_a, "timing"_a, "time"_a, "offsets"_a, "mode"_a,
           "extend"_a = "clamp", "forward"_a = "Y", "up"_a = "Z", "rotate"_a = true, "lag_rate"_a = 0.0,
           "lag_by"_a = "acceleration", "locations"_a = py::none(), "rotations"_a = py::none(), R"(
@@ -84,7 +85,7 @@ extend: what lies beyond the ends: 'clamp'; 'extrapolate' straight on along the 
 'ping_pong'.  forward, up: the follower's own axes that go along the curve and up: 'X', '-X', 'Y', '-Y', 'Z', '-Z', across
 each other.  rotate: False leaves every rotation the identity.
 lag_rate: > 0 lets the orientation trail its target at lag_rate times the bend of the curve per second, from time 0 on
-and with 120 s of memory, in at most 2300 steps: 1/120 s each for the last 10 s, and up to 1/300 of their age before. That
+and with LAG_MEMORY = 120 s of memory, in at most 2300 steps: 1/120 s each for the last 10 s, and up to 1/300 of their age before. That
 costs 1e-4 rad; 0.01 rad after a jump of the target, 0.3 rad where it ran more than half a turn ahead.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
 locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into, which share no memory with each other
 or offsets; new ones where None.

@@ -27,31 +27,29 @@ constexpr double box_cost = 200.0;    // ns a point, rough
 
 // --- Arguments -------------------------------------------------------------------------------------------
 
-/// (m, 3), finite.
-[[nodiscard]] Positions finite_rows(const py::object& object, const char* name) {
-    Positions rows(object, name);
-    if (!are_finite(rows.values())) value_error(name, "every value must be finite");
+/// (m, 3), finite; a copy.
+[[nodiscard]] std::vector<glm::vec3> finite_rows(const Positions& given, const char* name) {
+    std::vector<glm::vec3> rows = copied(given.values());
+    if (!are_finite(rows)) value_error(name, "every value must be finite");
     return rows;
 }
 
-/// (count,) numbers, or none where the object is None.
+/// (count,) numbers, copied, or none where the object is None.
 class OneEach {
   public:
     OneEach(const py::object& object, const char* name, std::size_t count) {
         if (object.is_none()) return;
-        array_ = floats(object, name);
-        if (array_.ndim() != 1 || static_cast<std::size_t>(array_.size()) != count)
-            value_error(name,
-                        "must have the shape (" + std::to_string(count) + ",), not " + shape_of(array_));
-        values_ = {array_.data(), count};
+        const FloatArray array = floats(object, name);
+        if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != count)
+            value_error(name, "must have the shape (" + std::to_string(count) + ",), not " + shape_of(array));
+        values_.assign(array.data(), array.data() + count);
         if (!std::all_of(values_.begin(), values_.end(), [](float value) { return std::isfinite(value); }))
             value_error(name, "every value must be finite");
     }
     [[nodiscard]] std::span<const float> values() const noexcept { return values_; }
 
   private:
-    FloatArray array_;
-    std::span<const float> values_;
+    std::vector<float> values_;
 };
 
 /// Rows of a (3, 3) array as the columns of a matrix.
@@ -128,9 +126,9 @@ class OneEach {
 [[nodiscard]] FloatArray deformed(const Lattice& lattice, const py::object& positions,
                                   const py::object& displacements, const py::object& influence,
                                   const py::object& point_weights, const py::object& out) {
-    const Positions position_rows = finite_rows(positions, "positions");
-    const Positions displacement_rows = finite_rows(displacements, "displacements");
-    const std::span<const glm::vec3> from = position_rows.values(), moves = displacement_rows.values();
+    const Positions position_rows(positions, "positions"), move_rows(displacements, "displacements");
+    const std::vector<glm::vec3> from = finite_rows(position_rows, "positions");
+    const std::vector<glm::vec3> moves = finite_rows(move_rows, "displacements");
     const std::size_t count = point_count(lattice);
     if (moves.size() != count)
         value_error("displacements", "must have " + std::to_string(count) + " rows, one for each point");
@@ -138,10 +136,9 @@ class OneEach {
     const OneEach weights(point_weights, "point_weights", count);
     FloatArray result = output<float>(out, "out", {static_cast<py::ssize_t>(from.size()), 3});
     const std::span<glm::vec3> to{reinterpret_cast<glm::vec3*>(result.mutable_data()), from.size()};
-    if (to.data() != from.data()) require_apart(from, "positions", to, "out");
-    require_apart(moves, "displacements", to, "out");
-    require_apart(factors.values(), "influence", to, "out");
-    require_apart(weights.values(), "point_weights", to, "out");
+    const std::span<const glm::vec3> given = position_rows.values();
+    if (to.data() != given.data()) require_apart(given, "positions", to, "out");
+    require_apart(move_rows.values(), "displacements", to, "out");
     {
         const ReleaseGil released(from.size(), blend_cost);
         deform(lattice, moves, {factors.values(), weights.values()}, from, to);
@@ -193,8 +190,7 @@ class OneEach {
 // --- Boxes -----------------------------------------------------------------------------------------------
 
 [[nodiscard]] py::tuple box(const py::object& points, const py::object& axes, const py::object& turn) {
-    const Positions rows = finite_rows(points, "points");
-    const std::span<const glm::vec3> around = rows.values();
+    const std::vector<glm::vec3> around = finite_rows(Positions(points, "points"), "points");
     glm::dmat3 frame(1.0);
     if (!axes.is_none()) {
         frame = three_vectors(axes, "axes");
@@ -220,7 +216,7 @@ class OneEach {
 }  // namespace
 
 void bind_lattice(py::module_& m) {
-    py::class_<Lattice> lattice(m, "Lattice", R"(
+    py::class_<Lattice> lattice(m, "Lattice", py::module_local(), R"(
 A grid of points that deforms what is in it (free-form deformation).
 
 origin: (3,), the first point at rest.  axes: (3, 3), rows: from the first to the last point along u, v and w; independent.
@@ -228,6 +224,7 @@ resolution: points along u, v and w, 1 to 64.  basis: one name, or one each: 'be
 degree resolution - 1), or Blender's 'linear', 'cardinal', 'catmull_rom', 'bspline'.
 Points are counted with u fastest, then v, then w. Any space, any unit of length.
 Raises ValueError or TypeError that names the argument, as its methods do.)");
+    lattice.attr("MAX_PULLS") = max_lattice_pulls;
     lattice.def(py::init(&make_lattice), "origin"_a, "axes"_a, "resolution"_a, "basis"_a = "bspline");
     lattice.def_property_readonly("resolution", [](const Lattice& self) {
         return py::make_tuple(self.resolution[0], self.resolution[1], self.resolution[2]);
@@ -255,6 +252,7 @@ places: (k, 3), before they are deformed.  displacements: (p, 3), wanted; 0 hold
 displacement that each place takes part in; None: one each.  shares: (k,) with pulls, such as the barycentric coordinates
 of a point of a triangle; None: 1.  influence: (k,), point_weights: (n,), as of deform().
 outside_only: points inside follow those of the outside, as with Blender's Outside.
+MAX_PULLS displacements at most, where they move more points than that: the work grows with the cube of the smaller number.
 max_gain: > 0; bounds the points' movement to so many times what the pulls would need at full influence by themselves.
 Returns ((n, 3), (p, 3)): displacements to be added to those of the points, and what is left of those wanted.)");
 

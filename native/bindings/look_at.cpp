@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -40,9 +41,9 @@ constexpr double entry_cost = 1500.0;  // ns, rough
 }
 
 [[nodiscard]] glm::dvec3 unit(const glm::dvec3& v, const char* name) {
-    const double length = std::hypot(v.x, v.y, v.z);
-    if (!(length > 0.0) || !std::isfinite(length)) value_error(name, "must have a length");
-    return v / length;
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0.0) value_error(name, "must have a length");
+    return v / (largest * glm::length(v / largest));
 }
 
 /// What Python gets: of one target values, of many arrays.
@@ -200,12 +201,12 @@ DoubleArray solve_plan(const LookAtPlan& plan, const py::object& rest, const py:
     DoubleArray report = new_array({count, report_count});
     const std::span<double> report_values = values_of(report);
     const std::span<glm::dquat> out = quaternions_in(rows.mutable_data(), row_count);
+    std::vector<LookAtInput> inputs;
+    inputs.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        inputs.push_back(input_at(i, setting_rows, target_rows, head_axes, eyes_axes));
     {
         const ReleaseGil released(count, entry_cost);
-        std::vector<LookAtInput> inputs;
-        inputs.reserve(count);
-        for (std::size_t i = 0; i < count; ++i)
-            inputs.push_back(input_at(i, setting_rows, target_rows, head_axes, eyes_axes));
         std::vector<LookAtReport> reports(count);
         plan.solve(rig, to_world, inputs, out, reports);
         rows_from_quaternions(out);
@@ -222,7 +223,7 @@ DoubleArray solve_plan(const LookAtPlan& plan, const py::object& rest, const py:
 }
 
 void bind_turns(py::module_& m) {
-    py::class_<Turns>(m, "LookAtTurns", R"(
+    py::class_<Turns>(m, "LookAtTurns", py::module_local(), R"(
 How a gaze turns to its target, from look_at(): of one target values, of m targets arrays with m rows.
 
 body, head and eyes are quaternions (m, 4) or (4,), w, x, y, z; each comes on top of the one before: eyes * head * body.)")
@@ -267,7 +268,7 @@ else it changes sides where the target passes straight behind the chest.
 Returns a LookAtTurns.
 Raises ValueError or TypeError that names the argument.)");
 
-    py::class_<LookAtPlan> plan(m, "LookAtPlan", R"(
+    py::class_<LookAtPlan> plan(m, "LookAtPlan", py::module_local(), R"(
 Bones of one rig that look at targets, checked once.
 
 parents: (B,), index of each bone's parent, -1 for none.  bodies: for each entry (n,) bones from the lowest up, below the

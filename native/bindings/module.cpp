@@ -9,6 +9,7 @@ PYBIND11_MODULE(motus_native, m) {
         "z.";
     m.attr("__version__") = MOTUS_VERSION;
 
+    // All classes are local to the module: a second copy of it, of another package, has classes of its own.
     using namespace motus::bindings;
     bind_curve(m);
     bind_timing(m);
@@ -22,5 +23,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_picker(m);  // before pull(): Picker
     bind_pull(m);
     bind_lattice(m);
+    bind_pendulum(m);
+    bind_second_order(m);
     bind_thread_state(m);
 }

@@ -154,6 +154,9 @@ def frames(
     **options: object,
 ) -> _Array: ...
 
+# Seconds that a lagging orientation remembers.
+LAG_MEMORY: float
+
 # (locations (n, 3), rotations (n, 4)) of followers at one time. Options as in frames(), without speed.
 def follow(
     curve: Curve,
@@ -388,6 +391,7 @@ def pose_to_bone(
 ) -> _Array: ...
 
 class Lattice:
+    MAX_PULLS: int
     """A grid of points that deforms what is in it; points are counted with u fastest, then v, then w."""
 
     def __init__(
@@ -521,4 +525,78 @@ def pull_forces(
 ) -> _Floats: ...
 
 # Keeps the calling thread's Python state, until the interpreter ends; for threads that Python has not started.
-def keep_thread_state() -> None: ...
+def keep_thread_state() -> bool: ...
+
+# --- Dynamics -----------------------------------------------------------------------------------------------------------
+
+# times: a number or (m,), s. Results (2,) or (m, 2): angle, angular velocity.
+def single_pendulum(
+    times: ArrayLike, theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
+    pivot_step: float = 0.0, pivot_accelerations: ArrayLike | None = None,
+) -> _Array: ...
+def pendulum_period(theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81) -> float: ...
+def pivot_accelerations(step: float, positions: ArrayLike) -> _Array: ...  # (k, 2) of (k, 2)
+
+# Results (4,) or (m, 4): theta1, theta2, omega1, omega2.
+def double_pendulum(
+    times: ArrayLike, theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0,
+    mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
+    most_acceleration: float | None = None, most_velocity: float | None = None, pivot_step: float = 0.0,
+    pivot_accelerations: ArrayLike | None = None,
+) -> _Array: ...
+def double_pendulums(  # starts (n, 4) -> (n, 4)
+    time: float, starts: ArrayLike, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0,
+    gravity: float = 9.81, damping: float = 0.0, most_acceleration: float | None = None,
+    most_velocity: float | None = None,
+) -> _Array: ...
+def double_pendulum_longest_time(
+    theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0, mass2: float = 1.0,
+    length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81,
+) -> float: ...
+
+class SecondOrder:
+    """How an output follows an input: y + k1 y' + k2 y'' = x + k3 x'. Immutable."""
+
+    def __init__(self, frequency: float, damping: float, response: float) -> None: ...
+    @staticmethod
+    def from_coefficients(k1: float, k2: float, k3: float) -> SecondOrder: ...
+    @staticmethod
+    def from_mass_spring(mass: float, stiffness: float, resistance: float) -> SecondOrder: ...
+    @staticmethod
+    def from_overshoot(
+        overshoot: float, settling: float, response: float = 0.0, tolerance: float = 0.02,
+    ) -> SecondOrder: ...
+    @property
+    def frequency(self) -> float: ...
+    @property
+    def damping(self) -> float: ...
+    @property
+    def response(self) -> float: ...
+    @property
+    def coefficients(self) -> tuple[float, float, float]: ...  # k1, k2, k3
+    @property
+    def overshoot(self) -> float: ...  # of the step response, a fraction of the step
+    def settling_time(self, tolerance: float = 0.02) -> float: ...
+
+def step_response(times: ArrayLike, frequency: float, damping: float, response: float) -> float | _Array: ...
+def second_order(  # of the shape of inputs: (m,) or (m, d)
+    times: ArrayLike, inputs: ArrayLike, frequency: float, damping: float, response: float,
+) -> _Array: ...
+
+class Track:
+    """The output of a SecondOrder at any time. Immutable."""
+
+    def __init__(
+        self, filter: SecondOrder, times: ArrayLike, inputs: ArrayLike, resets: Sequence[int] | None = None,
+        loop: bool = False,
+    ) -> None: ...
+    def evaluate(self, times: ArrayLike) -> _Array: ...
+
+class RotationTrack:
+    """The same for rotations, (m, 4). Immutable."""
+
+    def __init__(
+        self, filter: SecondOrder, times: ArrayLike, inputs: ArrayLike, resets: Sequence[int] | None = None,
+        loop: bool = False,
+    ) -> None: ...
+    def evaluate(self, times: ArrayLike) -> _Array: ...

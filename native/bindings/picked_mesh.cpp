@@ -29,7 +29,12 @@ struct Box {
     }
 };
 
-/// Copies positions, and says what box they fill.
+[[nodiscard]] bool is_finite(const glm::vec3& p) {
+    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+}
+
+/// Copies positions, and says what box they fill. They have been checked, but another thread may have written
+/// into the caller's array since: of a vertex that is not finite any more the old position stays.
 [[nodiscard]] Box take_over(std::span<const glm::vec3> from, std::vector<glm::vec3>& to) {
     to.resize(from.size());
     Box box;
@@ -37,8 +42,9 @@ struct Box {
     in_parts(from.size(), copy_grain, [&](std::size_t first, std::size_t last) {
         Box part;
         for (std::size_t i = first; i < last; ++i) {
-            to[i] = from[i];
-            part.add(from[i]);
+            const glm::vec3 point = from[i];
+            if (is_finite(point)) to[i] = point;
+            part.add(to[i]);
         }
         const std::scoped_lock lock(joining);
         box.add(part);
@@ -161,17 +167,18 @@ void PickedMesh::refit(std::span<const glm::vec3> positions) {
     const Box box = take_over(positions, positions_);
     low_ = box.low;
     high_ = box.high;
-    tree_.refit(positions);
+    tree_.refit(positions_);
 }
 
 void PickedMesh::refit(std::span<const glm::vec3> positions, std::span<const std::uint32_t> moved) {
     const std::scoped_lock lock(mutex_);
-    tree_.refit(positions, moved);
     for (const std::uint32_t vertex : moved) {
-        positions_[vertex] = positions[vertex];
-        low_ = glm::min(low_, positions[vertex]);
-        high_ = glm::max(high_, positions[vertex]);
+        const glm::vec3 point = positions[vertex];
+        if (is_finite(point)) positions_[vertex] = point;
+        low_ = glm::min(low_, positions_[vertex]);
+        high_ = glm::max(high_, positions_[vertex]);
     }
+    tree_.refit(positions_, moved);
 }
 
 const Neighbours& PickedMesh::neighbours() const {

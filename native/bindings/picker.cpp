@@ -51,12 +51,15 @@ void check_indices(std::span<const glm::ivec2> edges, std::size_t count) {
     const Positions points(positions, "positions");
     const IndexRows<glm::ivec3> faces(triangles, "triangles");
     const IndexRows<glm::ivec2> lines(edges, "edges");
-    check_indices(lines.values(), points.values().size());
-    const auto given = edges.is_none() ? std::nullopt : std::optional(lines.values());
-    const ReleaseGil released(points.values().size() + faces.values().size(), build_cost);
-    if (!are_finite(points.values())) throw std::invalid_argument("positions: every value must be finite");
+    const std::vector<glm::vec3> own_points = copied(points.values());
+    const std::vector<glm::ivec3> own_faces = copied(faces.values());
+    const std::vector<glm::ivec2> own_lines = copied(lines.values());
+    check_indices(own_lines, own_points.size());
+    const auto given = edges.is_none() ? std::nullopt : std::optional(std::span(own_lines));
+    const ReleaseGil released(own_points.size() + own_faces.size(), build_cost);
+    if (!are_finite(own_points)) throw std::invalid_argument("positions: every value must be finite");
     try {
-        return std::make_unique<PickedMesh>(points.values(), faces.values(), given);
+        return std::make_unique<PickedMesh>(own_points, own_faces, given);
     } catch (const std::invalid_argument& problem) {
         throw std::invalid_argument("triangles: " + std::string(problem.what()));
     }
@@ -167,7 +170,7 @@ void refit(PickedMesh& mesh, const py::object& positions, const py::object& move
 }  // namespace
 
 void bind_picker(py::module_& m) {
-    py::class_<PickedMesh>(m, "Picker", R"(
+    py::class_<PickedMesh>(m, "Picker", py::module_local(), R"(
 A mesh to pick from: a tree over its triangles and vertices, and who neighbours whom.
 
 It keeps a copy of the positions: answers are for the shape of the last refit. Coincident or loose vertices, triangles

@@ -47,8 +47,8 @@ py::object matrix_rows(const py::object& locations, const py::object& rotations,
     const std::span<const glm::dvec3> scale_rows = sizes ? sizes->values() : std::span<const glm::dvec3>();
     auto matrices = output<float>(out, "out", {static_cast<py::ssize_t>(count), 16});
     const std::span<float> floats(matrices.mutable_data(), static_cast<std::size_t>(matrices.size()));
-    require_apart(points.values(), "locations", floats, "out");
-    require_apart(scale_rows, "scales", floats, "out");
+    require_apart(memory_of(locations), "locations", floats, "out");
+    require_apart(memory_of(scales), "scales", floats, "out");
     {
         const ReleaseGil released(count, matrix_cost);
         pack_matrices(points.values(), quaternions.values(), floats, scale_rows);

@@ -47,10 +47,10 @@ constexpr float rounding = 1.0f + 1e-5f;
                             {"curve", Falloff::curve}});
 }
 
-/// A falloff, and the samples that it points into.
+/// A falloff, and the samples that it points into, copied.
 struct ProfileArgument {
     Profile profile;
-    FloatArray samples{py::ssize_t{0}};
+    std::vector<float> samples;
 
     ProfileArgument(const py::object& falloff, const py::object& scale_factor, const py::object& curve) {
         profile.falloff = falloff_argument(falloff);
@@ -60,10 +60,16 @@ struct ProfileArgument {
                 value_error("curve", "must be given for the falloff 'curve'");
             return;
         }
-        samples = floats(curve, "curve");
-        if (samples.ndim() != 1) value_error("curve", "must have the shape (n,), not " + shape_of(samples));
-        profile.curve = {samples.data(), static_cast<std::size_t>(samples.size())};
+        const FloatArray array = floats(curve, "curve");
+        if (array.ndim() != 1) value_error("curve", "must have the shape (n,), not " + shape_of(array));
+        samples.assign(array.data(), array.data() + array.size());
+        profile.curve = samples;
     }
+    ProfileArgument(const ProfileArgument&) = delete;
+    ProfileArgument& operator=(const ProfileArgument&) = delete;
+    ProfileArgument(ProfileArgument&&) = delete;
+    ProfileArgument& operator=(ProfileArgument&&) = delete;
+    ~ProfileArgument() = default;
 };
 
 [[nodiscard]] float positive_radius(const py::object& radius) {
@@ -244,8 +250,8 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
     const Weights factors(weights, count);
     const IndexRows<glm::ivec3> faces(triangles, "triangles");
     const IndexRows<glm::ivec2> lines(edges, "edges");
-    const PulledMesh mesh{measured, faces.values(), lines.values(), !edges.is_none(),
-                          picker_argument(picker, count)};
+    PulledMesh mesh{measured, faces.values(), lines.values(), !edges.is_none(),
+                    picker_argument(picker, count)};
     std::vector<Reach> reaches;
     if (!reach.is_none()) reaches = reaches_argument(reach, images_of(dab).size(), count);
     const bool has_to_measure = reach.is_none() && way != Distance::straight;
@@ -253,6 +259,16 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
         value_error("root", "must be the index of a vertex, unless the distance is 'straight'");
     if (has_to_measure && mesh.picker == nullptr && triangles.is_none())
         value_error("triangles", "must be given for the distances 'surface' and 'edges', or a picker");
+
+    // What is walked along must stay as it was checked; pull() itself looks at each value as it takes it.
+    std::vector<glm::vec3> steady_positions;
+    std::vector<glm::ivec3> steady_faces;
+    std::vector<glm::ivec2> steady_lines;
+    if (has_to_measure) {
+        mesh.positions = steady_positions = copied(mesh.positions);
+        mesh.triangles = steady_faces = copied(mesh.triangles);
+        mesh.edges = steady_lines = copied(mesh.edges);
+    }
 
     FloatArray result = output<float>(out, "out", {static_cast<py::ssize_t>(count), 3});
     const std::span<glm::vec3> to{reinterpret_cast<glm::vec3*>(result.mutable_data()), count};

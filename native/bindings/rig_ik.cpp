@@ -96,32 +96,49 @@ IkRest read_rest(const IkPlan& plan, const py::object& rest, const py::object& l
     return {plan, rig};
 }
 
-IkBones read_bones(const IkPlan& plan, const IkRest& rest, const py::object& basis) {
-    if (rest.rows().size() != plan.rows().size()) value_error("rest", "must be of the same plan");
-    return {plan, rest, elements<float>(basis, "basis", {plan.parents().size(), 16})};
+IkBones read_bones(const IkPlan& plan, const py::object& rest, const py::object& basis) {
+    return {plan, instance<IkRest>(rest, "rest", "an IkRest"),
+            elements<float>(basis, "basis", {plan.parents().size(), 16})};
 }
 
-/// What solve() and match() have in common.
-IkInput common_input(const IkPlan& plan, const IkBones& bones, const py::object& poses,
-                     const py::object& world, const py::object& settings) {
-    IkInput input;
-    if (bones.rows().size() != plan.rows().size()) value_error("bones", "must be of the same plan");
-    input.bones = bones;
-    input.poses = elements<float>(poses, "poses", {plan.parents().size(), 16});
-    input.world = matrix_of_columns(world, "world");
-    input.settings = rows_of<IkSettings>(settings, "settings", plan.chain_count());
-    return input;
-}
+/// What solve() and match() read, copied: they check values and read them again without the interpreter's
+/// lock.
+struct CopiedInput {
+    std::vector<float> poses;
+    std::vector<IkSettings> settings;
+    std::vector<glm::dmat4> targets;
+    std::vector<glm::dvec3> poles;
+    std::vector<JointLimits> limits;
+    IkInput input;  ///< of the above
 
-py::object solve(const IkPlan& plan, const IkBones& bones, const py::object& poses, const py::object& world,
-                 const py::object& settings, const py::object& targets, const py::object& poles,
-                 const py::object& limits, const py::object& rotations, const py::object& scales) {
+    /// What both have in common.
+    CopiedInput(const IkPlan& plan, const IkBones& bones, const py::object& given_poses,
+                const py::object& world, const py::object& given_settings)
+        : poses(copied(elements<float>(given_poses, "poses", {plan.parents().size(), 16}))),
+          settings(copied(rows_of<IkSettings>(given_settings, "settings", plan.chain_count()))) {
+        input.bones = bones;
+        input.poses = poses;
+        input.world = matrix_of_columns(world, "world");
+        input.settings = settings;
+    }
+    CopiedInput(const CopiedInput&) = delete;
+    CopiedInput& operator=(const CopiedInput&) = delete;
+};
+
+py::object solve(const IkPlan& plan, const py::object& bones, const py::object& poses,
+                 const py::object& world, const py::object& settings, const py::object& targets,
+                 const py::object& poles, const py::object& limits, const py::object& rotations,
+                 const py::object& scales) {
     const std::size_t chains = plan.chain_count();
     const std::size_t rows = plan.rows().size();
-    IkInput input = common_input(plan, bones, poses, world, settings);
-    input.targets = rows_of<glm::dmat4>(targets, "targets", chains);
-    input.poles = rows_of<glm::dvec3>(poles, "poles", chains);
-    if (!limits.is_none()) input.limits = rows_of<JointLimits>(limits, "limits", plan.chain_bone_count());
+    CopiedInput given(plan, instance<IkBones>(bones, "bones", "an IkBones"), poses, world, settings);
+    given.targets = copied(rows_of<glm::dmat4>(targets, "targets", chains));
+    given.poles = copied(rows_of<glm::dvec3>(poles, "poles", chains));
+    if (!limits.is_none())
+        given.limits = copied(rows_of<JointLimits>(limits, "limits", plan.chain_bone_count()));
+    given.input.targets = given.targets;
+    given.input.poles = given.poles;
+    given.input.limits = given.limits;
     auto rotation_rows = output<double>(rotations, "rotations", {static_cast<py::ssize_t>(rows), 4});
     auto scale_rows = output<double>(scales, "scales", {static_cast<py::ssize_t>(rows), 3});
     require_apart(values_of(rotation_rows), "rotations", values_of(scale_rows), "scales");
@@ -132,22 +149,22 @@ py::object solve(const IkPlan& plan, const IkBones& bones, const py::object& pos
     result.report = new_rows<IkReport>(report, chains);
     {
         const ReleaseGil released(plan.chain_bone_count(), chain_bone_cost);
-        solve_rig_ik(plan, input, result);
+        solve_rig_ik(plan, given.input, result);
         rows_from_quaternions(result.rotations);
     }
     return report;
 }
 
-py::tuple match(const IkPlan& plan, const IkBones& bones, const py::object& poses, const py::object& world,
+py::tuple match(const IkPlan& plan, const py::object& bones, const py::object& poses, const py::object& world,
                 const py::object& settings) {
     const std::size_t chains = plan.chain_count();
-    const IkInput input = common_input(plan, bones, poses, world, settings);
+    const CopiedInput given(plan, instance<IkBones>(bones, "bones", "an IkBones"), poses, world, settings);
     DoubleArray targets, poles;
     const std::span<glm::dmat4> target_rows = new_rows<glm::dmat4>(targets, chains);
     const std::span<glm::dvec3> pole_rows = new_rows<glm::dvec3>(poles, chains);
     {
         const ReleaseGil released(plan.chain_bone_count(), chain_bone_cost);
-        match_rig_ik(plan, input, target_rows, pole_rows);
+        match_rig_ik(plan, given.input, target_rows, pole_rows);
     }
     return py::make_tuple(targets, poles);
 }
@@ -201,11 +218,12 @@ py::object pose_to_bone(const py::object& rest, const py::object& parent_rest, c
 }  // namespace
 
 void bind_rig_ik(py::module_& m) {
-    const py::class_<IkRest> rest(m, "IkRest",
+    const py::class_<IkRest> rest(m, "IkRest", py::module_local(),
                                   "Bones at rest, of one IkPlan; made by IkPlan.rest(). Immutable.");
     const py::class_<IkBones> bones(
-        m, "IkBones", "Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable.");
-    py::class_<IkPlan> plan(m, "IkPlan", R"(
+        m, "IkBones", py::module_local(),
+        "Bones as they are animated, of one IkPlan; made by IkPlan.bones(). Immutable.");
+    py::class_<IkPlan> plan(m, "IkPlan", py::module_local(), R"(
 Chains of one rig's bones, solved together. Immutable.
 
 parents: (b,) parent of each bone, -1 for none.  chains: lists of bones from root to tip, each a child of the one before,

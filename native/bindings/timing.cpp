@@ -59,7 +59,7 @@ Derivative of ease() with respect to u: a float or (m,); 0 outside [0, 1].  Argu
 
 void bind_timing(py::module_& m) {
     bind_ease(m);
-    py::class_<Timing>(m, "Timing", R"(
+    py::class_<Timing>(m, "Timing", py::module_local(), R"(
 Distance as a function of time, for follow(): seconds, and the curve's unit of length. Immutable.
 
 Made by Timing.eased, .constant, .pins, .speeds or .speeds_by_distance, which raise ValueError where a value is not finite

@@ -206,7 +206,7 @@ struct Solution {
 }
 
 void bind_solution(py::module_& m) {
-    py::class_<Solution>(m, "TwoBoneSolution", R"(
+    py::class_<Solution>(m, "TwoBoneSolution", py::module_local(), R"(
 Where the joints of two bones stand, from solve_two_bone(): of one chain values, of m chains arrays with m rows.)")
         .def_readonly("elbow", &Solution::elbow, "(3,) or (m, 3).")
         .def_readonly("tip", &Solution::tip, "(3,) or (m, 3); the target itself where it is reached exactly.")

@@ -1,6 +1,7 @@
 #include "motus/arc_length.hpp"
 
 #include <glm/geometric.hpp>
+#include <stdexcept>
 #include <utility>
 
 #include "inverse_table.hpp"
@@ -85,6 +86,7 @@ glm::dvec3 position_at_length(const ArcLength& path, double s, Extend extend) {
 
 void positions_at_length(const ArcLength& path, std::span<const double> s, Extend extend,
                          std::span<glm::dvec3> out) {
+    if (out.size() != s.size()) throw std::invalid_argument("out: must be as long as s");
     for (std::size_t i = 0; i < s.size(); ++i) out[i] = position_at_length(path, s[i], extend);
 }
 
@@ -100,7 +102,8 @@ std::size_t ArcLengthBytes::operator()(const Curve& curve, const ArcLength& path
 }
 
 ArcLengthCache& arc_length_cache() {
-    static ArcLengthCache cache(cached_tables, cached_bytes);
+    // Never destroyed: threads may still look up tables while the program exits.
+    static ArcLengthCache& cache = *new ArcLengthCache(cached_tables, cached_bytes);
     return cache;
 }
 

@@ -37,6 +37,13 @@ glm::dvec3 unit_vector(glm::dvec3 v) {
         glm::dvec3(std::scalbn(v.x, -exponent), std::scalbn(v.y, -exponent), std::scalbn(v.z, -exponent)));
 }
 
+double length_of(const glm::dvec3& v) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0.0) return 0.0;
+    const glm::dvec3 shares = v / largest;
+    return largest * std::sqrt(shares.x * shares.x + shares.y * shares.y + shares.z * shares.z);
+}
+
 glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
                           double weight) {
     return blended<double>({from, 1.0, along}, to, weight, weight);

@@ -17,6 +17,9 @@ namespace motus {
 /// v at unit length whatever its size, zero for zero.
 [[nodiscard]] glm::dvec3 unit_vector(glm::dvec3 v);
 
+/// Its length, whatever its size. (std::hypot of three overflows in some standard libraries.)
+[[nodiscard]] double length_of(const glm::dvec3& v);
+
 /// A unit normal across the unit vector `along`: `plane`'s, or where that is zero or along it, one that
 /// depends on `along` alone and jumps at one odd direction only.
 [[nodiscard]] glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane);

@@ -126,11 +126,13 @@ void lay_along(Bones& bones, const glm::dvec3& along, bool folded) {
 }
 
 /// Returns the number of iterations.
-int bring_to_target(Bones& bones, const Task& task, const ChainSettings& settings) {
+int bring_to_target(Bones& bones, Task task, const ChainSettings& settings) {
     const glm::dvec3 tip = tip_of(bones);
     const double pose_chord = glm::length(tip);
     const glm::dvec3 pose_along = pose_chord > closed ? tip / pose_chord : direction_of_closed(bones);
     const glm::dvec3 along = task.distance > 0.0 ? task.along : pose_along;
+    // Joints in one line would bend by the root of what is only rounding.
+    if (std::abs(task.distance - pose_chord) <= reach_rounding) task.distance = pose_chord;
     if (task.distance >= 1.0 - reach_rounding ||
         (bones.inner > 0.0 && task.distance <= bones.inner + reach_rounding)) {
         lay_along(bones, along, task.distance < 0.5 * (bones.inner + 1.0));
@@ -167,10 +169,6 @@ Reason reason_of(const Bones& bones, double distance) {
     if (distance >= 1.0) return Reason::too_far;
     if (distance <= bones.inner) return Reason::too_near;
     return Reason::iterations;
-}
-
-double length_of(const glm::dvec3& v) {
-    return std::hypot(v.x, v.y, v.z);
 }
 
 }  // namespace

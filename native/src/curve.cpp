@@ -4,9 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "bernstein.hpp"
 
@@ -120,7 +122,9 @@ void require_finite(std::span<const glm::dvec3> points, const char* name) {
 }  // namespace
 
 Curve::Curve(int degree, std::vector<glm::dvec3> points, bool cyclic)
-    : degree_(degree), cyclic_(cyclic), points_(std::move(points)) {}
+    : degree_(degree),
+      cyclic_(cyclic),
+      points_(std::make_shared<const std::vector<glm::dvec3>>(std::move(points))) {}
 
 Curve Curve::bezier(std::span<const glm::dvec3> control_points) {
     const std::size_t most = static_cast<std::size_t>(max_degree) + 1;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "ieee_floats.hpp"
 #include "pull_kernel.hpp"
 
 namespace motus {
@@ -24,7 +25,8 @@ bool is_of_squares(Falloff falloff) {
 }  // namespace
 
 float reach_of(const Profile& profile, float radius) {
-    return profile.falloff == Falloff::classic ? std::sqrt(radius) : radius;
+    return profile.falloff == Falloff::classic ? in_ieee_floats([radius] { return std::sqrt(radius); })
+                                               : radius;
 }
 
 ForceTerms force_terms(const Profile& profile, float radius) {
@@ -63,12 +65,15 @@ ForceTerms force_terms(const Profile& profile, float radius) {
 
 void forces(const Profile& profile, float radius, std::span<const float> distances, std::span<float> out) {
     require(distances.size() == out.size(), "out: must be as long as distances");
-    const ForceTerms terms = force_terms(profile, radius);
-    const PullKernel& kernel = pull_kernels().back();
-    std::transform(distances.begin(), distances.end(), out.begin(),
-                   [&terms](float distance) { return terms.of_squares ? distance * distance : distance; });
-    for (std::size_t i = 0; i < out.size(); i += pull_block)
-        kernel.force(terms, out.data() + i, std::min(pull_block, out.size() - i));
+    in_ieee_floats([&] {
+        const ForceTerms terms = force_terms(profile, radius);
+        const PullKernel& kernel = pull_kernels().back();
+        std::transform(distances.begin(), distances.end(), out.begin(), [&terms](float distance) {
+            return terms.of_squares ? distance * distance : distance;
+        });
+        for (std::size_t i = 0; i < out.size(); i += pull_block)
+            kernel.force(terms, out.data() + i, std::min(pull_block, out.size() - i));
+    });
 }
 
 }  // namespace motus

@@ -55,7 +55,8 @@ std::size_t FrameTablesBytes::operator()(const FrameTablesKey& key,
 }
 
 FrameTablesCache& frame_tables_cache() {
-    static FrameTablesCache cache(cached_tables, cached_bytes);
+    // Never destroyed: threads may still look up tables while the program exits.
+    static FrameTablesCache& cache = *new FrameTablesCache(cached_tables, cached_bytes);
     return cache;
 }
 

@@ -1,8 +1,8 @@
 // Turns a chain's bones so that its tip comes to a target. Pose space.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <glm/gtc/quaternion.hpp>
+#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
 #include <span>
@@ -82,7 +82,7 @@ class IkAim {
     std::vector<glm::dvec3> joints_;     // where they are to be
     std::vector<glm::dmat3> to_spaces_;  // inverse of what each bone was turned in
     std::vector<glm::dquat> best_;
-    std::vector<std::array<glm::dvec3, 3>> slopes_;  // of the tip by each bone's turn about X, Y and Z
+    std::vector<glm::dmat3> slopes_;  // of the tip by each bone's turn about X, Y and Z
     // of chains with limits
     std::vector<glm::dquat> rest_;
     std::vector<glm::dvec3> offsets_;

@@ -1,5 +1,6 @@
 #include "ik_bones.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -15,7 +16,7 @@ namespace motus {
 namespace {
 
 bool is_finite(std::span<const float> matrices, std::size_t bone) {
-    return are_finite(&matrices[16 * bone], 16);
+    return are_finite(matrices.subspan(16 * bone, 16));
 }
 
 void read(RestBone& result, const RigView& rig, std::size_t bone) {
@@ -61,10 +62,11 @@ OwnTransform own_transform(std::span<const float> basis, std::size_t bone) {
     return own;
 }
 
-IkRest::IkRest(const IkPlan& plan, const RigView& rig) {
+IkRest::IkRest(const IkPlan& plan, const RigView& rig) : plan_(plan.identity()) {
     const std::size_t bones = plan.parents().size();
-    if (rig.parents.size() != bones || rig.rest.size() != 16 * bones || rig.lengths.size() != bones ||
-        rig.inheritance.size() != bones)
+    if (!std::ranges::equal(rig.parents, plan.parents()))
+        throw std::invalid_argument("rig: its parents must be the plan's");
+    if (rig.rest.size() != 16 * bones || rig.lengths.size() != bones || rig.inheritance.size() != bones)
         throw std::invalid_argument("rig: its arrays must have an entry for each bone of the plan");
     std::vector<RestBone> rows(plan.rows().size());
     for (std::size_t row = 0; row < rows.size(); ++row)
@@ -79,7 +81,7 @@ std::span<const RestBone> IkRest::rows() const noexcept {
 
 IkBones::IkBones(const IkPlan& plan, IkRest rest, std::span<const float> basis) : rest_(std::move(rest)) {
     const std::span<const RestBone> at_rest = rest_.rows();
-    if (at_rest.size() != plan.rows().size()) throw std::invalid_argument("rest: it must be the plan's");
+    if (!rest_.is_of(plan)) throw std::invalid_argument("rest: must be of the same plan");
     if (basis.size() != 16 * plan.parents().size())
         throw std::invalid_argument("basis: there must be one for each bone of the plan");
     std::vector<AnimatedBone> rows(at_rest.size());

@@ -82,10 +82,10 @@ void match_rig_ik(const IkPlan& plan, const IkInput& input, std::span<glm::dmat4
         targets[index] = glm::dmat4(1.0);
         poles[index] = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
         const IkPlan::Chain chain = plan.chain(index, input.settings[index].left_out);
-        if (!world.is_valid || !are_finite(&input.settings[index].position_weight, setting_count)) continue;
+        if (!world.is_valid || !is_finite(input.settings[index])) continue;
         if (!pose.read(input, chain)) continue;
         const Match match = match_one(input, chain, pose, world, within_domains(input.settings[index]));
-        if (!are_finite(&match.target[0][0], 16) || !are_finite(&match.pole.x, 3)) continue;
+        if (!is_finite(match.target) || !is_finite(match.pole)) continue;
         targets[index] = match.target;
         poles[index] = match.pole;
     }

@@ -42,7 +42,7 @@ bool IkPose::read(const IkInput& input, const IkPlan::Chain& chain) {
     joints_[0] = bones_[0].head;
     if (chain.parent >= 0) {
         const auto parent = static_cast<std::size_t>(chain.parent);
-        if (!are_finite(&input.poses[16 * parent], 16)) return false;
+        if (!are_finite(input.poses.subspan(16 * parent, 16))) return false;
         const glm::dmat4 pose = matrix_at(input.poses, parent);
         parent_axes_ = glm::dmat3(pose);
         joints_[0] = glm::dvec3(pose[3]) + parent_axes_ * bones_[0].head;

@@ -7,6 +7,15 @@
 
 namespace motus {
 
+bool is_finite(const IkSettings& s) {
+    return are_finite(s.position_weight, s.rotation_weight, s.softness, s.stretch, s.pole_angle, s.bend,
+                      s.hinge_angle, s.tolerance, s.iterations, s.use_limits, s.is_on, s.left_out);
+}
+
+bool is_finite(const IkReport& r) {
+    return are_finite(r.residual, r.angle, r.reason, r.iterations, r.distance, r.reach) && is_finite(r.tip);
+}
+
 IkSettings within_domains(IkSettings settings) {
     settings.position_weight = std::clamp(settings.position_weight, 0.0, 1.0);
     settings.rotation_weight = std::clamp(settings.rotation_weight, 0.0, 1.0);
@@ -18,8 +27,7 @@ IkSettings within_domains(IkSettings settings) {
 }
 
 void check_ik_rig(const IkPlan& plan, const IkInput& input) {
-    if (input.bones.rows().size() != plan.rows().size())
-        throw std::invalid_argument("bones: they must be the plan's");
+    if (!input.bones.is_of(plan)) throw std::invalid_argument("bones: must be of the same plan");
     if (input.poses.size() != 16 * plan.parents().size())
         throw std::invalid_argument("poses: there must be one for each bone of the plan");
 }

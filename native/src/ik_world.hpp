@@ -1,27 +1,54 @@
 // The world that a rig stands in, and checks of what comes from it. Private to the library.
 #pragma once
 #include <cmath>
-#include <cstddef>
 #include <glm/geometric.hpp>
+#include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <span>
+#include <type_traits>
 
 #include "bone_space.hpp"
 #include "motus/rig_ik.hpp"
 
 namespace motus {
 
-template <class Number>
-[[nodiscard]] inline bool are_finite(const Number* values, std::size_t count) {
-    Number sum = 0;
-    for (std::size_t i = 0; i < count; ++i) sum += 0 * values[i];
-    return sum == 0;
+[[nodiscard]] inline bool are_finite(std::span<const float> values) {
+    float sum = 0.0f;
+    for (const float value : values) sum += 0.0f * value;
+    return sum == 0.0f;
 }
+
+template <class... Numbers>
+[[nodiscard]] inline bool are_finite(const Numbers&... values) requires(
+    std::is_same_v<Numbers, double>&&...) {
+    return ((0.0 * values) + ...) == 0.0;
+}
+
+[[nodiscard]] inline bool is_finite(const glm::dvec3& v) {
+    return are_finite(v.x, v.y, v.z);
+}
+
+[[nodiscard]] inline bool is_finite(const glm::dvec4& v) {
+    return are_finite(v.x, v.y, v.z, v.w);
+}
+
+[[nodiscard]] inline bool is_finite(const glm::dquat& q) {
+    return are_finite(q.w, q.x, q.y, q.z);
+}
+
+[[nodiscard]] inline bool is_finite(const glm::dmat4& m) {
+    return is_finite(m[0]) && is_finite(m[1]) && is_finite(m[2]) && is_finite(m[3]);
+}
+
+[[nodiscard]] bool is_finite(const IkSettings& settings);
+[[nodiscard]] bool is_finite(const IkReport& report);
 
 /// Between pose space and the world.
 struct RigWorld {
     explicit RigWorld(const glm::dmat4& matrix)
-        : axes(matrix), origin(matrix[3]), is_valid(are_finite(&matrix[0][0], 16)) {
+        : axes(matrix), origin(matrix[3]), is_valid(is_finite(matrix)) {
         const double volume = glm::determinant(axes);
         const double box = glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]);
         is_valid = is_valid && std::abs(volume) > 1e-12 * box;
@@ -37,8 +64,6 @@ struct RigWorld {
     glm::dmat3 inverse{1.0};
     bool is_valid;
 };
-
-inline constexpr std::size_t setting_count = sizeof(IkSettings) / sizeof(double);
 
 /// Settings in the domains that they are documented with; finite ones only.
 [[nodiscard]] IkSettings within_domains(IkSettings settings);

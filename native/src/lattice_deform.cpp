@@ -1,5 +1,6 @@
 #include <stdexcept>
 
+#include "ieee_floats.hpp"
 #include "lattice_taps.hpp"
 #include "motus/lattice.hpp"
 #include "motus/parallel.hpp"
@@ -92,20 +93,22 @@ void deform(const Lattice& lattice, std::span<const glm::vec3> displacements,
     if (out.size() != positions.size() ||
         (!influence.positions.empty() && influence.positions.size() != positions.size()))
         throw std::invalid_argument("as many results and factors as positions are wanted");
-    const std::vector<Four> values = packed(displacements, influence.points);
-    const bool fades = !influence.points.empty();
-    in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) {
-            const float factor = influence.positions.empty() ? 1.0f : influence.positions[i];
-            if (factor == 0.0f) {
-                out[i] = positions[i];
-                continue;
+    in_ieee_floats([&] {
+        const std::vector<Four> values = packed(displacements, influence.points);
+        const bool fades = !influence.points.empty();
+        in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i) {
+                const float factor = influence.positions.empty() ? 1.0f : influence.positions[i];
+                if (factor == 0.0f) {
+                    out[i] = positions[i];
+                    continue;
+                }
+                const Rows rows(grid, grid.coordinates(glm::dvec3(positions[i])));
+                Four change = factor * blend(rows, values);
+                if (fades) change *= change[3];
+                out[i] = positions[i] + glm::vec3(change[0], change[1], change[2]);
             }
-            const Rows rows(grid, grid.coordinates(glm::dvec3(positions[i])));
-            Four change = factor * blend(rows, values);
-            if (fades) change *= change[3];
-            out[i] = positions[i] + glm::vec3(change[0], change[1], change[2]);
-        }
+        });
     });
 }
 

@@ -25,11 +25,6 @@ constexpr int patience_on_target = 4;
 constexpr int patience_of_short = 12;
 constexpr int patience_of_long = 8;
 
-/// Whatever its size.
-double length_of(const glm::dvec3& v) {
-    return std::hypot(v.x, v.y, v.z);
-}
-
 /// A chain's length, and where its tip can come at all.
 struct Reach {
     double length = 0.0;
@@ -99,6 +94,8 @@ class Search {
     int run(std::span<glm::dquat> rotations);
     /// Whether the best is a minimum, as far as steps can tell.
     [[nodiscard]] bool is_at_rest() const { return is_best_at_rest_; }
+    /// Whether the tip came as near to the target as lengths let it.
+    [[nodiscard]] bool is_on_target() const { return best_residual_ <= bound_ + goal_.tolerance; }
 
   private:
     void find_bend(std::span<const glm::dquat> rotations);
@@ -237,8 +234,8 @@ void Search::descend_to_goal() {
 }
 
 bool Search::is_enough() const {
-    const bool is_near = best_residual_ <= bound_ + goal_.tolerance;
-    return (is_near && best_angle_ <= 1e-5) || same_ >= (is_near ? patience_on_target : patience_);
+    return (is_on_target() && best_angle_ <= 1e-5) ||
+           same_ >= (is_on_target() ? patience_on_target : patience_);
 }
 
 /// Leads first from the given pose, where that does not get there from the middle of the limits: of a joint
@@ -285,15 +282,22 @@ int Search::run(std::span<glm::dquat> rotations) {
 
 void chain_joints(const LimitedChain& chain, std::span<const glm::dquat> rotations,
                   std::span<glm::dvec3> joints) {
+    const std::size_t count = chain.offsets.size();
+    if (chain.rest.size() != count || rotations.size() != count)
+        throw std::invalid_argument("all spans of a chain must have one size");
+    if (joints.size() != count + 1) throw std::invalid_argument("joints must be one more than the bones");
     glm::dquat frame = chain.base;
     joints[0] = chain.root;
-    for (std::size_t i = 0; i < chain.offsets.size(); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         frame = frame * chain.rest[i] * rotations[i];
         joints[i + 1] = joints[i] + frame * chain.offsets[i];
     }
 }
 
 void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frames) {
+    if (frames.empty() || joints.size() != frames.size() + 1)
+        throw std::invalid_argument(
+            "joints must be one more than the frames, of which there is one at least");
     glm::dvec3 along(0.0, 1.0, 0.0);
     glm::dquat frame(1.0, 0.0, 0.0, 0.0);
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -314,9 +318,21 @@ ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& tar
     if (chain.rest.size() != count || chain.limits.size() != count || rotations.size() != count)
         throw std::invalid_argument("all spans of a chain must have one size");
     const Reach reach = reach_of(chain);
+    std::array<glm::dquat, largest_chain> given;
+    std::copy(rotations.begin(), rotations.end(), given.begin());
     Search search(chain, reach, target, settings, orientation);
     ChainReport report;
     report.iterations = search.run(rotations);
+    bool is_at_rest = search.is_at_rest();
+    if (orientation && !search.is_on_target()) {
+        // The way to both may end beside a target that the way to the position alone reaches.
+        Search plain(chain, reach, target, settings, std::nullopt);
+        report.iterations += plain.run({given.data(), count});
+        if (plain.is_on_target()) {
+            std::copy_n(given.begin(), count, rotations.begin());
+            is_at_rest = plain.is_at_rest();
+        }
+    }
 
     PerJoint joints;
     chain_joints(chain, rotations, {joints.data(), count + 1});
@@ -330,7 +346,7 @@ ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& tar
         } else if (distance < reach.inner - enough) {
             report.reason = Reason::too_near;
         } else {
-            report.reason = search.is_at_rest() ? Reason::limit : Reason::iterations;
+            report.reason = is_at_rest ? Reason::limit : Reason::iterations;
         }
     }
     return report;

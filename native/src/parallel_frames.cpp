@@ -46,7 +46,8 @@ glm::dvec3 carried_round_corner(const Station& from, const glm::dvec3& tangent) 
 }
 
 /// Up after the two reflections that take one place's position and tangent to another's.
-glm::dvec3 double_reflected(const Station& from, const Station& to) {
+template <class To>
+glm::dvec3 double_reflected(const Station& from, const To& to) {
     const glm::dvec3 v1 = to.position - from.position;
     const double c1 = glm::dot(v1, v1);
     const glm::dvec3 up = from.up - 2.0 / c1 * glm::dot(v1, from.up) * v1;
@@ -58,15 +59,15 @@ glm::dvec3 double_reflected(const Station& from, const Station& to) {
 
 /// Up at `to` by the frame that `from` becomes across a cell of the given kind. Steps shorter than `grain`
 /// have no chord to reflect in; there both ways agree.
-glm::dvec3 carried(const Station& from, Cell cell, double grain, const Station& to) {
+template <class To>
+void carry(const Station& from, Cell cell, double grain, To& to) {
     const glm::dvec3 step = to.position - from.position;
     const bool chord = cell == Cell::smooth && glm::dot(step, step) > grain * grain;
-    return chord ? double_reflected(from, to) : carried_round_corner(from, to.tangent);
+    to.up = chord ? double_reflected(from, to) : carried_round_corner(from, to.tangent);
 }
 
-/// Curvature vector, where the first derivative does not vanish.
-glm::dvec3 bend_of(const Jet& all, const glm::dvec3& tangent) {
-    const double per_speed = 1.0 / glm::length(all.d1);
+/// Curvature vector, where the first derivative, 1 / per_speed long, does not vanish.
+glm::dvec3 bend_of(const Jet& all, double per_speed, const glm::dvec3& tangent) {
     return per_speed * (per_speed * (all.d2 - glm::dot(all.d2, tangent) * tangent));
 }
 
@@ -79,8 +80,9 @@ Place place_at(const Curve& curve, double s, double t, double grain) {
     place.t = t;
     place.position = all.position;
     if (speed > grain) {
-        place.tangent = 1.0 / speed * all.d1;
-        place.bend = bend_of(all, place.tangent);
+        const double per_speed = 1.0 / speed;
+        place.tangent = per_speed * all.d1;
+        place.bend = bend_of(all, per_speed, place.tangent);
     } else {
         place.tangent = tangent(curve, t);
         place.bend = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
@@ -141,7 +143,7 @@ class SegmentStations {
     }
 
     void add(const Place& place) {
-        out_.push_back(place);
+        out_.push_back({place.t, place.position, place.tangent, place.up});
         distances_.push_back(place.s);
     }
 
@@ -195,7 +197,7 @@ void ParallelFrames::carry_frames() {
         Station& to = stations_[i + 1];
         const double most = cells_[i] == Cell::joint ? joint_turning : corner_turning;
         if (angle_between(from.tangent, to.tangent) > most) cells_[i] = Cell::corner;
-        to.up = carried(from, cells_[i], grain_, to);
+        carry(from, cells_[i], grain_, to);
     }
 }
 
@@ -204,15 +206,22 @@ void ParallelFrames::close() {
     const Station& last = stations_.back();
     const Place first = station(0);
     seam_ = angle_between(last.tangent, first.tangent) > joint_turning ? Cell::corner : Cell::joint;
-    const Across closing = first.across(carried(last, seam_, grain_, first));
+    Station again = stations_.front();
+    carry(last, seam_, grain_, again);
+    const Across closing = first.across(again.up);
     closing_ = closing / std::abs(closing);
 }
 
-Place ParallelFrames::station(std::size_t index) const {
+// Not into at(), which each follower calls and which seldom falls on a station.
+[[gnu::noinline]] Place ParallelFrames::station(std::size_t index) const {
+    const Station& kept = stations_[index];
     Place place;
-    static_cast<Station&>(place) = stations_[index];
     place.s = distances_[index];
+    place.t = kept.t;
     place.cell = index;
+    place.position = kept.position;
+    place.tangent = kept.tangent;
+    place.up = kept.up;
     place.side = glm::cross(place.tangent, place.up);
     if (length() <= 0.0) return place;
     // A station at the end of a segment belongs to it, by the last parameter before the next one's.
@@ -220,8 +229,9 @@ Place ParallelFrames::station(std::size_t index) const {
     const double end = static_cast<double>(at.segment) + 1.0;
     const bool at_end = std::nextafter(place.t, end) == end;
     const Jet all = bernstein::jet(path_->curve().segment(at.segment), at_end ? 1.0 : at.t);
-    place.bend = glm::length(all.d1) > grain_ ? bend_of(all, place.tangent)
-                                              : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
+    const double speed = glm::length(all.d1);
+    place.bend = speed > grain_ ? bend_of(all, 1.0 / speed, place.tangent)
+                                : glm::dvec3(std::numeric_limits<double>::quiet_NaN());
     return place;
 }
 
@@ -229,12 +239,13 @@ Place ParallelFrames::at(double s) const {
     const auto after = std::upper_bound(distances_.begin(), distances_.end(), s);
     const std::size_t cell =
         after == distances_.begin() ? 0 : static_cast<std::size_t>(after - distances_.begin()) - 1;
-    if (cell + 1 == stations_.size() || s <= distances_[cell]) return station(cell);
+    if (cell + 1 == stations_.size() || s <= distances_[cell]) [[unlikely]]
+        return station(cell);
     const Station& from = stations_[cell];
     const double t = std::clamp(path_->t_at_length(s), from.t, stations_[cell + 1].t);
     Place place = place_at(path_->curve(), s, t, grain_);
     place.cell = cell;
-    place.up = carried(from, cells_[cell], grain_, place);
+    carry(from, cells_[cell], grain_, place);
     place.side = glm::cross(place.tangent, place.up);
     return place;
 }

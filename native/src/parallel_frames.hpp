@@ -34,9 +34,13 @@ struct Station {
 
 /// A place on the path with its parallel frame. `up`, `side` and `tangent` are orthonormal, side = tangent x
 /// up.
-struct Place : Station {
+struct Place {
     double s = 0.0;
+    double t = 0.0;
     std::size_t cell = 0;  ///< index of the last station at or before s
+    glm::dvec3 position{0.0};
+    glm::dvec3 tangent{0.0, 1.0, 0.0};
+    glm::dvec3 up{0.0, 0.0, 1.0};
     glm::dvec3 side{1.0, 0.0, 0.0};
     glm::dvec3 bend{
         0.0};  ///< curvature vector kappa N, 1 / length unit; NaN where the first derivative vanishes

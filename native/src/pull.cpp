@@ -5,6 +5,7 @@
 #include <iterator>
 #include <stdexcept>
 
+#include "ieee_floats.hpp"
 #include "motus/parallel.hpp"
 #include "puller.hpp"
 
@@ -84,45 +85,52 @@ std::vector<PullImage> images_of(const Dab& dab) {
 
 void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
           std::span<glm::vec3> out, std::span<const glm::vec3> shape, std::span<glm::vec3> copy) {
-    const Puller puller(dab, positions.size(), weights.size(), out.size());
-    const Shapes shapes = shapes_of(positions, shape);
-    if (!copy.empty() && copy.size() != positions.size())
-        throw std::invalid_argument("copy: must be as long as positions");
-    in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
-        for (std::size_t begin = first; begin < last; begin += part) {
-            const std::size_t end = std::min(begin + part, last);
-            if (!copy.empty()) ask_for(copy.subspan(end, std::min(part, last - end)));
-            puller.act_whole(shapes, pointer(weights), begin, end, out.data());
-            if (!copy.empty()) std::copy_n(out.data() + begin, end - begin, copy.data() + begin);
-        }
+    in_ieee_floats([&] {
+        const Puller puller(dab, positions.size(), weights.size(), out.size());
+        const Shapes shapes = shapes_of(positions, shape);
+        if (!copy.empty() && copy.size() != positions.size())
+            throw std::invalid_argument("copy: must be as long as positions");
+        in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
+            for (std::size_t begin = first; begin < last; begin += part) {
+                const std::size_t end = std::min(begin + part, last);
+                if (!copy.empty()) ask_for(copy.subspan(end, std::min(part, last - end)));
+                puller.act_whole(shapes, pointer(weights), begin, end, out.data());
+                if (!copy.empty()) std::copy_n(out.data() + begin, end - begin, copy.data() + begin);
+            }
+        });
+        puller.report();
     });
-    puller.report();
 }
 
 void pull_among(std::span<const glm::vec3> positions, const Dab& dab, std::span<const std::uint32_t> vertices,
                 std::span<const float> weights, std::span<glm::vec3> out, std::span<const glm::vec3> shape) {
-    const Puller puller(dab, positions.size(), weights.size(), out.size());
-    const Shapes shapes = shapes_of(positions, shape);
-    bring(positions, out);
-    in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
-        puller.act_among(shapes, pointer(weights), vertices.subspan(first, last - first), out.data());
+    in_ieee_floats([&] {
+        const Puller puller(dab, positions.size(), weights.size(), out.size());
+        const Shapes shapes = shapes_of(positions, shape);
+        bring(positions, out);
+        in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
+            puller.act_among(shapes, pointer(weights), vertices.subspan(first, last - first), out.data());
+        });
+        puller.report();
     });
-    puller.report();
 }
 
 void pull_along(std::span<const glm::vec3> positions, const Dab& dab, std::span<const Reach> reaches,
                 std::span<const float> weights, std::span<glm::vec3> out) {
-    const Puller puller(dab, positions.size(), weights.size(), out.size());
-    check(reaches, puller.images().size(), positions.size());
-    bring(positions, out);
-    const std::vector<std::uint32_t> several =
-        reaches.size() > 1 ? united(reaches) : std::vector<std::uint32_t>{};
-    const std::span<const std::uint32_t> vertices = reaches.size() > 1 ? several : reaches.front().vertices;
-    in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
-        puller.act_along(positions.data(), pointer(weights), vertices.subspan(first, last - first), reaches,
-                         out.data());
+    in_ieee_floats([&] {
+        const Puller puller(dab, positions.size(), weights.size(), out.size());
+        check(reaches, puller.images().size(), positions.size());
+        bring(positions, out);
+        const std::vector<std::uint32_t> several =
+            reaches.size() > 1 ? united(reaches) : std::vector<std::uint32_t>{};
+        const std::span<const std::uint32_t> vertices =
+            reaches.size() > 1 ? several : reaches.front().vertices;
+        in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
+            puller.act_along(positions.data(), pointer(weights), vertices.subspan(first, last - first),
+                             reaches, out.data());
+        });
+        puller.report();
     });
-    puller.report();
 }
 
 }  // namespace motus

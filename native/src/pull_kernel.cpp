@@ -27,8 +27,12 @@ constexpr int lanes = 4;
 }  // namespace base
 
 #if defined(__x86_64__)
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
 #pragma GCC push_options
 #pragma GCC target("avx2")
+#endif
 namespace avx2 {
 constexpr const char* name = "AVX2";
 constexpr int lanes = 8;
@@ -36,10 +40,15 @@ constexpr int lanes = 8;
 #include "shape_loops.inc"
 #include "vertex_loops.inc"
 }  // namespace avx2
+#if defined(__clang__)
+#pragma clang attribute pop
+#pragma clang attribute push(__attribute__((target("avx512f,avx512vl,avx512dq,avx512bw"))), \
+                             apply_to = function)
+#else
 #pragma GCC pop_options
-
 #pragma GCC push_options
 #pragma GCC target("avx512f,avx512vl,avx512dq,avx512bw,prefer-vector-width=512")
+#endif
 namespace avx512 {
 constexpr const char* name = "AVX-512";
 constexpr int lanes = 16;
@@ -47,7 +56,11 @@ constexpr int lanes = 16;
 #include "shape_loops.inc"
 #include "vertex_loops.inc"
 }  // namespace avx512
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
 #pragma GCC pop_options
+#endif
 
 #endif
 // NOLINTEND(readability-duplicate-include)

@@ -18,7 +18,11 @@ constexpr double not_finite = -1.0;  // IkReport::reason
 
 bool has_valid_limits(std::span<const JointLimits> limits) {
     return std::all_of(limits.begin(), limits.end(), [](const JointLimits& limit) {
-        return limit.min.x <= limit.max.x && limit.min.y <= limit.max.y && limit.min.z <= limit.max.z;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(limit.min[axis] <= limit.max[axis])) return false;
+            if (limit.min[axis] == JointLimits::free || limit.max[axis] == -JointLimits::free) return false;
+        }
+        return true;
     });
 }
 
@@ -27,16 +31,14 @@ std::optional<IkTask> read_task(const IkInput& input, const RigWorld& world, std
                                 const IkPlan::Chain& chain) {
     const glm::dmat4& target = input.targets[index];
     const IkSettings& settings = input.settings[index];
-    if (!world.is_valid || !are_finite(&target[0][0], 16) ||
-        !are_finite(&settings.position_weight, setting_count))
-        return {};
+    if (!world.is_valid || !is_finite(target) || !is_finite(settings)) return {};
     IkTask task;
     task.settings = within_domains(settings);
     task.target = world.to_pose(glm::dvec3(target[3]));
     if (settings.rotation_weight > 0.0) task.orientation = frame_of(world.inverse * glm::dmat3(target));
     const glm::dvec3& pole = input.poles[index];
     if (!std::isnan(pole.x) && !std::isnan(pole.y) && !std::isnan(pole.z)) {
-        if (!are_finite(&pole.x, 3)) return {};
+        if (!is_finite(pole)) return {};
         task.pole = world.to_pose(pole);
     }
     if (settings.use_limits != 0.0 && !input.limits.empty()) {
@@ -60,10 +62,9 @@ void write_neutral(const IkPlan::Chain& chain, const IkOutput& output) {
 
 bool is_chain_finite(const IkPlan::Chain& chain, const IkOutput& output, const IkReport& report) {
     const auto is_row_finite = [&output](std::size_t row) {
-        return are_finite(&output.rotations[row].x, 4) && are_finite(&output.scales[row].x, 3);
+        return is_finite(output.rotations[row]) && is_finite(output.scales[row]);
     };
-    bool all = are_finite(&report.residual, sizeof(IkReport) / sizeof(double)) &&
-               (!chain.has_free_effector || is_row_finite(chain.effector.row));
+    bool all = is_finite(report) && (!chain.has_free_effector || is_row_finite(chain.effector.row));
     for (std::size_t i = 0; i < chain.bones.size(); ++i) all = all && is_row_finite(chain.first_row + i);
     for (const IkPlan::Hanging& guard : chain.guards) all = all && is_row_finite(guard.row);
     return all;

@@ -242,12 +242,13 @@ void LookAtPlan::solve(const RigView& rig, const glm::dmat4& world, std::span<co
     if (reports.size() != size()) throw std::invalid_argument("reports: one per entry is needed");
     if (rotations.size() != rows_.size()) throw std::invalid_argument("rotations: one per row is needed");
     const std::size_t bones = parents_.size();
+    const bool has_own_parents = rig.parents.data() == parents_.data() && rig.parents.size() == bones;
+    if (!has_own_parents && !std::ranges::equal(rig.parents, parents_))
+        throw std::invalid_argument("rig: its parents must be the plan's");
     if (rig.rest.size() != 16 * bones || rig.poses.size() != 16 * bones || rig.basis.size() != 16 * bones ||
         rig.inheritance.size() != bones)
         throw std::invalid_argument("rig: must have as many bones as the plan");
 
-    RigView bones_of_plan = rig;
-    bones_of_plan.parents = parents_;
     const glm::dmat4 to_rig = glm::inverse(world);
     const LookAtReport meaningless{0.0, std::nullopt, 0.0, 0.0};
     for (std::size_t i = 0; i < size(); ++i) {
@@ -265,7 +266,7 @@ void LookAtPlan::solve(const RigView& rig, const glm::dmat4& world, std::span<co
             continue;
         input.head_forward = *head_forward;
         input.eyes_forward = *eyes_forward;
-        if (const std::optional<LookAtReport> report = Solver(bones_of_plan, entry, input, rows).run())
+        if (const std::optional<LookAtReport> report = Solver(rig, entry, input, rows).run())
             reports[i] = *report;
         else
             std::fill(rows.begin(), rows.end(), no_turn);

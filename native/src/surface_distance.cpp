@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "ieee_floats.hpp"
 #include "surface_agenda.hpp"
 #include "surface_places.hpp"
 #include "surface_unfold.hpp"
@@ -221,8 +222,7 @@ Reach surface_reach(std::span<const glm::vec3> positions, const Neighbours& neig
         throw std::invalid_argument("positions and neighbours must have as many vertices");
     if (root >= positions.size()) throw std::invalid_argument("root must be the index of a vertex");
     if (!(radius >= 0.0f)) throw std::invalid_argument("radius must be 0 or more");
-    Search search(positions, neighbours, root, radius, metric);
-    return search.run();
+    return in_ieee_floats([&] { return Search(positions, neighbours, root, radius, metric).run(); });
 }
 
 Reach edge_reach(const Neighbours& neighbours, std::uint32_t root, std::uint32_t steps) {

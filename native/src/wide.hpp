@@ -23,6 +23,11 @@ struct LaneTypes<2> {
     using Bits [[gnu::vector_size(16)]] = std::int64_t;
 };
 template <>
+struct LaneTypes<8> {
+    using Numbers [[gnu::vector_size(64)]] = double;
+    using Bits [[gnu::vector_size(64)]] = std::int64_t;
+};
+template <>
 struct LaneTypes<4> {
     using Numbers [[gnu::vector_size(32)]] = double;
     using Bits [[gnu::vector_size(32)]] = std::int64_t;

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <stdexcept>
 #include <thread>
 
 #include "curve_checks.hpp"
@@ -98,7 +99,7 @@ TEST_CASE("random curves of all degrees and sizes", "[arc_length]") {
     RandomCurves random(31);
     for (int trial = 0; trial < 60; ++trial) {
         const int degree = 1 + trial % 32;
-        const double size = std::pow(10.0, random.uniform(-6.0, 6.0));
+        const double size = std::pow(10.0, random.between(-6.0, 6.0));
         INFO("trial " << trial << " degree " << degree << " size " << size);
         std::vector<glm::dvec3> points = random.points(static_cast<std::size_t>(degree) + 1, size);
         // Now and then points fall together, or one coordinate is far larger than the rest.
@@ -230,9 +231,9 @@ TEST_CASE("answers do not depend on what was asked before", "[arc_length]") {
     const Curve curve = smooth_spline(random, 7, true);
     const ArcLength asked(curve);
     const ArcLength fresh(curve);
-    for (int i = 0; i < 1000; ++i) (void)asked.t_at_length(random.uniform(0.0, asked.length()));
+    for (int i = 0; i < 1000; ++i) (void)asked.t_at_length(random.between(0.0, asked.length()));
     for (int i = 0; i < 100; ++i) {
-        const double s = random.uniform(0.0, asked.length());
+        const double s = random.between(0.0, asked.length());
         CHECK(asked.t_at_length(s) == fresh.t_at_length(s));
         CHECK(asked.t_at_length(s) == ArcLength(curve).t_at_length(s));
     }
@@ -296,4 +297,13 @@ TEST_CASE("building is bounded where the speed is mostly rounding", "[arc_length
         CHECK(path.length() <= 20.0 * size);
         CHECK(path.t_at_length(0.5 * path.length()) <= 1.0);
     }
+}
+
+TEST_CASE("positions at several distances want room for each", "[arc_length]") {
+    const ArcLength path(RandomCurves(1).bezier(3));
+    const std::vector<double> distances(3, 0.1);
+    std::vector<glm::dvec3> positions(2);
+    CHECK_THROWS_AS(positions_at_length(path, distances, Extend::clamp, positions), std::invalid_argument);
+    positions.resize(4);
+    CHECK_THROWS_AS(positions_at_length(path, distances, Extend::clamp, positions), std::invalid_argument);
 }

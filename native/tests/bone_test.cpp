@@ -7,9 +7,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/matrix.hpp>
-#include <random>
 
 #include "bone_space.hpp"
+#include "random.hpp"
 
 using namespace motus;
 
@@ -18,33 +18,28 @@ namespace {
 constexpr std::array modes{InheritScale::full,    InheritScale::fix_shear, InheritScale::aligned,
                            InheritScale::average, InheritScale::none,      InheritScale::none_legacy};
 
-class Random {
+class RandomBones : public test::Random {
   public:
-    glm::dvec3 vector(double size = 1.0) {
-        return size * glm::dvec3(normal_(engine_), normal_(engine_), normal_(engine_));
-    }
-    glm::dquat rotation() {
-        return glm::normalize(
-            glm::dquat(normal_(engine_), normal_(engine_), normal_(engine_), normal_(engine_)));
-    }
-    double between(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
+    RandomBones() : Random(5) {}
     glm::dvec3 scale() { return {between(0.4, 2.0), between(0.4, 2.0), between(0.4, 2.0)}; }
-    glm::dmat4 rigid() { return glm::translate(glm::dmat4(1.0), vector()) * glm::mat4_cast(rotation()); }
-    glm::dmat4 transform() { return rigid() * glm::scale(glm::dmat4(1.0), scale()); }
+    glm::dmat4 rigid() {
+        const glm::dvec3 place = around_origin();
+        return glm::translate(glm::dmat4(1.0), place) * glm::mat4_cast(any_rotation());
+    }
+    glm::dmat4 transform() {
+        const glm::dmat4 placed = rigid();
+        return placed * glm::scale(glm::dmat4(1.0), scale());
+    }
     /// Rotated, scaled, sheared, and mirrored every other time.
     glm::dmat4 affine() {
-        const glm::dmat4 sheared =
-            transform() * glm::mat4_cast(rotation()) * glm::scale(glm::dmat4(1.0), scale());
-        return between(0.0, 1.0) < 0.5 ? sheared
-                                       : sheared * glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.0, 1.0));
+        const glm::dmat4 placed = transform();
+        const glm::dmat4 turned = placed * glm::mat4_cast(any_rotation());
+        const glm::dmat4 sheared = turned * glm::scale(glm::dmat4(1.0), scale());
+        return chance(0.5) ? sheared : sheared * glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.0, 1.0));
     }
     BoneRest bone(InheritScale mode, bool inherit_rotation = true, bool local_location = true) {
         return {rigid(), rigid(), true, inherit_rotation, local_location, mode};
     }
-
-  private:
-    std::mt19937 engine_{5};
-    std::normal_distribution<double> normal_;
 };
 
 double difference(const glm::dmat4& a, const glm::dmat4& b) {
@@ -60,7 +55,7 @@ glm::dmat4 pose_of(const BoneRest& bone, const glm::dmat4& parent_pose, const gl
 }  // namespace
 
 TEST_CASE("a bone without a parent stands on its rest", "[bone]") {
-    Random random;
+    RandomBones random;
     BoneRest bone;
     bone.matrix = random.rigid();
     const glm::dmat4 basis = random.transform();
@@ -71,7 +66,7 @@ TEST_CASE("a bone without a parent stands on its rest", "[bone]") {
 }
 
 TEST_CASE("in full inheritance a pose is the parent's times the offset at rest", "[bone]") {
-    Random random;
+    RandomBones random;
     for (int i = 0; i < 50; ++i) {
         const BoneRest bone = random.bone(InheritScale::full);
         const glm::dmat4 parent = random.affine();
@@ -82,7 +77,7 @@ TEST_CASE("in full inheritance a pose is the parent's times the offset at rest",
 }
 
 TEST_CASE("no mode changes anything under a parent that is not scaled", "[bone]") {
-    Random random;
+    RandomBones random;
     for (const InheritScale mode : modes) {
         const BoneRest bone = random.bone(mode);
         const glm::dmat4 parent = random.rigid();
@@ -93,7 +88,7 @@ TEST_CASE("no mode changes anything under a parent that is not scaled", "[bone]"
 }
 
 TEST_CASE("what each mode takes of a scale along the axes", "[bone]") {
-    Random random;
+    RandomBones random;
     BoneRest bone;  // the parent and the bone lie along Y, at rest and posed
     bone.has_parent = true;
     const glm::dmat4 parent = glm::scale(glm::dmat4(1.0), glm::dvec3(2.0, 3.0, 4.0));
@@ -124,13 +119,14 @@ TEST_CASE("what each mode takes of a scale along the axes", "[bone]") {
 }
 
 TEST_CASE("every mode but the legacy one and full takes shear away", "[bone]") {
-    Random random;
+    RandomBones random;
     for (const InheritScale mode :
          {InheritScale::fix_shear, InheritScale::aligned, InheritScale::average, InheritScale::none}) {
         for (int i = 0; i < 30; ++i) {
-            const glm::dmat3 pose(
-                pose_of(random.bone(mode), random.affine(), glm::mat4_cast(random.rotation())));
-            const glm::dmat3 axes(parent_space(random.bone(mode), random.affine()).rotation_scale);
+            const BoneRest bone = random.bone(mode);
+            const glm::dmat4 parent = random.affine();
+            const glm::dmat3 pose(pose_of(bone, parent, glm::mat4_cast(random.any_rotation())));
+            const glm::dmat3 axes(parent_space(bone, parent).rotation_scale);
             for (int axis = 0; axis < 3; ++axis)
                 CHECK(std::abs(glm::dot(glm::normalize(axes[axis]), glm::normalize(axes[(axis + 1) % 3]))) <
                       2e-4);
@@ -141,7 +137,7 @@ TEST_CASE("every mode but the legacy one and full takes shear away", "[bone]") {
 }
 
 TEST_CASE("volume survives the removal of shear", "[bone]") {
-    Random random;
+    RandomBones random;
     for (int i = 0; i < 100; ++i) {
         const glm::dmat3 axes(random.affine());
         const glm::dmat3 straight = without_shear(axes, false);
@@ -151,7 +147,7 @@ TEST_CASE("volume survives the removal of shear", "[bone]") {
 }
 
 TEST_CASE("a bone that does not inherit rotation keeps that of its rest", "[bone]") {
-    Random random;
+    RandomBones random;
     for (const InheritScale mode : modes) {
         const BoneRest bone = random.bone(mode, false);
         const glm::dmat4 a = pose_of(bone, random.rigid(), glm::dmat4(1.0));
@@ -162,7 +158,7 @@ TEST_CASE("a bone that does not inherit rotation keeps that of its rest", "[bone
 }
 
 TEST_CASE("heads go with the parent in every mode", "[bone]") {
-    Random random;
+    RandomBones random;
     for (const InheritScale mode : modes) {
         for (const bool inherit_rotation : {true, false}) {
             const BoneRest bone = random.bone(mode, inherit_rotation);
@@ -175,7 +171,7 @@ TEST_CASE("heads go with the parent in every mode", "[bone]") {
 }
 
 TEST_CASE("without local location a bone moves along its parent's axes", "[bone]") {
-    Random random;
+    RandomBones random;
     const BoneRest bone = random.bone(InheritScale::average, true, false);
     const glm::dmat4 parent = random.affine();
     const glm::dvec3 step(0.2, -0.3, 0.5);
@@ -185,11 +181,11 @@ TEST_CASE("without local location a bone moves along its parent's axes", "[bone]
 }
 
 TEST_CASE("the own transform comes back from the pose", "[bone]") {
-    Random random;
+    RandomBones random;
     for (const InheritScale mode : modes) {
         for (int i = 0; i < 40; ++i) {
-            const ParentSpace space =
-                parent_space(random.bone(mode, i % 2 == 0, i % 3 == 0), random.affine());
+            const BoneRest bone = random.bone(mode, i % 2 == 0, i % 3 == 0);
+            const ParentSpace space = parent_space(bone, random.affine());
             const glm::dmat4 basis = random.transform();
             CHECK(difference(to_basis(space, to_pose(space, basis)), basis) < 1e-9);
         }
@@ -197,7 +193,7 @@ TEST_CASE("the own transform comes back from the pose", "[bone]") {
 }
 
 TEST_CASE("parents flattened to a plane, a line or a point leave everything finite", "[bone]") {
-    Random random;
+    RandomBones random;
     for (const glm::dvec3 scale :
          {glm::dvec3(0, 1, 1), glm::dvec3(1, 0, 1), glm::dvec3(0, 0, 2), glm::dvec3(0.0)}) {
         for (const InheritScale mode : modes) {

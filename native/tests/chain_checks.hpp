@@ -1,4 +1,4 @@
-// RandomChains chains and what every solution must keep; for the tests of both solvers of chains.
+// Random chains and what every solution must keep; for the tests of both solvers of chains.
 #pragma once
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -8,33 +8,15 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
-#include <random>
 #include <vector>
 
-namespace chain_checks {
+#include "random.hpp"
+
+namespace motus::chain_checks {
 
 using Joints = std::vector<glm::dvec3>;
 
-/// RandomChains numbers that are the same with every standard library.
-class RandomChains {
-  public:
-    explicit RandomChains(unsigned seed) : bits_(seed) {}
-
-    double between(double low, double high) {
-        return low + (high - low) * static_cast<double>(bits_()) / 4294967296.0;
-    }
-    bool chance(double share) { return between(0.0, 1.0) < share; }
-    glm::dvec3 direction() {
-        const double z = between(-1.0, 1.0);
-        const double angle = between(0.0, 6.283185307179586);
-        const double r = std::sqrt(1.0 - z * z);
-        return {r * std::cos(angle), r * std::sin(angle), z};
-    }
-    glm::dquat rotation(double largest) { return glm::angleAxis(between(-largest, largest), direction()); }
-
-  private:
-    std::mt19937 bits_;
-};
+using test::Random;
 
 inline double length_of(const Joints& joints) {
     double length = 0.0;
@@ -55,7 +37,7 @@ inline constexpr Shape all_shapes[] = {Shape::straight, Shape::bent, Shape::croo
                                        Shape::folded};
 
 /// `longest`: at most how many times as long as the others one bone is.
-inline Joints random_joints(RandomChains& random, Shape shape, std::size_t bones, double longest = 1.0) {
+inline Joints random_joints(Random& random, Shape shape, std::size_t bones, double longest = 1.0) {
     Joints joints{5.0 * random.direction()};
     glm::dvec3 direction = random.direction();
     const glm::dvec3 first = direction;
@@ -104,4 +86,4 @@ inline double largest_jump(const std::function<Joints(double)>& joints_at, int c
     return largest_move(joints_at(low), joints_at(high));
 }
 
-}  // namespace chain_checks
+}  // namespace motus::chain_checks

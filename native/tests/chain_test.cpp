@@ -8,7 +8,7 @@
 #include "chain_checks.hpp"
 
 using namespace motus;
-using namespace chain_checks;
+using namespace motus::chain_checks;
 
 namespace {
 
@@ -51,7 +51,7 @@ glm::dvec3 bulge_of(const Joints& joints) {
 }  // namespace
 
 TEST_CASE("every target within reach is reached from every pose", "[chain]") {
-    RandomChains random(1);
+    Random random(1);
     for (const std::size_t bones : {1, 2, 3, 4, 5, 8, 20, 100, 255}) {
         for (const Shape shape : all_shapes) {
             for (int round = 0; round < 60; ++round) {
@@ -75,11 +75,12 @@ TEST_CASE("every target within reach is reached from every pose", "[chain]") {
 }
 
 TEST_CASE("a tolerance near rounding is met", "[chain]") {
-    RandomChains random(2);
+    Random random(2);
     ChainSettings settings;
     settings.tolerance = 1e-13;
     for (int round = 0; round < 300; ++round) {
-        Joints joints = random_joints(random, all_shapes[round % 5], 3 + round % 10);
+        Joints joints =
+            random_joints(random, all_shapes[round % 5], 3 + static_cast<std::size_t>(round % 10));
         for (glm::dvec3& joint : joints) joint -= joints[0];
         const double inner = inner_reach(joints);
         const double distance = inner + random.between(0.01, 0.99) * (length_of(joints) - inner);
@@ -90,7 +91,7 @@ TEST_CASE("a tolerance near rounding is met", "[chain]") {
 }
 
 TEST_CASE("bones folded on one line do not creep to a target beside it", "[chain]") {
-    RandomChains random(21);
+    Random random(21);
     for (const double noise : {0.0, 1e-9, 1e-6, 1e-3}) {
         for (const double distance : {1e-4, 0.01, 0.05, 0.1, 0.2, 0.3, 1.0}) {
             const Joints joints{{0, 0, 0}, {0, 1, 0}, {0, -1, 0}, noise * random.direction()};
@@ -105,13 +106,15 @@ TEST_CASE("bones folded on one line do not creep to a target beside it", "[chain
 }
 
 TEST_CASE("lengths are kept whatever the tolerance", "[chain]") {
-    RandomChains random(22);
+    Random random(22);
     for (int round = 0; round < 4000; ++round) {
         const std::size_t bones = 3 + static_cast<std::size_t>(round % 3);
         const glm::dvec3 line = random.direction();
         Joints joints{glm::dvec3(0.0)};
-        for (std::size_t i = 0; i < bones; ++i)
-            joints.push_back(joints.back() + random.between(0.1, 1.0) * (random.chance(0.5) ? line : -line));
+        for (std::size_t i = 0; i < bones; ++i) {
+            const double length = random.between(0.1, 1.0);
+            joints.push_back(joints.back() + length * (random.chance(0.5) ? line : -line));
+        }
         ChainSettings settings;
         settings.tolerance = std::pow(10.0, random.between(-9.0, 0.0));
         if (round % 2 == 0) settings.pole = joints[0] + 3.0 * random.direction();
@@ -122,7 +125,7 @@ TEST_CASE("lengths are kept whatever the tolerance", "[chain]") {
 }
 
 TEST_CASE("a target out of reach gives the straight chain towards it", "[chain]") {
-    RandomChains random(3);
+    Random random(3);
     for (const Shape shape : all_shapes) {
         for (const double times : {1.0, 1.0 + 1e-9, 1.5, 1e6}) {
             const Joints joints = random_joints(random, shape, 7);
@@ -143,7 +146,7 @@ TEST_CASE("a target out of reach gives the straight chain towards it", "[chain]"
 }
 
 TEST_CASE("a target too near gives the folded chain", "[chain]") {
-    RandomChains random(4);
+    Random random(4);
     for (const Shape shape : all_shapes) {
         for (const double times : {1.0, 1.0 - 1e-9, 0.5, 0.0}) {
             Joints joints = random_joints(random, shape, 5, 1.0);
@@ -169,7 +172,7 @@ TEST_CASE("a target too near gives the folded chain", "[chain]") {
 }
 
 TEST_CASE("a straight chain bends into an arc on the side of the plane", "[chain]") {
-    RandomChains random(5);
+    Random random(5);
     for (const std::size_t bones : {2, 3, 6, 40}) {
         for (int round = 0; round < 20; ++round) {
             const Joints joints = random_joints(random, Shape::straight, bones);
@@ -200,7 +203,7 @@ TEST_CASE("a straight chain bends into an arc on the side of the plane", "[chain
 }
 
 TEST_CASE("a chain whose tip is on the target stays as it is", "[chain]") {
-    RandomChains random(6);
+    Random random(6);
     for (const Shape shape : all_shapes) {
         for (int round = 0; round < 30; ++round) {
             const Joints joints = random_joints(random, shape, 2 + round);
@@ -212,7 +215,7 @@ TEST_CASE("a chain whose tip is on the target stays as it is", "[chain]") {
 }
 
 TEST_CASE("a target moved a little moves the chain a little", "[chain]") {
-    RandomChains random(7);
+    Random random(7);
     for (int round = 0; round < 200; ++round) {
         const Joints joints = random_joints(random, Shape::bent, 3 + round % 20);
         const double length = length_of(joints);
@@ -222,7 +225,7 @@ TEST_CASE("a target moved a little moves the chain a little", "[chain]") {
 }
 
 TEST_CASE("the bend is on the pole's side", "[chain]") {
-    RandomChains random(8);
+    Random random(8);
     for (const Shape shape : all_shapes) {
         for (int round = 0; round < 40; ++round) {
             const Joints joints = random_joints(random, shape, 3 + round % 5);
@@ -250,7 +253,7 @@ TEST_CASE("the bend is on the pole's side", "[chain]") {
 }
 
 TEST_CASE("a pole on the line from root to target does nothing, and comes in smoothly", "[chain]") {
-    RandomChains random(9);
+    Random random(9);
     const Joints joints = random_joints(random, Shape::bent, 6);
     const glm::dvec3 along = random.direction();
     const glm::dvec3 target = joints[0] + 0.6 * length_of(joints) * along;
@@ -269,7 +272,7 @@ TEST_CASE("a pole on the line from root to target does nothing, and comes in smo
 }
 
 TEST_CASE("the solution is continuous in the target", "[chain]") {
-    RandomChains random(10);
+    Random random(10);
     ChainSettings settings;
     settings.tolerance = 1e-12;
     for (const Shape shape : {Shape::straight, Shape::bent, Shape::crooked}) {
@@ -291,7 +294,7 @@ TEST_CASE("the solution is continuous in the target", "[chain]") {
 }
 
 TEST_CASE("the solution is continuous in the pose", "[chain]") {
-    RandomChains random(11);
+    Random random(11);
     ChainSettings settings;
     settings.tolerance = 1e-12;
     for (int round = 0; round < 24; ++round) {
@@ -302,8 +305,8 @@ TEST_CASE("the solution is continuous in the pose", "[chain]") {
         const glm::dvec3 first = glm::normalize(glm::cross(hinge, random.direction()));
         for (std::size_t i = 0; i < bones; ++i)
             axes.push_back(glm::normalize(hinge + 0.3 * random.direction()));
-        const glm::dvec3 target = random.between(0.2, 0.9) * static_cast<double>(bones) *
-                                  glm::normalize(first + 0.7 * random.direction());
+        const double distance = random.between(0.2, 0.9) * static_cast<double>(bones);
+        const glm::dvec3 target = distance * glm::normalize(first + 0.7 * random.direction());
         settings.plane = round % 2 == 0 ? hinge : glm::dvec3(0.0);
         const auto solved_at = [&](double u) {
             Joints joints{glm::dvec3(0.0)};
@@ -325,7 +328,7 @@ TEST_CASE("the solution is continuous in the pose", "[chain]") {
 }
 
 TEST_CASE("degenerate chains are defined at every size", "[chain]") {
-    RandomChains random(12);
+    Random random(12);
     for (int round = 0; round < 4000; ++round) {
         const std::size_t bones = 1 + static_cast<std::size_t>(round % 9);
         const double size = std::pow(10.0, random.between(-250.0, 250.0));
@@ -335,12 +338,15 @@ TEST_CASE("degenerate chains are defined at every size", "[chain]") {
                 if (random.chance(0.4)) joints[i] = joints[i - 1];
             }
         }
-        glm::dvec3 target = joints[0] + random.between(0.0, 1.2) * length_of(joints) * random.direction();
+        glm::dvec3 target = joints[0] + length_of(joints) * random.at_distance(0.0, 1.2);
         if (random.chance(0.1)) target = joints[0];
         for (glm::dvec3& joint : joints) joint *= size;
         target *= size;
         const glm::dvec3 root = joints[0];
-        if (random.chance(0.1)) target = std::pow(10.0, random.between(-250.0, 250.0)) * random.direction();
+        if (random.chance(0.1)) {
+            const double distance = std::pow(10.0, random.between(-250.0, 250.0));
+            target = distance * random.direction();
+        }
         ChainSettings settings;
         if (random.chance(0.3)) settings.pole = random.chance(0.2) ? root : size * random.direction();
         if (random.chance(0.3)) settings.plane = size * random.direction();
@@ -369,7 +375,7 @@ TEST_CASE("a chain without any length stays where it is", "[chain]") {
 }
 
 TEST_CASE("iterations are limited and counted", "[chain]") {
-    RandomChains random(13);
+    Random random(13);
     ChainSettings none;
     none.max_iterations = 0;
     int stopped = 0;
@@ -388,11 +394,10 @@ TEST_CASE("iterations are limited and counted", "[chain]") {
 }
 
 TEST_CASE("the same question has the same answer, at every scale", "[chain]") {
-    RandomChains random(14);
+    Random random(14);
     for (int round = 0; round < 100; ++round) {
         const Joints joints = random_joints(random, all_shapes[round % 5], 2 + round % 12);
-        const glm::dvec3 target =
-            joints[0] + random.between(0.0, 1.1) * length_of(joints) * random.direction();
+        const glm::dvec3 target = joints[0] + length_of(joints) * random.at_distance(0.0, 1.1);
         const Solved once = solve(joints, target);
         REQUIRE(solve(joints, target).joints == once.joints);
         Joints larger = joints;

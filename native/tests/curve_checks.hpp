@@ -5,12 +5,12 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "motus/arc_length.hpp"
 #include "motus/curve.hpp"
+#include "random.hpp"
 
 namespace motus::checks {
 
@@ -19,31 +19,17 @@ struct Named {
     Curve curve;
 };
 
-/// RandomCurves numbers that are the same in every run.
-class RandomCurves {
+class RandomCurves : public test::Random {
   public:
-    explicit RandomCurves(unsigned seed) : engine_(seed) {}
-
-    [[nodiscard]] double uniform(double low, double high) {
-        return low +
-               (high - low) * (static_cast<double>(engine_()) / static_cast<double>(std::mt19937::max()));
-    }
-    [[nodiscard]] glm::dvec3 point(double size = 1.0) {
-        const double x = uniform(-size, size);
-        const double y = uniform(-size, size);
-        return {x, y, uniform(-size, size)};
-    }
+    using Random::Random;
     [[nodiscard]] std::vector<glm::dvec3> points(std::size_t count, double size = 1.0) {
         std::vector<glm::dvec3> result(count);
-        for (glm::dvec3& p : result) p = point(size);
+        for (glm::dvec3& p : result) p = in_cube(size);
         return result;
     }
     [[nodiscard]] Curve bezier(int degree, double size = 1.0) {
         return Curve::bezier(points(static_cast<std::size_t>(degree) + 1, size));
     }
-
-  private:
-    std::mt19937 engine_;
 };
 
 /// Blender-like spline: smooth at its points, with handles of a third of the way.
@@ -158,7 +144,7 @@ inline void check_arc_length(const ArcLength& path) {
     double last_t = 0.0;
     RandomCurves random(3);
     std::vector<double> distances;
-    for (int i = 0; i < 2000; ++i) distances.push_back(random.uniform(0.0, path.length()));
+    for (int i = 0; i < 2000; ++i) distances.push_back(random.between(0.0, path.length()));
     std::sort(distances.begin(), distances.end());
     double worst = 0.0;
     for (const double s : distances) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "curve_checks.hpp"
 
@@ -271,4 +272,20 @@ TEST_CASE("the limit of the curvature holds at any size", "[curve]") {
         for (glm::dvec3& p : points) p *= size;
         CHECK(size * curvature(Curve::bezier(points), 0.0) == Approx(2.0));
     }
+}
+
+TEST_CASE("a curve that was moved from is still the curve", "[curve]") {
+    const Curve same = RandomCurves(5).bezier(4);
+    Curve curve = same;
+    const Curve moved = std::move(curve);
+    // NOLINTBEGIN(bugprone-use-after-move): that is what it is about
+    CHECK(moved == same);
+    CHECK(curve.segment_count() == 1);
+    CHECK(position(curve, 0.3) == position(same, 0.3));
+    CHECK(tangent(curve, 0.3) == tangent(same, 0.3));
+    Curve other = RandomCurves(6).bezier(2);
+    other = std::move(curve);
+    CHECK(other == same);
+    CHECK(ArcLength(curve).length() == ArcLength(same).length());
+    // NOLINTEND(bugprone-use-after-move)
 }

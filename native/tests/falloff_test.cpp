@@ -4,10 +4,11 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "random.hpp"
 
 using namespace motus;
 
@@ -87,15 +88,15 @@ TEST_CASE("falloffs have the values of their formulas", "[falloff]") {
 }
 
 TEST_CASE("forces agree with the formulas for any distance and radius", "[falloff]") {
-    std::mt19937 random(4);
+    test::Random random(4);
     for (const Falloff falloff : all_falloffs) {
         for (const float radius : {1e-3f, 0.37f, 1.0f, 12.5f, 4000.0f}) {
             for (const float k : {0.0f, 0.5f, 3.0f, -10.0f}) {
                 if (falloff != Falloff::classic && k != 0.0f) continue;
                 const Profile profile{falloff, k, hill};
                 std::vector<float> distances(3001);
-                std::uniform_real_distribution<float> spread(0.0f, 1.2f * reach_of(profile, radius));
-                for (float& distance : distances) distance = spread(random);
+                const float farthest = 1.2f * reach_of(profile, radius);
+                for (float& distance : distances) distance = random.between(0.0f, farthest);
                 distances[0] = 0.0f;
                 std::vector<float> found(distances.size());
                 forces(profile, radius, distances, found);

@@ -2,7 +2,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <vector>
 
@@ -142,7 +141,7 @@ TEST_CASE("a bank is the coordinated turn", "[frames]") {
 }
 
 TEST_CASE("a bank is the definition on any smooth curve", "[frames]") {
-    std::mt19937 random(5);
+    motus::test::Random random(5);
     const double v = 12.0;
     for (int round = 0; round < 20; ++round) {
         const samples::Path path = samples::random_bezier(random, 4);

@@ -11,14 +11,14 @@ using namespace motus::lattice_checks;
 TEST_CASE("a turned cuboid is found again", "[lattice]") {
     Dice dice(11);
     for (int trial = 0; trial < 40; ++trial) {
-        const glm::dmat3 turn = glm::mat3_cast(dice.rotation());
-        const glm::dvec3 half(dice.number(0.2, 1), dice.number(1.2, 2), dice.number(2.2, 4)),
-            middle = dice.point(5.0);
+        const glm::dmat3 turn = glm::mat3_cast(dice.any_rotation());
+        const glm::dvec3 half{dice.between(0.2, 1.0), dice.between(1.2, 2.0), dice.between(2.2, 4.0)},
+            middle = dice.in_cube(5.0);
         std::vector<glm::vec3> points;
         for (int corner = 0; corner < 8; ++corner)
             points.emplace_back(middle + turn * (half * glm::dvec3(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1,
                                                                    corner & 4 ? 1 : -1)));
-        for (int i = 0; i < 500; ++i) points.emplace_back(middle + turn * (half * dice.point(1.0)));
+        for (int i = 0; i < 500; ++i) points.emplace_back(middle + turn * (half * dice.in_cube(1.0)));
         const OrientedBox box = small_box(points, glm::dmat3(1.0));
         glm::dvec3 found = 0.5 * box.size;
         std::array<double, 3> sorted{found.x, found.y, found.z};
@@ -37,8 +37,8 @@ TEST_CASE("a box holds its points, is never larger than the plain one, and keeps
     for (int trial = 0; trial < 100; ++trial) {
         std::vector<glm::vec3> points(static_cast<std::size_t>(dice.whole(1, 40)));
         for (glm::vec3& point : points)
-            point = dice.point(1.0) * glm::dvec3(1.0, trial % 2 ? 0.0 : 0.5, trial % 5 ? 1.0 : 0.0);
-        const glm::dmat3 axes = glm::mat3_cast(dice.rotation());
+            point = dice.in_cube(1.0) * glm::dvec3(1.0, trial % 2 ? 0.0 : 0.5, trial % 5 ? 1.0 : 0.0);
+        const glm::dmat3 axes = glm::mat3_cast(dice.any_rotation());
         const OrientedBox plain = box_along(points, axes), small = small_box(points, axes);
         CHECK(small.size.x * small.size.y * small.size.z <=
               plain.size.x * plain.size.y * plain.size.z + 1e-9);

@@ -3,31 +3,25 @@
 #include <array>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <random>
 #include <span>
 
 #include "motus/lattice.hpp"
+#include "random.hpp"
 
 namespace motus::lattice_checks {
 
 inline constexpr std::array all_bases{LatticeBasis::bernstein, LatticeBasis::linear, LatticeBasis::cardinal,
                                       LatticeBasis::catmull_rom, LatticeBasis::bspline};
 
-class Dice {
+class Dice : public test::Random {
   public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    double number(double low, double high) { return std::uniform_real_distribution<>(low, high)(engine_); }
-    int whole(int low, int high) { return std::uniform_int_distribution<>(low, high)(engine_); }
-    glm::dvec3 point(double size) { return {number(-size, size), number(-size, size), number(-size, size)}; }
-    glm::dquat rotation() {
-        return glm::normalize(glm::dquat(number(-1, 1), number(-1, 1), number(-1, 1), number(0.1, 1)));
-    }
+    using Random::Random;
     Lattice lattice(int most = 7) {
         Lattice result;
-        result.origin = point(3.0);
-        result.axes = glm::mat3_cast(rotation());
+        result.origin = in_cube(3.0);
+        result.axes = glm::mat3_cast(any_rotation());
         for (int axis = 0; axis < 3; ++axis) {
-            result.axes[axis] *= number(0.5, 4.0);
+            result.axes[axis] *= between(0.5, 4.0);
             result.resolution[static_cast<std::size_t>(axis)] = whole(1, most);
             result.basis[static_cast<std::size_t>(axis)] = all_bases[static_cast<std::size_t>(whole(0, 4))];
         }
@@ -36,11 +30,8 @@ class Dice {
     }
     /// A place within the lattice.
     glm::dvec3 place(const Lattice& lattice) {
-        return lattice.origin + lattice.axes * glm::dvec3(number(0, 1), number(0, 1), number(0, 1));
+        return lattice.origin + lattice.axes * (0.5 * in_cube() + 0.5);
     }
-
-  private:
-    std::mt19937 engine_;
 };
 
 /// How far a place of these weights moves.

@@ -27,7 +27,7 @@ TEST_CASE("a pulled point arrives, by the smallest change", "[lattice]") {
     for (int trial = 0; trial < 200; ++trial) {
         const Lattice lattice = dice.lattice(5);
         const LatticePart part{0, dice.place(lattice), 1.0, trial % 3 ? 1.0 : 0.4};
-        const glm::dvec3 displacement = dice.point(2.0);
+        const glm::dvec3 displacement = dice.in_cube(2.0);
         std::vector<glm::dvec3> out(point_count(lattice));
         const auto left = pull_lattice(lattice, {&part, 1}, {&displacement, 1}, {}, out);
         CHECK(glm::length(left[0]) < 1e-13);
@@ -35,7 +35,7 @@ TEST_CASE("a pulled point arrives, by the smallest change", "[lattice]") {
         CHECK(glm::distance(part.influence * moved_by(weights, out), displacement) < 1e-13);
         // Any other change with the same effect is larger: take off what the place feels of a random one.
         std::vector<glm::dvec3> other(out.size());
-        for (glm::dvec3& v : other) v = dice.point(0.1);
+        for (glm::dvec3& v : other) v = dice.in_cube(0.1);
         const double square =
             std::inner_product(weights.weights.begin(), weights.weights.end(), weights.weights.begin(), 0.0);
         const glm::dvec3 felt = moved_by(weights, other);
@@ -55,9 +55,9 @@ TEST_CASE("several pulls at once, some of which hold", "[lattice]") {
         std::vector<glm::dvec3> displacements;
         for (std::size_t pull = 0; pull < 4; ++pull) {
             // In corners of the lattice of their own.
-            const glm::dvec3 corner(pull & 1 ? 0.8 : 0.2, pull & 2 ? 0.8 : 0.2, dice.number(0, 1));
+            const glm::dvec3 corner(pull & 1 ? 0.8 : 0.2, pull & 2 ? 0.8 : 0.2, dice.between(0.0, 1.0));
             parts.push_back({pull, lattice.origin + lattice.axes * corner});
-            displacements.push_back(pull ? glm::dvec3(0.0) : dice.point(1.0));
+            displacements.push_back(pull ? glm::dvec3(0.0) : dice.in_cube(1.0));
         }
         std::vector<glm::dvec3> out(point_count(lattice));
         const auto left = pull_lattice(lattice, parts, displacements, {}, out);

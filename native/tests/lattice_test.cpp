@@ -17,7 +17,7 @@ TEST_CASE("weights of lattice points add up to one", "[lattice]") {
     for (int trial = 0; trial < 300; ++trial) {
         const Lattice lattice = dice.lattice();
         const LatticeWeights weights =
-            lattice_weights(lattice, trial % 2 ? dice.place(lattice) : lattice.origin + dice.point(20.0));
+            lattice_weights(lattice, trial % 2 ? dice.place(lattice) : lattice.origin + dice.in_cube(20.0));
         CHECK(std::accumulate(weights.weights.begin(), weights.weights.end(), 0.0) ==
               Approx(1.0).epsilon(1e-14));
         CHECK(std::is_sorted(weights.points.begin(), weights.points.end()));
@@ -34,7 +34,7 @@ TEST_CASE("Bernstein lattices are Sederberg and Parry's formula", "[lattice]") {
     for (int trial = 0; trial < 20; ++trial) {
         Lattice lattice = dice.lattice(12);
         lattice.basis.fill(LatticeBasis::bernstein);
-        const glm::dvec3 at(dice.number(0, 1), dice.number(0, 1), dice.number(0, 1));
+        const glm::dvec3 at = 0.5 * dice.in_cube() + 0.5;
         const LatticeWeights weights = lattice_weights(lattice, lattice.origin + lattice.axes * at);
         const auto [nu, nv, nw] = lattice.resolution;
         std::vector<double> found(point_count(lattice), 0.0);
@@ -117,8 +117,8 @@ TEST_CASE("a lattice at rest, shifted or turned takes along what is in it", "[la
             lattice.basis[axis] = trial % 2 ? LatticeBasis::linear : LatticeBasis::bernstein;
             lattice.resolution[axis] = std::max(2, lattice.resolution[axis]);
         }
-        const glm::dmat3 turn = glm::mat3_cast(dice.rotation());
-        const glm::dvec3 shift = dice.point(2.0);
+        const glm::dmat3 turn = glm::mat3_cast(dice.any_rotation());
+        const glm::dvec3 shift = dice.in_cube(2.0);
         std::vector<glm::vec3> displacements;
         for (const glm::dvec3& point : rest_points(lattice))
             displacements.emplace_back(turn * point + shift - point);
@@ -139,15 +139,15 @@ TEST_CASE("deform is the weighted sum, with the influence", "[lattice]") {
         std::vector<glm::dvec3> exact(points);
         std::vector<float> point_weights(points);
         for (std::size_t i = 0; i < points; ++i) {
-            displacements[i] = dice.point(1.0);
+            displacements[i] = dice.in_cube(1.0);
             exact[i] = displacements[i];
-            point_weights[i] = static_cast<float>(dice.number(0, 1));
+            point_weights[i] = static_cast<float>(dice.between(0.0, 1.0));
         }
         std::vector<glm::vec3> positions(30), out(30);
         std::vector<float> factors(30);
         for (std::size_t i = 0; i < positions.size(); ++i) {
-            positions[i] = lattice.origin + dice.point(6.0);
-            factors[i] = i % 5 ? static_cast<float>(dice.number(0, 1)) : 0.0f;
+            positions[i] = lattice.origin + dice.in_cube(6.0);
+            factors[i] = i % 5 ? static_cast<float>(dice.between(0.0, 1.0)) : 0.0f;
         }
         deform(lattice, displacements, {factors, point_weights}, positions, out);
         for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -172,7 +172,7 @@ TEST_CASE("many positions give the bits of few", "[lattice]") {
     Lattice lattice = dice.lattice();
     lattice.resolution = {4, 5, 3};
     std::vector<glm::vec3> displacements(point_count(lattice)), positions(50'000), out(50'000);
-    for (glm::vec3& displacement : displacements) displacement = dice.point(1.0);
+    for (glm::vec3& displacement : displacements) displacement = dice.in_cube(1.0);
     for (glm::vec3& position : positions) position = dice.place(lattice);
     deform(lattice, displacements, {}, positions, out);
     for (std::size_t i = 0; i < positions.size(); i += 997) {

@@ -9,7 +9,7 @@
 #include "motus/limited_chain.hpp"
 
 using namespace motus;
-using namespace chain_checks;
+using namespace motus::chain_checks;
 using std::numbers::pi;
 
 namespace {

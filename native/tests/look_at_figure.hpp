@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <random>
 #include <vector>
 
 #include "frame_checks.hpp"
 #include "motus/rig_look_at.hpp"
+#include "random.hpp"
 
 namespace look_at_figure {
 
@@ -126,24 +126,16 @@ inline bool is_still(const Result& result) {
     return std::all_of(result.rotations.begin(), result.rotations.end(), is_identity);
 }
 
-class Randomness {
+class Randomness : public motus::test::Random {
   public:
-    explicit Randomness(unsigned seed) : random_(seed) {}
-    double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(random_);
-    }
-    glm::dvec3 point(double size) { return {normal() * size, normal() * size, normal() * size}; }
+    using Random::Random;
     glm::dmat4 pose(double turn, double place, double scale) {
-        glm::dmat4 matrix = glm::mat4_cast(
-            glm::normalize(glm::dquat(1.0, turn * normal(), turn * normal(), turn * normal())));
+        const glm::dvec3 turned = around_origin(turn);
+        glm::dmat4 matrix = glm::mat4_cast(glm::normalize(glm::dquat(1.0, turned)));
         for (int axis = 0; axis < 3; ++axis) matrix[axis] *= std::exp(scale * normal());
-        matrix[3] = glm::dvec4(point(place), 1.0);
+        matrix[3] = glm::dvec4(around_origin(place), 1.0);
         return matrix;
     }
-
-  private:
-    double normal() { return std::normal_distribution<double>()(random_); }
-    std::mt19937 random_;
 };
 
 /// The figure animated, with its rig somewhere in the world.
@@ -153,7 +145,7 @@ inline Figure animated(int spine_bones, Randomness& random, double scale) {
     figure.set(figure.poses, 0, random.pose(0.5, 0.3, scale));
     for (std::size_t bone = 1; bone < figure.parents.size(); ++bone)
         figure.set(figure.basis, static_cast<int>(bone), random.pose(0.2, 0.02, scale));
-    figure.input.target = random.point(4.0);
+    figure.input.target = random.around_origin(4.0);
     figure.input.settings.eyes_weight = 1.0;
     return figure;
 }

@@ -6,10 +6,10 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "frame_checks.hpp"
+#include "random.hpp"
 
 using namespace motus;
 using frame_checks::angle_between;
@@ -53,11 +53,9 @@ double angle_of(const glm::dquat& q) {
 }
 
 std::vector<glm::dvec3> random_directions(unsigned seed, int count) {
-    std::mt19937 random(seed);
-    std::normal_distribution<double> normal;
+    test::Random random(seed);
     std::vector<glm::dvec3> result;
-    for (int i = 0; i < count; ++i)
-        result.push_back(glm::normalize(glm::dvec3(normal(random), normal(random), normal(random))));
+    for (int i = 0; i < count; ++i) result.push_back(random.direction());
     return result;
 }
 
@@ -294,16 +292,14 @@ TEST_CASE("a gaze already turned aside does not come round the back", "[look_at]
 }
 
 TEST_CASE("any settings and directions give finite rotations", "[look_at]") {
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> wide(-1.0, 5.0);
-    std::uniform_int_distribution<int> axis(0, 5);
+    test::Random random(5);
+    const auto wide = [&random] { return random.between(-1.0, 5.0); };
     const std::vector<glm::dvec3> directions = random_directions(6, 20000);
     const std::vector<glm::dvec3> axes{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (std::size_t i = 0; i + 1 < directions.size(); i += 2) {
-        const LookAtSettings settings{wide(random), wide(random), wide(random), wide(random),
-                                      wide(random), wide(random), wide(random), wide(random)};
-        const glm::dvec3 from = i % 3 == 0 ? axes[static_cast<std::size_t>(axis(random))] : directions[i];
-        const glm::dvec3 to = i % 5 == 0 ? axes[static_cast<std::size_t>(axis(random))] : directions[i + 1];
+        const LookAtSettings settings{wide(), wide(), wide(), wide(), wide(), wide(), wide(), wide()};
+        const glm::dvec3 from = i % 3 == 0 ? axes[random.below(axes.size())] : directions[i];
+        const glm::dvec3 to = i % 5 == 0 ? axes[random.below(axes.size())] : directions[i + 1];
         const LookAtTurns turns = turns_to(from, to, settings);
         for (const glm::dquat& turn : {turns.body, turns.head, turns.eyes})
             CHECK(glm::length(turn) == Approx(1.0).epsilon(1e-13));

@@ -34,7 +34,7 @@ TEST_CASE("no sample of the curve is nearer than the nearest point", "[nearest]"
         INFO(sample.name);
         const double size = size_of(sample.curve);
         for (int trial = 0; trial < 12; ++trial) {
-            const glm::dvec3 point = sample.curve.control_points()[0] + random.point(1.5 * size);
+            const glm::dvec3 point = sample.curve.control_points()[0] + random.in_cube(1.5 * size);
             const Nearest found = nearest(sample.curve, point);
             CHECK(found.distance == Approx(glm::distance(found.position, point)).epsilon(1e-15));
             CHECK(glm::distance(found.position, position(sample.curve, found.t)) <= 1e-14 * size);
@@ -51,7 +51,7 @@ TEST_CASE("away from the ends the way to the nearest point is across the curve",
     int inside = 0;
     for (int trial = 0; trial < 200; ++trial) {
         const Curve curve = random.bezier(3 + trial % 5);
-        const glm::dvec3 point = random.point(2.0);
+        const glm::dvec3 point = random.in_cube(2.0);
         const Nearest found = nearest(curve, point);
         if (found.t <= 0.0 || found.t >= 1.0) continue;
         ++inside;
@@ -101,7 +101,7 @@ TEST_CASE("the nearest point of a small curve far from the origin is found at on
     for (const glm::dvec3& p : near_origin) moved.push_back(p + far);
     const Curve curve = Curve::bezier(moved);
     for (int trial = 0; trial < 50; ++trial) {
-        const glm::dvec3 point = random.point(2e-3);
+        const glm::dvec3 point = random.in_cube(2e-3);
         const double expected = nearest(Curve::bezier(near_origin), point).distance;
         CHECK(nearest(curve, far + point).distance == Approx(expected).margin(1e-9));
     }

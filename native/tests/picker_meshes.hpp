@@ -8,30 +8,18 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "motus/picker.hpp"
+#include "random.hpp"
 
 namespace motus::checks {
 
-/// Random numbers that are the same in every run.
-class Dice {
+class Dice : public test::Random {
   public:
-    explicit Dice(unsigned seed) : engine_(seed) {}
-    [[nodiscard]] float uniform(float low, float high) {
-        return low + (high - low) * static_cast<float>(static_cast<double>(engine_()) /
-                                                       static_cast<double>(std::mt19937::max()));
-    }
-    [[nodiscard]] glm::vec3 point(float size = 1.0f) {
-        const float x = uniform(-size, size), y = uniform(-size, size);
-        return {x, y, uniform(-size, size)};
-    }
-    [[nodiscard]] int index(std::size_t count) { return static_cast<int>(engine_() % count); }
-
-  private:
-    std::mt19937 engine_;
+    using Random::Random;
+    [[nodiscard]] int index(std::size_t count) { return static_cast<int>(below(count)); }
 };
 
 struct Mesh {
@@ -118,9 +106,9 @@ struct Mesh {
     meshes.push_back(blob());
 
     Mesh soup{"soup", {}, {}};
-    for (int i = 0; i < 500; ++i) soup.positions.push_back(dice.point());
+    for (int i = 0; i < 500; ++i) soup.positions.push_back(dice.in_cube(1.0f));
     for (int i = 0; i < 900; ++i)
-        soup.triangles.emplace_back(dice.index(500), dice.index(500), dice.index(500));
+        soup.triangles.push_back({dice.index(500), dice.index(500), dice.index(500)});
     meshes.push_back(soup);
 
     Mesh folded = sheet(40);
@@ -135,7 +123,7 @@ struct Mesh {
     Mesh book = sheet(9);
     book.name = "pages on one edge, some twice";
     for (int page = 0; page < 20; ++page) {
-        book.positions.emplace_back(dice.point(4.0f));
+        book.positions.emplace_back(dice.in_cube(4.0f));
         const int tip = static_cast<int>(book.positions.size()) - 1;
         book.triangles.emplace_back(40, 41, tip);
         book.triangles.emplace_back(tip, 41, 40);
@@ -151,7 +139,7 @@ struct Mesh {
 
     Mesh loose = sheet(12);
     loose.name = "sheet among loose vertices";
-    for (int i = 0; i < 300; ++i) loose.positions.push_back(dice.point(20.0f));
+    for (int i = 0; i < 300; ++i) loose.positions.push_back(dice.in_cube(20.0f));
     std::reverse(loose.positions.begin(), loose.positions.end());
     for (glm::ivec3& t : loose.triangles) t = glm::ivec3(static_cast<int>(loose.positions.size()) - 1) - t;
     meshes.push_back(loose);

@@ -64,7 +64,7 @@ TEST_CASE("the order depends on more than the coarse cells", "[picker]") {
     // same.
     Dice dice(2);
     std::vector<glm::vec3> points{glm::vec3(-1e4f), glm::vec3(1e4f)};
-    for (int i = 0; i < 4000; ++i) points.push_back(dice.point(4.0f));
+    for (int i = 0; i < 4000; ++i) points.push_back(dice.in_cube(4.0f));
     const Array<std::uint32_t> order = hilbert_order(points, 2);
     double along = 0.0, as_given = 0.0;
     for (std::size_t i = 1; i < points.size(); ++i) {

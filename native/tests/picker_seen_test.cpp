@@ -61,7 +61,7 @@ TEST_CASE("a hit on thin triangles finds the nearest vertex of all around", "[pi
         const Picker picker(mesh.positions, mesh.triangles);
         Dice dice(20);
         for (int trial = 0; trial < 300; ++trial) {
-            const float y = dice.uniform(0.0f, 11.0f) * squeeze, x = dice.uniform(0.0f, 11.0f) + 3.0f * y;
+            const float y = dice.between(0.0f, 11.0f) * squeeze, x = dice.between(0.0f, 11.0f) + 3.0f * y;
             const auto hit = picker.ray({x, y, 1}, down);
             if (!hit) continue;
             for (const glm::mat3& by : {glm::mat3(1.0f), metric}) {
@@ -91,8 +91,10 @@ TEST_CASE("no hit finds what is behind it or on another sheet", "[picker]") {
     }
     const Picker picker(mesh.positions, mesh.triangles);
     Dice dice(21);
-    for (int trial = 0; trial < 200; ++trial)
-        CHECK(picked(picker, dice.uniform(0.1f, 15.9f), dice.uniform(0.1f, 15.9f)) < 25);
+    for (int trial = 0; trial < 200; ++trial) {
+        const float x = dice.between(0.1f, 15.9f);
+        CHECK(picked(picker, x, dice.between(0.1f, 15.9f)) < 25);
+    }
 
     const Mesh thin = wall(6, 0.01f);
     Mesh dented = thin;  // so that across the rim a vertex of the far side is the nearest by far
@@ -100,8 +102,10 @@ TEST_CASE("no hit finds what is behind it or on another sheet", "[picker]") {
     for (const bool is_flipped : {false, true}) {
         const Picker around(dented.positions, dented.triangles);
         CHECK(around.nearest({0.5f, 0.2f, 0.0f}) == 36 + 7);
-        for (int trial = 0; trial < 200; ++trial)
-            CHECK(picked(around, dice.uniform(0.01f, 4.99f), dice.uniform(0.01f, 4.99f)) < 36);
+        for (int trial = 0; trial < 200; ++trial) {
+            const float x = dice.between(0.01f, 4.99f);
+            CHECK(picked(around, x, dice.between(0.01f, 4.99f)) < 36);
+        }
         // Which way round the corners are counts for nothing.
         if (!is_flipped)
             for (glm::ivec3& t : dented.triangles) t = {t.y, t.x, t.z};
@@ -136,14 +140,14 @@ TEST_CASE("what is nearest is no matter of how the tree was made", "[picker]") {
         const auto [centre, size] = extent(mesh);
         Dice dice(22);
         Mesh bent = mesh;
-        const glm::vec3 wave = 4.0f * dice.point() / size, along = 0.05f * dice.point(size);
+        const glm::vec3 wave = 4.0f * dice.in_cube(1.0f) / size, along = 0.05f * dice.in_cube(size);
         for (glm::vec3& p : bent.positions) p += std::sin(glm::dot(wave, p - centre)) * along;
         const Picker old(mesh.positions, mesh.triangles), fresh(bent.positions, bent.triangles);
         Picker refitted(mesh.positions, mesh.triangles);
         refitted.refit(bent.positions);
         for (int trial = 0; trial < 60; ++trial) {
-            const glm::dvec3 from(centre + dice.point(2.0f * size));
-            const glm::dvec3 towards = glm::dvec3(centre + dice.point(0.7f * size)) - from;
+            const glm::dvec3 from(centre + dice.in_cube(2.0f * size));
+            const glm::dvec3 towards = glm::dvec3(centre + dice.in_cube(0.7f * size)) - from;
             const auto hit = fresh.ray(from, towards);
             if (!hit) continue;
             ++found;

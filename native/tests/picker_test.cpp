@@ -26,12 +26,12 @@ std::vector<glm::vec3> points_around(const Mesh& mesh, int count, Dice& dice) {
     const auto [centre, size] = extent(mesh);
     std::vector<glm::vec3> points{centre, centre + 50.0f * size * glm::vec3(1, -1, 0.5f)};
     for (int i = 0; i < count; ++i) {
-        points.push_back(centre + dice.point(1.5f * size));
+        points.push_back(centre + dice.in_cube(1.5f * size));
         if (mesh.positions.empty()) continue;
         const glm::vec3& vertex = mesh.positions[static_cast<std::size_t>(dice.index(mesh.positions.size()))];
         if (!is_finite(vertex)) continue;
         points.push_back(vertex);
-        points.push_back(vertex + dice.point(0.02f * size));
+        points.push_back(vertex + dice.in_cube(0.02f * size));
     }
     return points;
 }
@@ -75,16 +75,16 @@ void check_same(const Mesh& mesh, const Picker& one, const Picker& other, unsign
     const auto [centre, size] = extent(mesh);
     for (const glm::vec3& point : points_around(mesh, 12, dice)) {
         CHECK(one.nearest(point) == other.nearest(point));
-        const float radius = size * dice.uniform(0.0f, 1.0f);
+        const float radius = size * dice.between(0.0f, 1.0f);
         CHECK(one.within(point, radius) == other.within(point, radius));
-        const glm::dvec3 towards = glm::dvec3(centre + dice.point(size)) - glm::dvec3(point);
+        const glm::dvec3 towards = glm::dvec3(centre + dice.in_cube(size)) - glm::dvec3(point);
         check_same(one.ray(point, towards), other.ray(point, towards));
     }
 }
 
 void bend(Mesh& mesh, Dice& dice, float amount) {
     const auto [centre, size] = extent(mesh);
-    const glm::vec3 wave = 4.0f * dice.point() / size, along = amount * dice.point(size);
+    const glm::vec3 wave = 4.0f * dice.in_cube(1.0f) / size, along = amount * dice.in_cube(size);
     for (glm::vec3& p : mesh.positions) p += std::sin(glm::dot(wave, p - centre)) * along;
 }
 
@@ -146,10 +146,12 @@ TEST_CASE("no triangle is met before the one that a ray finds", "[picker]") {
         const Picker picker = picker_of(mesh);
         const auto [centre, size] = extent(mesh);
         for (const glm::vec3& from : points_around(mesh, 25, dice)) {
-            check_ray(mesh, picker, from, dice.point());
-            check_ray(mesh, picker, from, 1e-3 * glm::dvec3(centre + dice.point(size) - from) / double(size));
+            check_ray(mesh, picker, from, dice.in_cube(1.0f));
+            check_ray(mesh, picker, from,
+                      1e-3 * glm::dvec3(centre + dice.in_cube(size) - from) / double(size));
             glm::dvec3 axis(0.0);
-            axis[dice.index(3)] = dice.index(2) == 0 ? 1.0 : -1.0;
+            const double sign = dice.chance(0.5) ? 1.0 : -1.0;
+            axis[dice.index(3)] = sign;
             check_ray(mesh, picker, from, axis);
         }
     }
@@ -161,14 +163,14 @@ TEST_CASE("no ray slips through the edges and vertices of a closed mesh", "[pick
         Dice dice(4);
         std::size_t lost = 0;
         for (int trial = 0; trial < 20; ++trial) {
-            const glm::dvec3 inside = trial == 0 ? glm::dvec3(0.0) : glm::dvec3(dice.point(0.3f));
+            const glm::dvec3 inside = trial == 0 ? glm::dvec3(0.0) : glm::dvec3(dice.in_cube(0.3f));
             const auto aim = [&](const glm::dvec3& at) { lost += picker.ray(inside, at - inside) ? 0 : 1; };
             for (const glm::vec3& p : mesh.positions) aim(p);
             for (const glm::ivec3& t : mesh.triangles) {
                 const glm::dvec3 a(mesh.positions[static_cast<std::size_t>(t.x)]);
                 const glm::dvec3 b(mesh.positions[static_cast<std::size_t>(t.y)]);
                 aim(0.5 * (a + b));
-                aim(glm::mix(a, b, static_cast<double>(dice.uniform(0.0f, 1.0f))));
+                aim(glm::mix(a, b, static_cast<double>(dice.between(0.0f, 1.0f))));
             }
         }
         CHECK(lost == 0);
@@ -225,7 +227,7 @@ TEST_CASE("from far away the hit is as exact as the numbers allow", "[picker]") 
     Dice dice(5);
     const glm::dvec3 away = glm::normalize(glm::dvec3(0.3, -0.8, 0.5));
     for (int trial = 0; trial < 200; ++trial) {
-        const glm::dvec3 at(dice.point(0.5f));
+        const glm::dvec3 at(dice.in_cube(0.5f));
         const auto near = picker.ray(at + 20.0 * away, -away), far = picker.ray(at + 2e4 * away, -away);
         REQUIRE(near.has_value() == far.has_value());
         if (near) CHECK(glm::distance(near->point, far->point) < 1e-9);
@@ -303,7 +305,7 @@ TEST_CASE("a refit of what moved is a refit of all", "[picker]") {
                 const auto near = picker.within(bent.positions[root], 0.3f * size);
                 moved.insert(moved.end(), near.rbegin(), near.rend());
             }
-            const glm::vec3 way = dice.point(static_cast<float>(1 + pull) * size);
+            const glm::vec3 way = dice.in_cube(static_cast<float>(1 + pull) * size);
             for (const std::uint32_t vertex : moved) bent.positions[vertex] += way;
             // What is not named is not read.
             std::vector<glm::vec3> given(bent.positions.size(), glm::vec3(1e30f));
@@ -330,7 +332,7 @@ TEST_CASE("a ray meets another shape of the mesh as it would after a refit", "[p
             const Picker fresh = picker_of(bent);
             for (const glm::vec3& point : points_around(bent, 40, dice)) {
                 const glm::dvec3 towards =
-                    glm::dvec3(extent(bent).centre + dice.point(size)) - glm::dvec3(point);
+                    glm::dvec3(extent(bent).centre + dice.in_cube(size)) - glm::dvec3(point);
                 check_same(picker.ray(point, towards, bent.positions, 1.00001f * slack),
                            fresh.ray(point, towards));
             }

@@ -6,9 +6,10 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 #include <vector>
+
+#include "random.hpp"
 
 using namespace motus;
 using std::numbers::pi;
@@ -24,11 +25,9 @@ glm::dquat from_euler(const glm::dvec3& euler) {
 }  // namespace
 
 TEST_CASE("Euler angles give the rotation back", "[pose]") {
-    std::mt19937 random(3);
-    std::normal_distribution<double> normal;
+    test::Random random(3);
     for (int i = 0; i < 2000; ++i) {
-        const glm::dquat rotation =
-            glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random)));
+        const glm::dquat rotation = random.any_rotation();
         const glm::dquat again = from_euler(euler_xyz(rotation));
         CHECK(std::abs(glm::dot(rotation, again)) == Approx(1.0).epsilon(1e-12));
     }

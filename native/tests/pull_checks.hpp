@@ -8,28 +8,26 @@
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
-#include <random>
 #include <span>
 #include <vector>
 
 #include "motus/pull.hpp"
+#include "random.hpp"
 
 namespace motus::checks {
 
 /// Vertices anywhere in [-1, 1]^3.
 [[nodiscard]] inline std::vector<glm::vec3> cloud(std::size_t count, unsigned seed = 1) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> spread(-1.0f, 1.0f);
+    test::Random random(seed);
     std::vector<glm::vec3> points(count);
-    for (glm::vec3& p : points) p = {spread(random), spread(random), spread(random)};
+    for (glm::vec3& p : points) p = random.in_cube(1.0f);
     return points;
 }
 
 [[nodiscard]] inline std::vector<float> random_weights(std::size_t count) {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<float> spread(0.0f, 1.0f);
+    test::Random random(7);
     std::vector<float> weights(count);
-    for (float& w : weights) w = spread(random);
+    for (float& w : weights) w = random.between(0.0f, 1.0f);
     return weights;
 }
 

@@ -4,7 +4,6 @@
 #include <catch2/catch.hpp>
 #include <cstring>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "motus/parallel.hpp"
@@ -112,11 +111,10 @@ TEST_CASE("dabs without limits, done in one pass, give the same bits as by block
 }
 
 TEST_CASE("every instruction set gives the same forces", "[pull]") {
-    std::mt19937 random(2);
+    test::Random random(2);
     std::vector<float> distances(pull_block);
     for (int round = 0; round < 200; ++round) {
-        std::uniform_real_distribution<float> spread(0.0f, round % 2 == 0 ? 1.0f : 3.0f);
-        for (float& distance : distances) distance = spread(random);
+        for (float& distance : distances) distance = random.between(0.0f, round % 2 == 0 ? 1.0f : 3.0f);
         distances[5] = std::numeric_limits<float>::quiet_NaN();
         distances[6] = std::numeric_limits<float>::infinity();
         distances[7] = 0.0f;

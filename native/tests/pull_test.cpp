@@ -8,10 +8,10 @@
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <numeric>
-#include <random>
 #include <vector>
 
 #include "pull_checks.hpp"
+#include "random.hpp"
 
 using namespace motus;
 using namespace motus::checks;
@@ -239,7 +239,7 @@ TEST_CASE("vertices that a tree finds are moved as if all were looked at", "[pul
         near.push_back(0);  // others do no harm
         std::sort(near.begin(), near.end());
         near.erase(std::unique(near.begin(), near.end()), near.end());
-        std::shuffle(near.begin(), near.end(), std::mt19937(3));
+        test::Random(3).shuffle(std::span(near));
         std::vector<glm::vec3> out(points.size());
         pull_among(points, dab, near, weights, out);
         CHECK(same_bits(out, pulled(points, dab, weights)));

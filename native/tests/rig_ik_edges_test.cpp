@@ -27,8 +27,7 @@ Solve three_chains() {
     RandomRig random(77);
     Solve solve;
     for (int i = 0; i < 3; ++i) {
-        const Limb limb =
-            add_limb(solve.rig, random, 2 + i, 1.0, transform(random.vector(), random.rotation()));
+        const Limb limb = add_limb(solve.rig, random, 2 + i, 1.0, random.place());
         solve.add_chain({limb.bones, i == 1 ? limb.hand : limb.bones.back()}, 0.5 * random.vector(), exact());
         solve.settings.back().rotation_weight = 0.5;
         solve.settings.back().stretch = 0.5;
@@ -255,12 +254,72 @@ TEST_CASE("a plan says which of its bones make no chain", "[rig_ik]") {
     CHECK_THROWS_AS(solve_rig_ik(plan, {}, {}), std::invalid_argument);
 }
 
+TEST_CASE("bones are those of one plan, whatever their number", "[rig_ik]") {
+    Solve solve = three_chains();
+    const IkPlan plan(solve.rig.parents, solve.chains, solve.guards);
+    const IkPlan copy = plan;  // NOLINT(performance-unnecessary-copy-initialization)
+    const IkRest rest(plan, solve.rig.view());
+    CHECK_NOTHROW(IkBones(copy, rest, solve.rig.basis));
+
+    // The same numbers of bones, rows and chains, in another order.
+    std::vector<IkChain> turned(solve.chains.rbegin(), solve.chains.rend());
+    std::vector<IkGuard> guards = solve.guards;
+    for (IkGuard& guard : guards) guard.chain = static_cast<int>(turned.size()) - 1 - guard.chain;
+    const IkPlan other(solve.rig.parents, turned, guards);
+    REQUIRE(other.rows().size() == plan.rows().size());
+    CHECK_THROWS_AS(IkBones(other, rest, solve.rig.basis), std::invalid_argument);
+    const IkInput input = solve.input(plan);
+    solve.rotations.resize(plan.rows().size());
+    solve.scales.resize(plan.rows().size());
+    solve.report.resize(plan.chain_count());
+    const IkOutput output{solve.rotations, solve.scales, solve.report};
+    CHECK_NOTHROW(solve_rig_ik(copy, input, output));
+    CHECK_THROWS_AS(solve_rig_ik(other, input, output), std::invalid_argument);
+    std::vector<glm::dmat4> targets(plan.chain_count());
+    std::vector<glm::dvec3> poles(plan.chain_count());
+    CHECK_THROWS_AS(match_rig_ik(other, input, targets, poles), std::invalid_argument);
+
+    std::vector<int> parents = solve.rig.parents;
+    parents[0] = static_cast<int>(parents.size()) - 1;
+    RigView view = solve.rig.view();
+    view.parents = parents;
+    CHECK_THROWS_AS(IkRest(plan, view), std::invalid_argument);
+}
+
+TEST_CASE("each setting that is not finite, and limits that leave nothing, make a chain neutral",
+          "[rig_ik]") {
+    constexpr double IkSettings::*settings[] = {
+        &IkSettings::position_weight, &IkSettings::rotation_weight, &IkSettings::softness,
+        &IkSettings::stretch,         &IkSettings::pole_angle,      &IkSettings::bend,
+        &IkSettings::hinge_angle,     &IkSettings::tolerance,       &IkSettings::iterations,
+        &IkSettings::use_limits,      &IkSettings::is_on,           &IkSettings::left_out};
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (double IkSettings::*const setting : settings) {
+        for (const double value : {not_a_number, infinite, -infinite}) {
+            Solve solve = sample(3, 3, true, 0.7);
+            solve.settings[0].*setting = value;
+            solve.run();
+            CHECK(solve.report[0].reason == -1.0);
+            for (const glm::dquat& rotation : solve.rotations) CHECK(rotation == no_turn);
+        }
+    }
+    for (const double value : {not_a_number, infinite, -infinite}) {
+        Solve solve = sample(3, 3, true, 0.7);
+        solve.settings[0].use_limits = 1.0;
+        solve.limits.resize(3);
+        solve.limits[1].min.x = solve.limits[1].max.x = value;
+        solve.run();
+        CHECK(solve.report[0].reason == -1.0);
+        for (const glm::dquat& rotation : solve.rotations) CHECK(rotation == no_turn);
+    }
+}
+
 TEST_CASE("own transforms are taken apart as Blender does", "[rig_ik]") {
     RandomRig random(1);
     for (int i = 0; i < 50; ++i) {
         Rig rig;
         const glm::dvec3 scale = i % 2 == 0 ? random.scale() : -random.scale();
-        const glm::dmat4 own = transform(random.vector(), random.rotation(), scale);
+        const glm::dmat4 own = random.place(scale);
         rig.add(-1, glm::dmat4(1.0), 1.0, own);
         const OwnTransform parts = own_transform(rig.basis, 0);
         CHECK(difference(glm::dmat3(transform(parts.location, parts.rotation, parts.scale)),

@@ -76,12 +76,13 @@ TEST_CASE("stretch takes the tip to the target, and guards know nothing of it", 
                     RandomRig random(seed);
                     Solve solve;
                     const Limb limb = add_limb(solve.rig, random, 2 + static_cast<int>(seed % 2), 1.0,
-                                               transform(random.vector(), random.rotation()), mode);
+                                               random.place(), mode);
                     std::vector<int> others;
-                    for (const int bone : limb.bones)
-                        others.push_back(solve.rig.add(
-                            bone, transform(random.vector(), random.rotation()), 0.3,
-                            transform(random.vector(), random.rotation(), random.scale()), mode));
+                    for (const int bone : limb.bones) {
+                        const glm::dmat4 rest = random.place();
+                        const glm::dvec3 scale = random.scale();
+                        others.push_back(solve.rig.add(bone, rest, 0.3, random.place(scale), mode));
+                    }
                     solve.add_chain({limb.bones, use_tail ? limb.bones.back() : limb.hand}, glm::dvec3(0.0),
                                     exact());
                     for (const int bone : others) solve.guards.push_back({bone, 0});

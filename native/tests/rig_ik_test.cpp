@@ -40,7 +40,8 @@ TEST_CASE("mirrored and unevenly scaled worlds are nothing to a chain", "[rig_ik
         Solve solve = sample(seed, 2 + static_cast<int>(seed % 3), seed % 2 == 0, 0.6);
         solve.world = solve.world * glm::scale(glm::dmat4(1.0), glm::dvec3(-1.0, 1.3, 0.9));
         RandomRig random(seed);
-        solve.targets[0] = transform(root_of(solve, 0) + 0.5 * random.direction(), random.rotation());
+        const glm::dvec3 target = root_of(solve, 0) + 0.5 * random.direction();
+        solve.targets[0] = transform(target, random.rotation());
         solve.settings[0].rotation_weight = seed % 2 == 0 ? 0.0 : 1.0;
         solve.run();
         if (solve.report[0].reason == 0.0) ++reached;  // some are too near
@@ -61,7 +62,7 @@ TEST_CASE("sheared chains: what is reported is what is measured", "[rig_ik]") {
             const int flags =
                 (seed % 3 == 0 ? 0 : inherits_rotation) | (seed % 4 == 0 ? 0 : has_local_location);
             const Limb limb = add_limb(solve.rig, random, 2 + static_cast<int>(seed % 3), 1.0,
-                                       transform(random.vector(), random.rotation(), scale), mode, flags);
+                                       random.place(scale), mode, flags);
             solve.add_chain({limb.bones, seed % 2 == 0 ? limb.bones.back() : limb.hand}, glm::dvec3(0.0),
                             exact());
             solve.targets[0][3] =
@@ -117,8 +118,7 @@ TEST_CASE("a hinge stays a hinge, however the forearm is twisted", "[rig_ik]") {
             RandomRig random(8);
             Solve solve;
             // The elbow bends about X; the forearm then turns about itself.
-            const int upper =
-                solve.rig.add(-1, glm::dmat4(1.0), 1.0, transform(random.vector(), random.rotation()));
+            const int upper = solve.rig.add(-1, glm::dmat4(1.0), 1.0, random.place());
             const glm::dquat elbow =
                 glm::angleAxis(0.9, glm::dvec3(1, 0, 0)) * glm::angleAxis(twist, glm::dvec3(0, 1, 0));
             const int fore = solve.rig.add(upper, glm::dmat4(1.0), 0.8, transform(glm::dvec3(0.0), elbow));

@@ -49,7 +49,7 @@ TEST_CASE("a head of full weight meets near targets, whatever the spine", "[rig_
             figure.input.settings.eyes_weight = 0.0;
             figure.input.settings.body_weight = random.between(0.0, 1.0);
             if (i % 2 == 0)
-                figure.input.target = glm::dvec3(figure.world * glm::dvec4(random.point(0.5), 1.0));
+                figure.input.target = glm::dvec3(figure.world * glm::dvec4(random.around_origin(0.5), 1.0));
             const Result result = solve(figure);
             CHECK(miss(figure, result, figure.bones.head, figure.input.head_forward) < 1e-9);
             CHECK(result.report.angle < 1e-9);
@@ -69,8 +69,8 @@ TEST_CASE("scales, shears and modes of inheritance don't keep gazes off their ta
             if (random.between(0.0, 1.0) < 0.8) flags |= has_local_location;
         }
         if (i % 3 == 0) {
-            figure.input.head_forward = random.point(1.0);
-            figure.input.eyes_forward = random.point(1.0);
+            figure.input.head_forward = random.around_origin(1.0);
+            figure.input.eyes_forward = random.around_origin(1.0);
         }
         const Result result = solve(figure);
         CHECK(miss(figure, result, figure.bones.head, figure.input.head_forward) < 1e-9);
@@ -225,14 +225,15 @@ TEST_CASE("numbers that are not finite leave their entry alone, others are solve
 TEST_CASE("any finite rig gives finite results", "[rig_look_at]") {
     Randomness random(7);
     for (int i = 0; i < 5000; ++i) {
-        Figure figure = animated(static_cast<int>(random.between(0, 5.9)), random, i % 2 == 0 ? 1.5 : 0.1);
+        Figure figure = animated(static_cast<int>(random.between(0.0, 5.9)), random, i % 2 == 0 ? 1.5 : 0.1);
         for (int& flags : figure.inheritance) flags = static_cast<int>(random.between(0.0, 31.9));
-        figure.input.settings = {random.between(-1, 2), random.between(-1, 2), random.between(-1, 2),
-                                 random.between(-1, 2), random.between(-1, 2), random.between(-1, 6),
-                                 random.between(-1, 6), random.between(-1, 6)};
+        figure.input.settings = {random.between(-1.0, 2.0), random.between(-1.0, 2.0),
+                                 random.between(-1.0, 2.0), random.between(-1.0, 2.0),
+                                 random.between(-1.0, 2.0), random.between(-1.0, 6.0),
+                                 random.between(-1.0, 6.0), random.between(-1.0, 6.0)};
         if (i % 7 == 0) {
             const int bone =
-                static_cast<int>(random.between(1, static_cast<double>(figure.parents.size()) - 0.1));
+                static_cast<int>(random.between(1.0, static_cast<double>(figure.parents.size()) - 0.1));
             figure.basis[static_cast<std::size_t>(16 * bone + i % 16)] = i % 14 == 0 ? 0.0f : 3e38f;
         }
         if (i % 11 == 0) figure.input.target *= 1e200;
@@ -272,4 +273,14 @@ TEST_CASE("plans refuse bones that are not above each other", "[rig_look_at]") {
     std::vector<glm::dquat> rows(9);
     CHECK_THROWS_AS(good.solve(figure.view(), figure.world, {&figure.input, 1}, rows, {&report, 1}),
                     std::invalid_argument);
+    // Another rig of as many bones.
+    Figure same(2);
+    std::vector<int> others = same.parents;
+    others[2] = 0;
+    const LookAtPlan own(same.parents, {&head, 1});
+    RigView view = same.view();
+    std::vector<glm::dquat> row(1);
+    CHECK_NOTHROW(own.solve(view, same.world, {&same.input, 1}, row, {&report, 1}));
+    view.parents = others;
+    CHECK_THROWS_AS(own.solve(view, same.world, {&same.input, 1}, row, {&report, 1}), std::invalid_argument);
 }

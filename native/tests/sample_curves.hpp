@@ -6,10 +6,10 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "motus/arc_length.hpp"
+#include "random.hpp"
 
 namespace samples {
 
@@ -92,24 +92,21 @@ inline Path straight(const glm::dvec3& from, const glm::dvec3& to) {
 }
 
 /// One segment of any degree with control points from a normal distribution.
-inline Path random_bezier(std::mt19937& random, int degree) {
-    std::normal_distribution<double> normal(0.0, 3.0);
+inline Path random_bezier(motus::test::Random& random, int degree) {
     std::vector<glm::dvec3> points;
-    for (int i = 0; i <= degree; ++i) points.emplace_back(normal(random), normal(random), normal(random));
+    for (int i = 0; i <= degree; ++i) points.push_back(random.around_origin(3.0));
     return path(motus::Curve::bezier(points));
 }
 
 /// Blender's usual case: the tangent is continuous at the joints, the curvature is not.
-inline Path random_spline(std::mt19937& random, std::size_t count, bool cyclic) {
-    std::normal_distribution<double> normal(0.0, 3.0);
-    std::uniform_real_distribution<double> reach(0.4, 1.6);
+inline Path random_spline(motus::test::Random& random, std::size_t count, bool cyclic) {
     std::vector<glm::dvec3> points, left, right;
     for (std::size_t i = 0; i < count; ++i) {
-        points.emplace_back(4.0 * static_cast<double>(i % 7) + normal(random), normal(random),
-                            normal(random));
-        const glm::dvec3 handle(normal(random), normal(random), normal(random));
-        left.push_back(points.back() - reach(random) * handle);
-        right.push_back(points.back() + reach(random) * handle);
+        const glm::dvec3 place(4.0 * static_cast<double>(i % 7), 0.0, 0.0);
+        points.push_back(place + random.around_origin(3.0));
+        const glm::dvec3 handle = random.around_origin(3.0);
+        left.push_back(points.back() - random.between(0.4, 1.6) * handle);
+        right.push_back(points.back() + random.between(0.4, 1.6) * handle);
     }
     return path(motus::Curve::spline(points, left, right, cyclic));
 }

@@ -8,7 +8,6 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <limits>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -16,24 +15,22 @@
 #include "motus/bone.hpp"
 #include "motus/rig.hpp"
 #include "motus/rig_ik.hpp"
+#include "random.hpp"
 #include "turns.hpp"
 
 namespace motus::test {
 
-class RandomRig {
+class RandomRig : public Random {
   public:
-    explicit RandomRig(unsigned seed) : engine_(seed) {}
-    double between(double low, double high) { return std::uniform_real_distribution(low, high)(engine_); }
-    glm::dvec3 vector() { return {normal_(engine_), normal_(engine_), normal_(engine_)}; }
-    glm::dvec3 direction() { return glm::normalize(vector()); }
-    glm::dquat rotation() { return turn(between(0.0, 3.1)); }
-    /// About a random axis.
-    glm::dquat turn(double angle) { return glm::angleAxis(angle, direction()); }
+    using Random::Random;
+    glm::dvec3 vector() { return around_origin(); }
+    glm::dquat rotation() {
+        const double angle = between(0.0, 3.1);
+        return turn(angle);
+    }
     glm::dvec3 scale() { return {between(0.6, 1.6), between(0.6, 1.6), between(0.6, 1.6)}; }
-
-  private:
-    std::mt19937 engine_;
-    std::normal_distribution<double> normal_;
+    /// At any place, turned in any way.
+    glm::dmat4 place(const glm::dvec3& scale = glm::dvec3(1.0));
 };
 
 /// location * rotation * scale.
@@ -41,6 +38,11 @@ inline glm::dmat4 transform(const glm::dvec3& location, const glm::dquat& rotati
                             const glm::dvec3& scale = glm::dvec3(1.0)) {
     return glm::translate(glm::dmat4(1.0), location) * glm::mat4_cast(rotation) *
            glm::scale(glm::dmat4(1.0), scale);
+}
+
+inline glm::dmat4 RandomRig::place(const glm::dvec3& scale) {
+    const glm::dvec3 location = vector();
+    return transform(location, rotation(), scale);
 }
 
 /// A rig's arrays, as Blender would fill them.
@@ -183,16 +185,16 @@ inline Limb add_limb(Rig& rig, RandomRig& random, int count, double bend, const 
                      InheritScale mode = InheritScale::full,
                      int flags = inherits_rotation | has_local_location) {
     Limb limb;
-    const int shoulder = rig.add(-1, transform(random.vector(), random.rotation()), 0.5, shoulder_own);
+    const int shoulder = rig.add(-1, random.place(), 0.5, shoulder_own);
     int parent = shoulder;
     for (int i = 0; i < count; ++i) {
         const glm::dmat4 own = transform(glm::dvec3(0.0), random.turn(bend));
-        parent = rig.add(parent, transform(glm::dvec3(0.0), random.turn(0.3)), random.between(0.5, 1.5), own,
-                         mode, flags);
+        const glm::dmat4 rest = transform(glm::dvec3(0.0), random.turn(0.3));
+        parent = rig.add(parent, rest, random.between(0.5, 1.5), own, mode, flags);
         limb.bones.push_back(parent);
     }
-    limb.hand = rig.add(parent, transform(glm::dvec3(0.02, 0.0, 0.01), random.turn(0.2)), 0.4,
-                        transform(glm::dvec3(0.0), random.turn(bend)), mode, flags);
+    const glm::dmat4 rest = transform(glm::dvec3(0.02, 0.0, 0.01), random.turn(0.2));
+    limb.hand = rig.add(parent, rest, 0.4, transform(glm::dvec3(0.0), random.turn(bend)), mode, flags);
     return limb;
 }
 
@@ -226,12 +228,14 @@ inline Solve sample(unsigned seed, int count, bool use_tail, double share, doubl
     RandomRig random(seed);
     Solve solve;
     const double size = random.between(0.5, 2.0);
-    const Limb limb = add_limb(solve.rig, random, count, bend,
-                               transform(random.vector(), random.rotation(), glm::dvec3(size)));
-    solve.world = transform(random.vector(), random.rotation(), glm::dvec3(random.between(0.5, 2.0)));
+    const glm::dmat4 shoulder = random.place(glm::dvec3(size));
+    const Limb limb = add_limb(solve.rig, random, count, bend, shoulder);
+    const double world_size = random.between(0.5, 2.0);
+    solve.world = random.place(glm::dvec3(world_size));
     solve.add_chain({limb.bones, use_tail ? limb.bones.back() : limb.hand}, glm::dvec3(0.0), exact());
     const double reach = share * length_of(solve, 0) * size * glm::length(glm::dvec3(solve.world[0]));
-    solve.targets[0] = transform(root_of(solve, 0) + reach * random.direction(), random.rotation());
+    const glm::dvec3 target = root_of(solve, 0) + reach * random.direction();
+    solve.targets[0] = transform(target, random.rotation());
     return solve;
 }
 

@@ -8,9 +8,11 @@
 #include <glm/vec3.hpp>
 #include <map>
 #include <numbers>
-#include <random>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "random.hpp"
 
 namespace motus::checks {
 
@@ -128,14 +130,14 @@ enum class Cut {
 [[nodiscard]] inline Surface sheet(int columns, int rows, float width, float height, Cut cut = Cut::same,
                                    int column_kept = 1 << 20, unsigned seed = 1) {
     Surface made;
-    std::mt19937 engine(seed);
-    std::uniform_real_distribution<float> jitter(-0.2f, 0.2f);
+    test::Random random(seed);
+    const auto jitter = [&random] { return random.between(-0.2f, 0.2f); };
     for (int j = 0; j <= rows; ++j)
         for (int i = 0; i <= columns; ++i) {
             const bool keeps_x = cut != Cut::random || i == columns || i % column_kept == 0;
             const bool keeps_y = cut != Cut::random || j == 0 || j == rows;
-            const float x = static_cast<float>(i) + (keeps_x ? 0.0f : jitter(engine));
-            const float y = static_cast<float>(j) + (keeps_y ? 0.0f : jitter(engine));
+            const float x = static_cast<float>(i) + (keeps_x ? 0.0f : jitter());
+            const float y = static_cast<float>(j) + (keeps_y ? 0.0f : jitter());
             made.positions.emplace_back(width * x / static_cast<float>(columns),
                                         height * y / static_cast<float>(rows), 0.0f);
         }
@@ -169,7 +171,7 @@ enum class Cut {
         std::vector<bool> is_used(made.triangles.size());
         for (const auto& [side, one] : at_side) {
             const auto other = at_side.find({side.second, side.first});
-            if (side.first > side.second || other == at_side.end() || engine() % 2 == 0) continue;
+            if (side.first > side.second || other == at_side.end() || random.chance(0.5)) continue;
             const auto [t, k] = one;
             const auto [u, l] = other->second;
             if (is_used[t] || is_used[u]) continue;
@@ -204,11 +206,12 @@ enum class Cut {
                                       unsigned seed) {
     place.resize(surface.positions.size());
     for (std::size_t i = 0; i < place.size(); ++i) place[i] = static_cast<std::uint32_t>(i);
-    std::shuffle(place.begin(), place.end(), std::mt19937(seed));
+    test::Random random(seed);
+    random.shuffle(std::span(place));
     Surface made = surface;
     for (std::size_t i = 0; i < place.size(); ++i) made.positions[place[i]] = surface.positions[i];
     for (glm::ivec3& t : made.triangles) t = {place[t.x], place[t.y], place[t.z]};
-    std::shuffle(made.triangles.begin(), made.triangles.end(), std::mt19937(seed + 1));
+    random.shuffle(std::span(made.triangles));
     return made;
 }
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 
+#include "random.hpp"
 #include "sample_surfaces.hpp"
 
 using namespace motus;
@@ -23,10 +24,10 @@ using Exact = std::function<double(std::uint32_t root, std::uint32_t vertex)>;
 }
 
 [[nodiscard]] std::vector<std::uint32_t> some_roots(const Surface& surface, int count, unsigned seed) {
-    std::mt19937 engine(seed);
+    test::Random random(seed);
     std::vector<std::uint32_t> roots{0, static_cast<std::uint32_t>(surface.positions.size() - 1)};
     for (int i = 0; i < count; ++i)
-        roots.push_back(static_cast<std::uint32_t>(engine() % surface.positions.size()));
+        roots.push_back(static_cast<std::uint32_t>(random.below(surface.positions.size())));
     return roots;
 }
 
@@ -228,10 +229,9 @@ TEST_CASE("a radius leaves out what is beyond and changes nothing within", "[sur
 }
 
 TEST_CASE("no way is shorter than the straight one", "[surface]") {
-    std::mt19937 engine(8);
-    std::uniform_real_distribution<float> any(-0.4f, 0.4f);
+    test::Random random(8);
     Surface rough = sheet(50, 50, 2.0f, 2.0f);
-    for (glm::vec3& p : rough.positions) p += glm::vec3(any(engine), any(engine), any(engine));
+    for (glm::vec3& p : rough.positions) p += random.in_cube(0.4f);
     for (const std::uint32_t root : some_roots(rough, 5, 9)) {
         const Reach reach = reach_of(rough, root);
         REQUIRE(reach.vertices.size() == rough.positions.size());

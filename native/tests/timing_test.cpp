@@ -3,10 +3,11 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <random>
 #include <stdexcept>
 #include <utility>
 #include <vector>
+
+#include "random.hpp"
 
 using namespace motus;
 
@@ -129,15 +130,14 @@ TEST_CASE("constant speed holds for all times", "[timing]") {
 }
 
 TEST_CASE("pins are met, and nothing overshoots between them", "[timing]") {
-    std::mt19937 random(7);
-    std::uniform_real_distribution<double> gap(0.05, 2.0);
-    std::uniform_int_distribution<int> rise(0, 3);
+    test::Random random(7);
+    const auto gap = [&random] { return random.between(0.05, 2.0); };
     for (int round = 0; round < 50; ++round) {
-        std::vector<double> times{gap(random)};
+        std::vector<double> times{gap()};
         std::vector<double> distances{0.0};
         for (int i = 0; i < 6; ++i) {
-            times.push_back(times.back() + gap(random));
-            distances.push_back(distances.back() + rise(random));
+            times.push_back(times.back() + gap());
+            distances.push_back(distances.back() + random.whole(0, 3));
         }
         const Timing timing = Timing::pins(times, distances);
         for (std::size_t i = 0; i < times.size(); ++i) CHECK(timing.distance(times[i]) == distances[i]);

@@ -1,4 +1,4 @@
-// RandomTwoBones chains of two bones, and what to ask of their solutions.
+// Random chains of two bones, and what to ask of their solutions.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -6,23 +6,15 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
-#include <random>
 
 #include "motus/two_bone.hpp"
+#include "random.hpp"
 
 namespace motus::checks {
 
-class RandomTwoBones {
+class RandomTwoBones : public test::Random {
   public:
-    explicit RandomTwoBones(unsigned seed) : engine_(seed) {}
-
-    [[nodiscard]] double between(double low, double high) {
-        return std::uniform_real_distribution<double>(low, high)(engine_);
-    }
-
-    [[nodiscard]] glm::dvec3 direction() {
-        return glm::normalize(glm::dvec3(normal_(engine_), normal_(engine_), normal_(engine_)));
-    }
+    using Random::Random;
 
     /// Lengths from 0.1 to 2, near the origin, the target within reach.
     [[nodiscard]] TwoBone reachable() {
@@ -31,10 +23,10 @@ class RandomTwoBones {
         chain.length2 = between(0.1, 2.0);
         const double shortest = std::abs(chain.length1 - chain.length2);
         const double longest = chain.length1 + chain.length2;
-        chain.root = between(0.0, 1.0) * direction();
+        chain.root = at_distance(0.0, 1.0);
         const double span = longest - shortest;
-        chain.target = chain.root + between(shortest + 1e-9 * span, longest - 1e-9 * span) * direction();
-        chain.pole = between(0.0, 5.0) * direction();
+        chain.target = chain.root + at_distance(shortest + 1e-9 * span, longest - 1e-9 * span);
+        chain.pole = at_distance(0.0, 5.0);
         chain.bend = between(0.0, 1.0) < 0.5 ? 1 : -1;
         return chain;
     }
@@ -60,24 +52,20 @@ class RandomTwoBones {
         if (kind < 0.1) return 0.0;
         if (kind < 0.2) return between(-1.0, 1.0) < 0.0 ? -1.0 : 1.0;
         if (kind < 0.5) return between(-2.0, 2.0);
-        if (kind < 0.6) return std::bit_cast<double>(std::uint64_t{1} + (bits_(engine_) & 0xFFFFFU));
+        if (kind < 0.6) return std::bit_cast<double>(std::uint64_t{1} + (bits() & 0xFFFFFU));
         if (kind < 0.65) return 1.7976931348623157e308;
         double value = std::nan("");
-        while (!std::isfinite(value)) value = std::bit_cast<double>(bits_(engine_));
+        while (!std::isfinite(value)) value = std::bit_cast<double>(bits());
         return value;
     }
 
     [[nodiscard]] glm::dvec3 wild_point(const glm::dvec3& other) {
         const double kind = between(0.0, 1.0);
         if (kind < 0.2) return other;
-        const glm::dvec3 point(wild_number(), wild_number(), wild_number());
+        const glm::dvec3 point{wild_number(), wild_number(), wild_number()};
         if (kind < 0.4) return {point.x, other.y, other.z};
         return point;
     }
-
-    std::mt19937_64 engine_;
-    std::normal_distribution<double> normal_;
-    std::uniform_int_distribution<std::uint64_t> bits_;
 };
 
 /// How far the bones' lengths, once stretched, are from those between the joints.

@@ -41,13 +41,17 @@ TEST_CASE("in a plane the angles are those of the textbook", "[two_bone]") {
         const double turn = random.between(-pi, pi);
         const double x = distance * std::cos(turn);
         const double y = distance * std::sin(turn);
-        const double th2 = std::acos((x * x + y * y - l1 * l1 - l2 * l2) / (2.0 * l1 * l2));
-        const double th1 = std::atan2(-(l2 * std::sin(th2)) * x + (l1 + l2 * std::cos(th2)) * y,
-                                      (l2 * std::sin(th2)) * y + (l1 + l2 * std::cos(th2)) * x);
+        // In more digits: close to the root the textbook's cosines cancel.
+        using Long = long double;
+        const Long a = l1, b = l2, along = x, across = y;
+        const Long th2 = std::acos((along * along + across * across - a * a - b * b) / (2.0L * a * b));
+        const Long th1 = std::atan2(-(b * std::sin(th2)) * along + (a + b * std::cos(th2)) * across,
+                                    (b * std::sin(th2)) * across + (a + b * std::cos(th2)) * along);
         // th2 > 0 turns left at the elbow, which is therefore on the right of the line to the target.
         const TwoBone chain{
             .root = {0, 0, 0}, .target = {x, y, 0}, .pole = {y, -x, 0}, .length1 = l1, .length2 = l2};
-        const glm::dvec3 elbow(l1 * std::cos(th1), l1 * std::sin(th1), 0.0);
+        const glm::dvec3 elbow(static_cast<double>(a * std::cos(th1)), static_cast<double>(a * std::sin(th1)),
+                               0.0);
         CHECK(glm::distance(solve_two_bone(chain).elbow, elbow) < 1e-12);
     }
 }
@@ -84,8 +88,7 @@ TEST_CASE("without a plane the bends mirror each other", "[two_bone]") {
     for (int i = 0; i < 2000; ++i) {
         TwoBone chain = random.reachable();
         const glm::dvec3 line = glm::normalize(chain.target - chain.root);
-        if (i % 2 == 0)
-            chain.pole = chain.root + 3.0 * line + 1e-3 * random.between(0.0, 1.0) * random.direction();
+        if (i % 2 == 0) chain.pole = chain.root + 3.0 * line + random.at_distance(0.0, 1e-3);
         chain.bend = 1;
         const glm::dvec3 towards = solve_two_bone(chain).elbow - chain.root;
         chain.bend = -1;

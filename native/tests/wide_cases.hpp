@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <random>
 
+#include "random.hpp"
 #include "wide.hpp"
 
 namespace {
@@ -31,15 +31,14 @@ bool same_bits(double a, double b) {
 template <class Several, class Function>
 void check_lanes(Function&& function) {
     constexpr int lanes = lane_count<Several>;
-    std::mt19937 engine(1);
-    std::uniform_int_distribution<std::size_t> any_value(0, values.size() - 1);
+    test::Random random(1);
     for (const double a : values)
         for (const double b : values)
             for (int here = 0; here < lanes; ++here) {
                 Several first(0.0), second(0.0);
                 for (int i = 0; i < lanes; ++i) {
-                    set_lane(first, i, i == here ? a : values[any_value(engine)]);
-                    set_lane(second, i, i == here ? b : values[any_value(engine)]);
+                    set_lane(first, i, i == here ? a : values[random.below(values.size())]);
+                    set_lane(second, i, i == here ? b : values[random.below(values.size())]);
                 }
                 const Several all = function(first, second);
                 for (int i = 0; i < lanes; ++i) {
@@ -95,11 +94,10 @@ void check_vectors() {
     constexpr int lanes = lane_count<Several>;
     glm::vec<3, Several> first(Several(0.0)), second(Several(0.0));
     std::array<glm::dvec3, lanes> a{}, b{};
-    std::mt19937 engine(2);
-    std::uniform_real_distribution<double> any_number(-9.0, 9.0);
+    test::Random random(2);
     for (int i = 0; i < lanes; ++i) {
-        a.at(i) = {any_number(engine), any_number(engine), any_number(engine)};
-        b.at(i) = {any_number(engine), any_number(engine), any_number(engine)};
+        a.at(i) = random.in_cube(9.0);
+        b.at(i) = random.in_cube(9.0);
         set_lane(first, i, a.at(i));
         set_lane(second, i, b.at(i));
     }

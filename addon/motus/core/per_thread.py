@@ -12,18 +12,14 @@ from . import native
 LARGEST = 64  # threads
 
 _kept = {}
-_with_state = set()
 
 
 def keep_state():
     """Let this thread keep its Python state; to make one anew takes longer than most solves do.
 
-    A thread that ends leaves it behind, so there is an end to it.
+    The native module does it once a thread, and for a bounded number of threads. Returns whether it is kept.
     """
-    thread = threading.get_ident()
-    if thread not in _with_state and len(_with_state) < LARGEST and native.module:
-        _with_state.add(thread)
-        native.module.keep_thread_state()
+    return native.module is not None and native.module.keep_thread_state()
 
 
 def kept(name, make):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import bake, deleted, menus, overlay, preferences, system, teardown, translations, ui, wiring
+from . import bake, deleted, menus, overlay, preferences, settings, system, teardown, translations, ui, wiring
 
 _undo = []
 
@@ -24,7 +24,7 @@ def unregister():
 
 def _register(systems, extra_classes, extra_add_menu):
     # Property groups before the groups that point to them, and all of them before the panels that draw them.
-    _register_classes(system.classes)
+    _register_classes(settings.classes)
     for one in systems:
         system.registered[one.name] = one
         _undo.append(lambda name=one.name: system.registered.pop(name))

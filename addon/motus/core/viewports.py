@@ -2,6 +2,7 @@
 
 from typing import Any, NamedTuple
 
+import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_origin_3d, region_2d_to_vector_3d
 from mathutils import Vector
 
@@ -44,3 +45,11 @@ def view_at(window, x, y):
 
 def _contains(part, x, y):
     return part.x <= x < part.x + part.width and part.y <= y < part.y + part.height
+
+
+def redraw():
+    """Let all 3D viewports be drawn anew, for what Blender does not know to be seen there."""
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type == 'VIEW_3D':
+                area.tag_redraw()

@@ -98,10 +98,9 @@ def _plaster():
     place = shader.add("ShaderNodeTexCoord").outputs["Object"]
     color = shader.ramp(
         shader.noise(place, 0.55, detail=5.0), ((0.32, (0.030, 0.105, 0.118)), (0.70, (0.052, 0.160, 0.172))))
-    bump = shader.add(
-        "ShaderNodeBump", {"Height": shader.noise(place, 5.0, detail=6.0), "Strength": 0.18, "Distance": 0.1})
+    # No bump of noise: EEVEE in 3.4 makes single pixels of it black.
     node = shader.add("ShaderNodeBsdfPrincipled")
-    materials.set_principled(shader, node, color=color, roughness=0.9, specular=0.15, normal=bump.outputs[0])
+    materials.set_principled(shader, node, color=color, roughness=0.9, specular=0.15)
     materials.finish(material, shader, output, node.outputs[0])
     material.diffuse_color = (0.04, 0.13, 0.145, 1.0)
     return material

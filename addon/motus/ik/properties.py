@@ -5,8 +5,7 @@ from contextlib import contextmanager
 
 import bpy
 
-from ..core import system
-from ..core.system import SystemSettings
+from ..core.settings import SystemSettings, rewire, touch
 from . import chains, check_results
 
 ANIMATED = {'ANIMATABLE'}
@@ -23,12 +22,12 @@ BENDS = (
 def _touch(item, context):
     # Operators have the same properties, and nothing to evaluate.
     if isinstance(item, bpy.types.PropertyGroup):
-        system.touch(item.id_data.motus.ik, context)
+        touch(item.id_data.motus.ik, context)
 
 
 def _rewire(item, context):
     if isinstance(item, bpy.types.PropertyGroup):
-        system.rewire(item.id_data.motus.ik, context)
+        rewire(item.id_data.motus.ik, context)
 
 
 def _change_stretch(item, context):

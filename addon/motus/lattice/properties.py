@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.system import SystemSettings
+from ..core.settings import SystemSettings
 
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
 

@@ -131,6 +131,9 @@ class Held:
             raise Refused(tr("{modifier} of {object} has no influence there").format(
                 modifier=shape.modifier.name, object=shape.object.name))
         self._mirror(mirror)
+        most = native.module.Lattice.MAX_PULLS
+        if len(self._turns) * self._count > most < len(self._start):
+            raise Refused(tr("At most {count} vertices can be held").format(count=most // len(self._turns) - 1))
         self.point = self._measure_in(shape.after)
         self._is_sum = False  # of the lattice's displacements, so that nothing has to be measured
 

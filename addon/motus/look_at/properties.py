@@ -4,8 +4,7 @@ import math
 
 import bpy
 
-from ..core import system
-from ..core.system import SystemSettings
+from ..core.settings import SystemSettings, rewire, touch
 
 ANIMATED = {'ANIMATABLE'}
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
@@ -24,12 +23,12 @@ ANY_BODY_LENGTH = -1
 def _touch(item, context):
     # Operators have the same properties, and nothing to evaluate.
     if isinstance(item, bpy.types.PropertyGroup):
-        system.touch(item.id_data.motus.look_at, context)
+        touch(item.id_data.motus.look_at, context)
 
 
 def _rewire(item, context):
     if isinstance(item, bpy.types.PropertyGroup):
-        system.rewire(item.id_data.motus.look_at, context)
+        rewire(item.id_data.motus.look_at, context)
 
 
 def _weight(name, description, default):
@@ -94,6 +93,6 @@ class MOTUS_PG_look_at(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
         name="Influence", description="How much all heads of the rig look; 0 leaves it to its animation", default=1.0,
         min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE,
-        update=lambda settings, context: system.touch(settings, context))
+        update=touch)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_entry, name="Entries", override=EXTENDABLE)
     active_entry: bpy.props.IntProperty(name="Active Entry", options=set())

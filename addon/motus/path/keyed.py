@@ -2,7 +2,6 @@
 
 import math
 from types import SimpleNamespace
-from typing import Any, NamedTuple
 
 from ..core import actions
 from ..core.lazy import numpy as np
@@ -15,13 +14,12 @@ CLOSE = 1e-4  # frames; nearer bounds are one
 SHORT = 2.0  # frames; between nearer keys the value bends so much in a frame that it is halved
 STEP = 0.5  # frames, to either side of where a rate is measured
 
-
-class Samples(NamedTuple):
-    """Values of an F-curve at rising frames, and the integral from the first to the last, in frames times the value."""
-
-    frames: Any
-    values: Any
-    integral: float
+MOST = 10_000
+"""Pieces between the keys in all, and in samples(): where there are more frames, a piece has several."""
+LEAST = 32  # pieces between two keys, however many keys there are
+NEAR = 2048  # frames beyond the keys, each a piece where modifiers change the value there
+OCTAVE = 256  # pieces from there to twice as far, and so on
+FARTHEST = 2.0 ** 20  # frames; what lies beyond is one piece
 
 
 def find(owner, settings, name):
@@ -51,30 +49,37 @@ def is_in_strips(owner, settings, name):
     return any(_animates(strip, path) for track in animation.nla_tracks if not track.mute for strip in track.strips)
 
 
+def integral(curve, first, last):
+    """Integral of the F-curve from frame `first` to `last`, in frames times the value.
+
+    Over each frame between the keys; where keys are farther apart than some hundred frames (see MOST), over pieces of
+    several, which tells apart what two keys make of a Bezier or an easing to 1e-6. Beyond the keys straight lines and
+    the laps of a Cycles modifier are taken whole. Other modifiers are followed frame by frame near the keys, and
+    farther away in pieces that grow with the distance: there the mean of a noise counts, not each frame of it.
+    """
+    places = _places(curve)
+    cycles = _cycles(curve, places)
+    if cycles is None or places[0] <= first and last <= places[-1]:
+        return _integral(curve, _pieces(curve, places, first, last))
+    laps = _Laps(curve, places, cycles)
+    return laps.until(last) - laps.until(first)
+
+
 def samples(curve, first, last):
-    """Samples from frame `first` to `last`: these two, and three or more in each frame between."""
-    edges = np.array(bounds(curve, first, last))
-    widths = np.diff(edges)[:, None]
-    nodes = (edges[:-1, None] + widths * np.array(NODES)).ravel().tolist()
-    values = list(map(curve.evaluate, nodes))
-    parts = np.array(values) * (widths * np.array(WEIGHTS)).ravel()
-    # fsum: rounded once, so that the same samples give the same bits in every process.
-    return Samples([first, *nodes, last], [curve.evaluate(first), *values, curve.evaluate(last)], math.fsum(parts.tolist()))
+    """(frames, values) of the F-curve: at `first` and `last`, and three or more in each piece of bounds()."""
+    nodes = _nodes(bounds(curve, first, last)).tolist()
+    frames = [first, *nodes, last]
+    return frames, list(map(curve.evaluate, frames))
 
 
 def bounds(curve, first, last):
-    """Rising frames from `first` to `last`: whole ones and those of the keys, between which the F-curve is smooth."""
-    keys = [key.co[0] for key in curve.keyframe_points]
+    """Rising frames from `first` to `last`: those of the keys, and whole ones, all of them where they are not too many."""
+    places = _places(curve)
     start, end = first, last
-    if keys and curve.extrapolation == 'CONSTANT' and not curve.modifiers:
-        start, end = max(first, keys[0]), min(last, keys[-1])
-    inner = {*map(float, range(math.ceil(start), math.floor(end) + 1)), *keys, *_repeated(curve, keys, first, last)}
-    inner.update(0.5 * (key + following) for key, following in zip(keys, keys[1:]) if following - key < SHORT)
-    ordered = [first]
-    for frame in sorted(inner):
-        if ordered[-1] + CLOSE < frame < last - CLOSE:
-            ordered.append(frame)
-    return [*ordered, last]
+    if curve.extrapolation == 'CONSTANT' and _is_straight_beyond(curve, places):
+        start, end = max(first, places[0]), min(last, places[-1])
+    repeated = _repeated(curve, places, first, last)
+    return _rising(first, last, {*_whole(start, end), *places, *_halves(places), *repeated})
 
 
 def rate(curve, frame):
@@ -82,15 +87,148 @@ def rate(curve, frame):
     return (curve.evaluate(frame + STEP) - curve.evaluate(frame - STEP)) / (2.0 * STEP)
 
 
-def _repeated(curve, keys, first, last):
-    """Frames at which a Cycles modifier meets a key again."""
-    if len(keys) < 2 or not any(modifier.type == 'CYCLES' and not modifier.mute for modifier in curve.modifiers):
+class _Laps:
+    """Integral of an F-curve that nothing but a Cycles modifier changes, from its first key on."""
+
+    def __init__(self, curve, places, cycles):
+        self._curve, self._places, self._cycles = curve, places, cycles
+        self._first, self._last = places[0], places[-1]
+        self._period = self._last - self._first
+        self._lap = self._within(self._first, self._last)
+
+    def until(self, frame):
+        """From the first key to a frame, which may lie before it."""
+        if frame < self._first:
+            return -self._beyond(self._first - frame, -1.0, self._cycles.mode_before, self._cycles.cycles_before)
+        if frame > self._last:
+            beyond = self._beyond(frame - self._last, 1.0, self._cycles.mode_after, self._cycles.cycles_after)
+            return self._lap + beyond
+        return self._within(self._first, frame)
+
+    def _beyond(self, distance, side, mode, count):
+        """Over a distance from the first key back (side -1) or from the last one on (side 1)."""
+        cyclic = 0.0 if mode == 'NONE' else min(distance, count * self._period) if count else distance
+        laps = math.floor(cyclic / self._period)
+        rest = min(max(cyclic - laps * self._period, 0.0), self._period)
+        # Mirrored, every other lap begins where the one before has ended.
+        from_first = (side > 0.0) != (mode == 'MIRROR' and laps % 2 == 0)
+        if from_first:
+            part = self._within(self._first, self._first + rest)
+        else:
+            part = self._within(self._last - rest, self._last)
+        total = laps * self._lap + part
+        if mode == 'REPEAT_OFFSET':
+            keys = self._curve.keyframe_points
+            rise = side * (keys[-1].co[1] - keys[0].co[1])
+            total += rise * (0.5 * laps * (laps + 1.0) * self._period + (laps + 1.0) * rest)
+        if distance > cyclic:
+            edge = self._last if side > 0.0 else self._first
+            total += _integral(self._curve, sorted((edge + side * cyclic, edge + side * distance)))
+        return total
+
+    def _within(self, first, last):
+        return _integral(self._curve, _pieces(self._curve, self._places, first, last)) if last > first else 0.0
+
+
+def _integral(curve, edges):
+    """Over the pieces between rising frames."""
+    widths = np.diff(edges)[:, None]
+    values = list(map(curve.evaluate, _nodes(edges).tolist()))
+    parts = np.array(values) * (widths * np.array(WEIGHTS)).ravel()
+    # fsum: rounded once, so that the same samples give the same bits in every process.
+    return math.fsum(parts.tolist())
+
+
+def _nodes(edges):
+    """Where the F-curve is read for the pieces between rising frames."""
+    edges = np.array(edges)
+    return (edges[:-1, None] + np.diff(edges)[:, None] * np.array(NODES)).ravel()
+
+
+def _pieces(curve, places, first, last):
+    """Rising frames from `first` to `last`, between which a piece of the integral lies."""
+    inner = {*places, *_halves(places)}
+    most = max(LEAST, MOST // len(places))
+    for place, following in zip(places, places[1:]):
+        if place < last and following > first:
+            step = max(1, math.ceil((following - place) / most))
+            start = math.ceil(max(first, place) / step) * step
+            inner.update(map(float, range(start, math.floor(min(last, following)) + 1, step)))
+    if not _is_straight_beyond(curve, places):
+        inner.update(_away(math.ceil(places[0]), -1.0, places[0] - first))
+        inner.update(_away(math.floor(places[-1]), 1.0, last - places[-1]))
+        inner.update(_repeated(curve, places, first, last))
+    return _rising(first, last, inner)
+
+
+def _away(start, side, distance):
+    """Whole frames from `start` away to one side: every one at first, then ever fewer."""
+    reached, step = 0, 1
+    while reached < min(distance, FARTHEST):
+        yield start + side * reached
+        reached += step
+        if reached >= NEAR and reached & (reached - 1) == 0:
+            step = reached // OCTAVE
+
+
+def _whole(first, last):
+    """Whole frames, or every so many-th where they would be too many."""
+    step = max(1, math.ceil((last - first) / MOST))
+    return map(float, range(math.ceil(first / step) * step, math.floor(last) + 1, step))
+
+
+def _halves(places):
+    """The middles between keys that are near each other."""
+    return [0.5 * (place + following) for place, following in zip(places, places[1:]) if following - place < SHORT]
+
+
+def _rising(first, last, inner):
+    ordered = [first]
+    for frame in sorted(inner):
+        if ordered[-1] + CLOSE < frame < last - CLOSE:
+            ordered.append(frame)
+    return [*ordered, last]
+
+
+def _places(curve):
+    """Frames of the keys; of the first and the last sample where it was made of samples; one at least."""
+    points = curve.keyframe_points
+    if len(points) == 0 and len(curve.sampled_points) > 0:
+        points = [curve.sampled_points[0], curve.sampled_points[-1]]
+    return [point.co[0] for point in points] or [0.0]
+
+
+def _modifiers(curve, places):
+    """The modifiers that change the value."""
+    has_period = len(curve.keyframe_points) > 1 and places[-1] - places[0] > CLOSE
+    return [modifier for modifier in curve.modifiers if not modifier.mute and (has_period or modifier.type != 'CYCLES')]
+
+
+def _is_straight_beyond(curve, places):
+    """Whether the F-curve is a straight line before its first and after its last key."""
+    return not _modifiers(curve, places)
+
+
+def _cycles(curve, places):
+    """The Cycles modifier, where it alone changes the value, at all times; else None."""
+    modifiers = _modifiers(curve, places)
+    if len(modifiers) != 1 or modifiers[0].type != 'CYCLES':
+        return None
+    cycles = modifiers[0]
+    return None if cycles.use_restricted_range or cycles.use_influence else cycles
+
+
+def _repeated(curve, places, first, last):
+    """Frames near the keys at which a Cycles modifier meets a key again; none where they are too many."""
+    if all(modifier.type != 'CYCLES' for modifier in _modifiers(curve, places)):
         return []
-    period = keys[-1] - keys[0]
-    laps = range(math.floor((first - keys[-1]) / period), math.ceil((last - keys[0]) / period) + 1)
+    period = places[-1] - places[0]
     # Those of a mirrored lap as well.
-    places = {*keys, *(keys[0] + keys[-1] - key for key in keys)}
-    return [place + lap * period for lap in laps for place in places]
+    within = {*places, *(places[0] + places[-1] - place for place in places)}
+    laps = range(math.floor((first - places[-1]) / period), math.ceil((last - places[0]) / period) + 1)
+    if len(laps) * len(within) > MOST:
+        return []
+    return [place + lap * period for lap in laps for place in within]
 
 
 def _animates(strip, path):

@@ -19,10 +19,9 @@ FRACTION_IN_STRIPS = Problem(
 NOT_FINITE = Problem("A setting is not a finite number")
 PROBLEMS = (NO_PINS, SAME_FRAME, DRIVEN_SPEED, SPEED_IN_STRIPS, FRACTION_IN_STRIPS, NOT_FINITE)
 
-REPEATING = {'LOOP', 'PING_PONG'}
+AFTER_EASE = {'CLAMP': "rest", 'EXTRAPOLATE': "go_on", 'LOOP': "repeat", 'PING_PONG': "repeat"}
 SHORTEST = 1e-6  # s; keys and drivers can pass the setting's own limits
 INFINITE = 3.4e38  # what Blender makes of infinity lies above
-JUMP = 1e-9  # of the duration: how fast the speed jumps where there is no ease
 
 
 @dataclass(frozen=True)
@@ -43,14 +42,14 @@ class Motion:
         return self.timing.speed(self.time)
 
 
-def motion(context, numbers, length, with_past):
+def motion(context, numbers, length, past):
     """The Motion at the context's frame, or a blocking Problem.
 
-    with_past: the timing is right from the start on, which a lag and the overlay need; else only at the present time.
+    past: for how many seconds before the present time the timing has to be right, which a lag and the overlay need.
     """
     if not all(map(is_finite, numbers.values())):
         return NOT_FINITE
-    return _BY_TIMING[context.settings.timing](context, numbers, length, with_past)
+    return _BY_TIMING[context.settings.timing](context, numbers, length, past)
 
 
 def is_finite(value):
@@ -62,36 +61,15 @@ def _since_start(context, numbers):
     return max(0.0, (context.frame - numbers["start_frame"]) / context.fps)
 
 
-def _by_duration(context, numbers, length, with_past):
+def _by_duration(context, numbers, length, _past):
     duration = max(numbers["duration"], SHORTEST)
     ease_in = min(max(numbers["ease_in"], 0.0), 1.0)
     ease_out = min(max(numbers["ease_out"], 0.0), 1.0 - ease_in)
-    time = _since_start(context, numbers)
-    repeats = context.settings.extend in REPEATING
-    if time <= duration or not (repeats or context.settings.extend == 'EXTRAPOLATE'):
-        return Motion(native.module.Timing.eased(duration, length, ease_in, ease_out), time)
-    if repeats and not with_past:
-        laps = math.floor(time / duration)
-        timing = native.module.Timing.eased(duration, length, ease_in, ease_out)
-        return Motion(timing, time - laps * duration, laps * length)
-    # One history over all laps; after the last sample the speed holds.
-    laps = math.floor(time / duration) + 1 if repeats else 1
-    return Motion(_eased_laps(duration, length, ease_in, ease_out, laps, repeats), time)
+    after = AFTER_EASE[context.settings.extend]
+    return Motion(native.module.Timing.eased(duration, length, ease_in, ease_out, after), _since_start(context, numbers))
 
 
-def _eased_laps(duration, length, ease_in, ease_out, laps, repeats):
-    """Timing of eased laps one after another; else one lap, and on at the speed that it ends with."""
-    cruise = length / duration / (1.0 - 0.5 * (ease_in + ease_out))
-    joint = 0.0 if ease_in or ease_out else cruise
-    last = joint if repeats else 0.0 if ease_out else cruise
-    lap = np.array([0.0, max(ease_in, JUMP), 1.0 - max(ease_out, JUMP)])
-    fractions = np.append(np.add.outer(np.arange(laps), lap).ravel(), laps)
-    speeds = np.append(np.tile([joint, cruise, cruise], laps), last)
-    times, first = np.unique(fractions * duration, return_index=True)
-    return native.module.Timing.speeds(times, speeds[first])
-
-
-def _by_speed(context, numbers, _length, with_past):
+def _by_speed(context, numbers, _length, past):
     settings, owner = context.settings, context.owner
     curve, unknown = keyed.find(owner, settings, "speed"), None
     if keyed.is_driven(owner, settings, "speed"):
@@ -105,16 +83,18 @@ def _by_speed(context, numbers, _length, with_past):
     now = max(start, context.frame)
     if now == start:
         return Motion(native.module.Timing.constant(curve.evaluate(start)), 0.0)
-    past = keyed.samples(curve, start, now)
-    distance = past.integral / context.fps
-    if not with_past:
-        return Motion(native.module.Timing.constant(past.values[-1]), 0.0, distance)
-    times = (np.array(past.frames) - start) / context.fps
-    timing = native.module.Timing.speeds(times, past.values)
+    distance = keyed.integral(curve, start, now) / context.fps
+    if not is_finite(distance):
+        return NOT_FINITE
+    if not past:
+        return Motion(native.module.Timing.constant(curve.evaluate(now)), 0.0, distance)
+    frames, speeds = keyed.samples(curve, max(start, now - past * context.fps), now)
+    times = (np.array(frames) - start) / context.fps
+    timing = native.module.Timing.speeds(times, speeds)
     return Motion(timing, times[-1], distance - timing.distance(times[-1]))
 
 
-def _by_pins(context, _numbers, length, _with_past):
+def _by_pins(context, _numbers, length, _past):
     settings = context.settings
     if not settings.pins:
         return NO_PINS
@@ -129,20 +109,22 @@ def _by_pins(context, _numbers, length, _with_past):
     return Motion(timing, context.frame / context.fps, problem=problem)
 
 
-def _by_hand(context, numbers, length, with_past):
+def _by_hand(context, numbers, length, past):
     settings, owner = context.settings, context.owner
     distance = numbers["distance_factor"] * length
     curve = keyed.find(owner, settings, "distance_factor")
     in_strips = keyed.is_in_strips(owner, settings, "distance_factor")
     if curve is None or in_strips:
         return Motion(native.module.Timing.constant(0.0), 0.0, distance, FRACTION_IN_STRIPS if in_strips else None)
-    if not with_past or len(curve.keyframe_points) == 0:
+    if not past or len(curve.keyframe_points) == 0:
         speed = keyed.rate(curve, context.frame) * length * context.fps
         return Motion(native.module.Timing.constant(speed), 0.0, distance)
     first = curve.keyframe_points[0].co[0]
     now = max(first, context.frame)
-    # To beyond the present frame, which then has neighbours on both sides, and the same ones until the next whole frame.
-    frames = keyed.bounds(curve, first, math.floor(now) + 2.0)
+    # To beyond the present frame, which then has neighbours on both sides, and the same ones until the next whole frame;
+    # and so at the other end.
+    oldest = max(first, math.floor(max(first, now - past * context.fps)) - 2.0)
+    frames = keyed.bounds(curve, oldest, math.floor(now) + 2.0)
     timing = native.module.Timing.pins(
         (np.array(frames) - first) / context.fps, [curve.evaluate(frame) * length for frame in frames])
     time = (now - first) / context.fps

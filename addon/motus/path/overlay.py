@@ -1,5 +1,7 @@
 """What the viewport shows of a path: the true curve coloured by speed, control polygon, tangents and frames."""
 
+import math
+
 from ..core import curves, native
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch
@@ -49,7 +51,7 @@ def _of_follower(scene, owner, depsgraph):
         return []
     numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
     last = Context(settings, owner, float(scene.frame_end), depsgraph, None, None)
-    moving = motion.motion(last, numbers, path.curve.length(), with_past=True)
+    moving = motion.motion(last, numbers, path.curve.length(), past=math.inf)
     if path.curve.length() == 0.0 or moving == motion.NOT_FINITE:
         return []
     speeds = _speed_profile(settings, moving, path.curve.length())

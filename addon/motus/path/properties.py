@@ -2,8 +2,7 @@
 
 import bpy
 
-from ..core import system
-from ..core.system import SystemSettings
+from ..core.settings import SystemSettings, rewire, touch
 
 ANIMATED = {'ANIMATABLE'}
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
@@ -48,12 +47,12 @@ PIN_UNITS = (
 def _touch(settings, context):
     # Operators have the same properties, and nothing to evaluate.
     if isinstance(settings, SystemSettings):
-        system.touch(settings, context)
+        touch(settings, context)
 
 
 def _rewire(settings, context):
     if isinstance(settings, SystemSettings):
-        system.rewire(settings, context)
+        rewire(settings, context)
 
 
 def _push_ease_out(settings, context):
@@ -143,11 +142,11 @@ def _is_curve(_settings, candidate):
 
 
 def _touch_owner(item, context):
-    system.touch(item.id_data.motus.path, context)
+    touch(item.id_data.motus.path, context)
 
 
 def _rewire_owner(item, context):
-    system.rewire(item.id_data.motus.path, context)
+    rewire(item.id_data.motus.path, context)
 
 
 class MOTUS_PG_path_pin(bpy.types.PropertyGroup):

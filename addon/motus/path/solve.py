@@ -35,7 +35,8 @@ def solve(context, matrix, splines, deformed, **numbers):
         path = curves.read(settings.curve, splines, context.depsgraph, int(numbers["spline"]), matrix)
     except curves.Unreadable as error:
         return error.problem
-    moving = motion.motion(context, numbers, path.curve.length(), with_past=numbers["lag_rate"] > 0.0)
+    past = native.module.LAG_MEMORY if numbers["lag_rate"] > 0.0 else 0.0
+    moving = motion.motion(context, numbers, path.curve.length(), past)
     if isinstance(moving, Problem):
         return moving
     offsets = context.member_data + (numbers["offset"] + moving.offset)

@@ -26,8 +26,8 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
 
     def execute(self, context):
         settings, name = context.scene.motus.pull, self.number.lower()
-        for _ in range(abs(self.steps)):
-            setattr(settings, name, notched(settings, name, self.steps > 0))
+        if self.steps:
+            setattr(settings, name, notched(settings, name, self.steps))
         for area in context.screen.areas if context.screen else ():
             if area.type == 'VIEW_3D':
                 area.tag_redraw()

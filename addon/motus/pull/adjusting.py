@@ -12,14 +12,17 @@ EDGE_PIXELS = 20.0
 LEAST = 1e-4
 NOTCH = 1.1
 """Factor for one notch of the wheel."""
+MOST_NOTCHES = 2000
+"""So many take the least number to the largest."""
 
 
-def notched(brush, name, up):
-    """The number after one notch of the wheel."""
+def notched(brush, name, notches):
+    """The number after so many notches of the wheel, downward where they are less than 0."""
     now = getattr(brush, name)
     if name == status.RADIUS and brush.distance == 'EDGES':
-        return max(round(now) + (1 if up else -1), 1.0)
-    return now * NOTCH if up else now / NOTCH
+        return max(round(now) + notches, 1.0)
+    factor = NOTCH ** min(abs(notches), MOST_NOTCHES)
+    return now * factor if notches > 0 else now / factor
 
 
 def typed(context, brush, name, number):

@@ -7,8 +7,9 @@ session runs.
 import logging
 
 import bpy
+from bpy.app.handlers import persistent
 
-from ..core import native
+from ..core import handlers, native
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.viewports import View
@@ -38,20 +39,35 @@ _failed = set()
 
 def register():
     """Start drawing."""
-    _handle.append(bpy.types.WindowManager.draw_cursor_add(_draw, (), 'VIEW_3D', 'WINDOW'))
+    handlers.add(_watchers())
+    _start()
 
 
 def unregister():
     """Stop drawing."""
+    handlers.remove(_watchers())
+    _stop()
+
+
+def _watchers():
+    return ((bpy.app.handlers.load_post, _renew),)
+
+
+def _start():
+    _handle.append(bpy.types.WindowManager.draw_cursor_add(_draw, (), 'VIEW_3D', 'WINDOW'))
+
+
+def _stop():
     _failed.clear()
     while _handle:
         bpy.types.WindowManager.draw_cursor_remove(_handle.pop())
 
 
-def renew():
-    """Blender forgets the cursors of add-ons when it opens a file."""
-    unregister()
-    register()
+@persistent
+def _renew(*_arguments):
+    # Blender forgets the cursors of add-ons when it opens a file.
+    _stop()
+    _start()
 
 
 def _draw(place):
@@ -88,7 +104,7 @@ def _draw_in(context, view, place):
         hit = session.pick(*view.ray(*place))
         color = SMOOTHING if pulling.is_stroking and pulling.is_smooth else DOWN if pulling.sign < 0.0 else UP
     if context.scene.motus.pull.show_inset:
-        inset.start(view.area)
+        inset.start()
     gpu.state.blend_set('ALPHA')
     scale = context.preferences.system.ui_scale
     if hit is None:

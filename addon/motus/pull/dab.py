@@ -13,6 +13,7 @@ from ..core.translations import tr
 from . import meshes
 from .brush import AXIS_INDEX, Space
 from .history import Done, History
+from .open_mesh import open_mesh
 from .properties import is_finite
 from .puller import Puller
 from .surface import Surface
@@ -46,7 +47,7 @@ class Session:
         if native.module is None:
             raise Refused(native.status.sentence)
         self.brush = brush
-        self.mesh = meshes.open_mesh(obj)
+        self.mesh = open_mesh(obj)
         self.object_name = obj.name
         depsgraph = context.evaluated_depsgraph_get()
         self.space = Space(obj.evaluated_get(depsgraph).matrix_world)
@@ -59,7 +60,7 @@ class Session:
 
     def begin_again(self, context, obj, brush):
         """What is there now becomes what the session began with; False where the mesh is not as the session left it."""
-        mesh = meshes.open_mesh(obj)
+        mesh = open_mesh(obj)
         depsgraph = context.evaluated_depsgraph_get()
         space = Space(obj.evaluated_get(depsgraph).matrix_world)
         is_same = obj.name == self.object_name and type(mesh) is type(self.mesh)

@@ -3,7 +3,9 @@
 import bpy
 
 from ..core.lazy import numpy as np
-from .properties import CURVE_SAMPLES
+
+CURVE_SAMPLES = 32
+"""Forces of the user's curve at equal steps from the radius to the root."""
 
 GROUP_NAME = ".Motus Falloff"
 NODE_TYPE = 'ShaderNodeFloatCurve'

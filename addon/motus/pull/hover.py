@@ -6,7 +6,7 @@ What is kept is dropped as soon as anything else than a stroke changes the objec
 import bpy
 from bpy.app.handlers import persistent
 
-from ..core import handlers
+from ..core import handlers, viewports
 from ..core.refusals import Refused
 from . import stage
 from .brush import Brush
@@ -109,10 +109,7 @@ def _read():
         return  # the wish stays, so that it is not tried with every movement
     drop()
     _kept.update(key=wanted["key"], session=made, object=obj.name, data=obj.data.name)
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type == 'VIEW_3D':
-                area.tag_redraw()
+    viewports.redraw()
 
 
 @persistent
@@ -133,10 +130,8 @@ def _on_change(*_arguments):
 
 @persistent
 def _on_load(*_arguments):
-    from . import cursor
     stage.clear()
     drop()
-    cursor.renew()
 
 
 def _watchers():

@@ -6,7 +6,7 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from ..core import capabilities, native
+from ..core import capabilities, native, viewports
 from . import drawing, hover, stage
 
 log = logging.getLogger(__name__)
@@ -35,11 +35,11 @@ _buffers = {}
 _failed = set()
 
 
-def start(area):
-    """Draw from now on, in this viewport and the others; does nothing the second time."""
+def start():
+    """Draw from now on; does nothing the second time. Called while the cursor is drawn, where a mark for redrawing is lost."""
     if not _handle:
         _handle.append(bpy.types.SpaceView3D.draw_handler_add(_draw, (), 'WINDOW', 'POST_PIXEL'))
-        area.tag_redraw()
+        bpy.app.timers.register(viewports.redraw)
 
 
 def stop():
@@ -159,4 +159,6 @@ def _buffer(width, height):
         if len(_buffers) >= 4:
             _buffers.pop(next(iter(_buffers))).free()
         _buffers[width, height] = gpu.types.GPUOffScreen(width, height)
+        # What is drawn after a buffer was made in the midst of drawing is not seen.
+        bpy.app.timers.register(viewports.redraw)
     return _buffers[width, height]

@@ -31,21 +31,6 @@ def problem(obj):
     return None
 
 
-def open_mesh(obj):
-    """What reads and writes the object's mesh in the mode it is in. Raises Refused where problem() has a sentence."""
-    sentence = problem(obj)
-    if sentence:
-        raise Refused(sentence)
-    if obj.mode == 'EDIT':
-        from . import mesh_edit
-        # What has been edited so far is in Blender's edit mesh alone; this puts it into the arrays.
-        obj.update_from_editmode()
-        if len(obj.data.vertices) == 0:
-            raise Refused(tr("{object} has no vertices").format(object=obj.name))
-        return mesh_edit.EditMesh(obj)
-    return ObjectMesh(obj)
-
-
 class ObjectMesh:
     """A mesh in Object or Sculpt Mode. With shape keys it is the active one that is read and written."""
 

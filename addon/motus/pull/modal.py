@@ -24,7 +24,7 @@ WHEEL = {'WHEELUPMOUSE': True, 'WHEELDOWNMOUSE': False}
 
 
 class PickPullModal:
-    """invoke(), modal() and cancel() of motus.pick_pull; execute() and what it needs are the operator's."""
+    """invoke(), modal() and cancel() of motus.pick_pull; execute(), start() and remember() are the operator's."""
 
     is_stroke: bpy.props.BoolProperty(
         name="Stroke", description="One stroke of the mouse, as the tool's keys do it", default=False,
@@ -88,11 +88,10 @@ class PickPullModal:
             return False
 
     def _open(self, context):
-        from . import operators  # which has this class as a base
         if not self.is_stroke:
             hover.drop()
-            return operators.start(self, context)
-        return hover.take(context) or operators.start(self, context)
+            return self.start(context)
+        return hover.take(context) or self.start(context)
 
     def _finish(self, context):
         session = self._pulling.session

@@ -7,6 +7,7 @@ from ..core.refusals import Refused
 from ..core.translations import tr
 from . import history, keywords, meshes, modal, properties
 from .dab import Session
+from .falloff_curve import CURVE_SAMPLES
 from .history import Done
 from .properties import BrushKeywords
 
@@ -31,7 +32,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
     curve: bpy.props.FloatVectorProperty(
         name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
                                   "without it, those of the scene's own curve",
-        size=properties.CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
+        size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     dabs: bpy.props.CollectionProperty(
         type=properties.MOTUS_PG_dab, name="Dabs", description="What was done with the mouse",
         options={'HIDDEN', 'SKIP_SAVE'})
@@ -51,6 +52,10 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
         if session.mesh.share_seen() == 0.0:
             self.report({'WARNING'}, meshes.not_seen(session.mesh.key))
         return {'FINISHED'}
+
+    def start(self, context):
+        """A Session by the keywords. Raises Refused."""
+        return start(self, context)
 
     def remember(self, context, session, with_dabs=True):
         """Keep what a session did: for Redo, and as the last pull of the scene."""

@@ -4,8 +4,7 @@ import re
 
 import bpy
 
-from ..core import actions
-from ..core.wiring import readers
+from ..core import actions, wiring
 
 _PATH = re.compile(r"^motus\.pull\.pins\[(?P<index>\d+)\](?P<rest>.*)$")
 _KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",
@@ -23,7 +22,7 @@ def reorder(owner, places, absent):
             _reorder(actions.curves_of(player), places)
     if owner.animation_data:
         _reorder(owner.animation_data.drivers, places)
-    for _, _, variable, index in readers.targets_on({owner}):
+    for _, _, variable, index in wiring.targets_on({owner}):
         target = variable.targets[index]
         match = _PATH.match(target.data_path)
         if match:

@@ -9,7 +9,8 @@ from . import history, keywords
 from . import mesh_arrays as arrays
 from . import pins_setup as setup
 from . import pins_targets as targets
-from .properties import CURVE_SAMPLES, BrushKeywords
+from .falloff_curve import CURVE_SAMPLES
+from .properties import BrushKeywords
 
 AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
 DIRECTIONS = (

@@ -2,9 +2,9 @@
 
 import bpy
 
-from ..core import system
-from ..core.system import SystemSettings
-from .properties import AXES, CURVE_SAMPLES, DISTANCES, FALLOFFS
+from ..core.settings import SystemSettings, touch
+from .falloff_curve import CURVE_SAMPLES
+from .properties import AXES, DISTANCES, FALLOFFS
 
 ANIMATED = {'ANIMATABLE'}
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
@@ -13,7 +13,7 @@ UNIT_METRIC = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
 
 
 def _touch_owner(item, context):
-    system.touch(item.id_data.motus.pull, context)
+    touch(item.id_data.motus.pull, context)
 
 
 def _number(name, description, default, animated=False, **options):
@@ -81,7 +81,7 @@ class MOTUS_PG_pull(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
         name="Influence", description="How much all pins together move the mesh", default=1.0, min=0.0, max=1.0,
         subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE,
-        update=lambda settings, context: system.touch(settings, context))
+        update=touch)
     pins: bpy.props.CollectionProperty(type=MOTUS_PG_pin, name="Pins", override=EXTENDABLE)
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set(), override=OVERRIDABLE)
 

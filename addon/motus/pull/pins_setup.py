@@ -7,7 +7,6 @@ from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.system import forget
 from ..core.translations import tr
-from ..core.wiring import readers
 from . import mesh_arrays as arrays
 from . import pins_binding as binding
 from . import pins_keys as keys
@@ -139,7 +138,7 @@ def settle(obj):
 
 def _follow(obj, order):
     # A pin's number may soon be another's: who reads a pin that is gone reads what is never there, and Blender says so.
-    keys.reorder(obj, {old: new for new, old in enumerate(order)}, readers.absent_path(system(), "removed pin"))
+    keys.reorder(obj, {old: new for new, old in enumerate(order)}, wiring.absent_path(system(), "removed pin"))
 
 
 def _pins_of_mesh(mesh, but=None):

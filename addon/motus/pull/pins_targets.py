@@ -6,6 +6,7 @@ from ..core.translations import tr
 from . import mesh_arrays as arrays
 from . import meshes
 from .brush import AXIS_INDEX, Brush, Space, unit
+from .open_mesh import open_mesh
 from .properties import KEYWORDS
 
 PULL_SETTINGS = ("radius", "falloff", "scale_factor", "distance", "mirror", "vertex_group")
@@ -85,7 +86,7 @@ def take_back(shapes, obj):
 
     shapes: (object's name, before, after), or None. Refuses where the mesh has another shape than that after it.
     """
-    mesh = meshes.open_mesh(obj)
+    mesh = open_mesh(obj)
     _, before, after = shapes if shapes and shapes[0] == obj.name else (None, None, None)
     if after is None or not np.array_equal(mesh.positions(), after):
         raise Refused(tr("The mesh has changed since the last pull, so that it cannot be taken out of it"))

@@ -2,8 +2,9 @@
 
 import bpy
 
-CURVE_SAMPLES = 32
-"""Forces of the user's curve at equal steps from the radius to the root."""
+from ..core import viewports
+from . import falloff_curve
+from .falloff_curve import CURVE_SAMPLES
 
 LARGEST = 1e18
 """Its square is just within single precision."""
@@ -88,7 +89,6 @@ KEYWORDS = tuple(BrushKeywords.__annotations__)
 def _ensure_curve(settings):
     # Only the brush keeps a curve; the operator has the same property.
     if isinstance(settings, MOTUS_PG_brush) and settings.falloff == 'CURVE':
-        from . import falloff_curve
         falloff_curve.ensure(settings)
 
 
@@ -135,7 +135,7 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
         name="Size Pressure", description="The pen's pressure sets the radius", default=False, options=set())
     show_inset: bpy.props.BoolProperty(
         name="Inset View", description="Show a perspective view in the corner while pulling", default=False,
-        options=set())
+        options=set(), update=lambda _brush, _context: viewports.redraw())
     last: bpy.props.PointerProperty(
         type=MOTUS_PG_pull_record, name="Last Pull", description="What was pulled last")
 

@@ -60,7 +60,7 @@ class Pulling:
 
     def turn_wheel(self, context, name, up):
         """One notch of the wheel for radius or strength."""
-        self.set(context, name, notched(self.brush, name, up))
+        self.set(context, name, notched(self.brush, name, 1 if up else -1))
 
     def type_strength(self, context, kind):
         """A key for the number that is typed; False where it is none."""

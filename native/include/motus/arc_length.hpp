@@ -72,7 +72,7 @@ class ArcLength {
 /// end.
 [[nodiscard]] glm::dvec3 position_at_length(const ArcLength& path, double s, Extend extend = Extend::clamp);
 
-/// The same for many distances; out.size() == s.size(). Allocates nothing.
+/// The same for many distances. Allocates nothing. Throws std::invalid_argument where the sizes differ.
 void positions_at_length(const ArcLength& path, std::span<const double> s, Extend extend,
                          std::span<glm::dvec3> out);
 

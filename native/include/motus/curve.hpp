@@ -3,7 +3,9 @@
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "motus/extend.hpp"
@@ -17,7 +19,8 @@ inline constexpr int max_degree = 64;
 /// refused as those that are not finite.
 inline constexpr double coordinate_limit = 1e100;
 
-/// A chain of Bézier segments of one degree. Value type; any space, any unit of length.
+/// A chain of Bézier segments of one degree. Any space, any unit of length. An immutable value: copies share
+/// the control points, and to move one is to copy it.
 ///
 /// The parameter t runs over [0, segment_count()]: segment i covers [i, i + 1]. Every segment owns its degree
 /// + 1 control points, so that neighbours may also be apart (several splines ridden as one path).
@@ -41,15 +44,25 @@ class Curve {
     [[nodiscard]] static Curve chain(int degree, std::span<const glm::dvec3> control_points, bool cyclic);
 
     [[nodiscard]] int degree() const noexcept { return degree_; }
-    [[nodiscard]] std::size_t segment_count() const noexcept { return points_.size() / segment_size(); }
+    [[nodiscard]] std::size_t segment_count() const noexcept { return points_->size() / segment_size(); }
     [[nodiscard]] bool cyclic() const noexcept { return cyclic_; }
     /// All control points, segment by segment.
-    [[nodiscard]] std::span<const glm::dvec3> control_points() const noexcept { return points_; }
+    [[nodiscard]] std::span<const glm::dvec3> control_points() const noexcept { return *points_; }
     [[nodiscard]] std::span<const glm::dvec3> segment(std::size_t index) const noexcept {
         return control_points().subspan(index * segment_size(), segment_size());
     }
 
-    [[nodiscard]] friend bool operator==(const Curve&, const Curve&) = default;
+    [[nodiscard]] friend bool operator==(const Curve& a, const Curve& b) noexcept {
+        return a.degree_ == b.degree_ && a.cyclic_ == b.cyclic_ &&
+               (a.points_ == b.points_ || *a.points_ == *b.points_);
+    }
+
+    ~Curve() = default;
+    Curve(const Curve&) noexcept = default;
+    Curve& operator=(const Curve&) noexcept = default;
+    // What is moved from stays the curve that it was.
+    Curve(Curve&& other) noexcept : Curve(std::as_const(other)) {}
+    Curve& operator=(Curve&& other) noexcept { return *this = std::as_const(other); }
 
   private:
     Curve(int degree, std::vector<glm::dvec3> points, bool cyclic);
@@ -57,7 +70,7 @@ class Curve {
 
     int degree_ = 1;
     bool cyclic_ = false;
-    std::vector<glm::dvec3> points_;
+    std::shared_ptr<const std::vector<glm::dvec3>> points_;  ///< never null
 };
 
 /// Segment and parameter in it (0 to 1) of a parameter of the curve (clamped).

@@ -47,22 +47,22 @@ struct LimitedChain {
 /// bends, and one between two ways in which narrow limits make a chain give way. Other starts are tried only
 /// where that does not reach; of equal residuals the earlier start's is kept. settings.plane: normal that a
 /// straight pose bends in, turned with its line from root to tip to the target's. settings.max_iterations is
-/// for each start (thrice with an orientation); the report counts all. Reason: reached, limit (within reach
-/// of the bones' lengths, but not of the limits), iterations, too_far or too_near. Deterministic; never NaN;
-/// allocates nothing. Lengths and coordinates as for solve_chain. Sizes other than stated:
-/// std::invalid_argument.
+/// for each start (thrice with an orientation, and once more without it where that leaves a target that can
+/// be reached); the report counts all. Reason: reached, limit (within reach of the bones' lengths, but not of
+/// the limits), iterations, too_far or too_near. Deterministic; never NaN; allocates nothing. Lengths and
+/// coordinates as for solve_chain. Sizes other than stated: std::invalid_argument.
 ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& target,
                                 const ChainSettings& settings, std::span<glm::dquat> rotations,
                                 const std::optional<glm::dquat>& orientation = std::nullopt);
 
-/// Joints of a chain: joints.size() == offsets.size() + 1.
+/// Joints of a chain: joints.size() == offsets.size() + 1, else std::invalid_argument; limits are not read.
 void chain_joints(const LimitedChain& chain, std::span<const glm::dquat> rotations,
                   std::span<glm::dvec3> joints);
 
 /// Frames, +Y along the bones, of a chain of which only joints are known: frames.size() == joints.size() - 1
-/// >= 1. The first by the smallest rotation from +Y to its bone, each other one by the smallest from bone to
-/// bone, half a turn about X at opposites. A bone without length has the frame of the one before it (the
-/// first: the identity).
+/// >= 1, else std::invalid_argument. The first by the smallest rotation from +Y to its bone, each other one
+/// by the smallest from bone to bone, half a turn about X at opposites. A bone without length has the frame
+/// of the one before it (the first: the identity).
 void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frames);
 
 }  // namespace motus

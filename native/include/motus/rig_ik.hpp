@@ -65,7 +65,8 @@ struct IkReport {
     glm::dvec3 tip{0.0};    ///< world
 };
 
-/// Which bones of a rig are chains, and where the results of each bone go. Immutable.
+/// Which bones of a rig are chains, and where the results of each bone go. Immutable. A copy is the same
+/// plan; one made anew is another, even of the same bones.
 class IkPlan {
   public:
     /// std::invalid_argument, with the argument's name, for bones that do not exist or do not hang together.
@@ -82,6 +83,8 @@ class IkPlan {
     /// Bones of all chains together: the first rows.
     [[nodiscard]] std::size_t chain_bone_count() const noexcept { return chain_bone_count_; }
     [[nodiscard]] std::size_t longest_chain() const noexcept { return longest_chain_; }
+    /// What the plan and its copies have in common, and no other plan has.
+    [[nodiscard]] const std::shared_ptr<const void>& identity() const noexcept { return identity_; }
 
     /// A bone that hangs on a chain, and where its result goes.
     struct Hanging {
@@ -123,6 +126,7 @@ class IkPlan {
     std::vector<unsigned char> is_absolute_;
     std::size_t chain_bone_count_ = 0;
     std::size_t longest_chain_ = 0;
+    std::shared_ptr<const void> identity_ = std::make_shared<const char>();
 };
 
 struct RestBone;
@@ -134,13 +138,15 @@ class IkRest {
   public:
     IkRest() = default;  // of no plan
     /// Reads neither poses nor basis. Numbers that are not finite are allowed. std::invalid_argument where
-    /// the rig's arrays do not have the plan's number of bones.
+    /// the rig's parents are not the plan's, or its arrays do not have as many bones.
     IkRest(const IkPlan& plan, const RigView& rig);
 
     /// In the order of the plan's rows.
     [[nodiscard]] std::span<const RestBone> rows() const noexcept;
+    [[nodiscard]] bool is_of(const IkPlan& plan) const noexcept { return plan_ == plan.identity(); }
 
   private:
+    std::shared_ptr<const void> plan_;  ///< its identity
     std::shared_ptr<const std::vector<RestBone>> rows_;
 };
 
@@ -154,6 +160,7 @@ class IkBones {
 
     /// In the order of the plan's rows.
     [[nodiscard]] std::span<const AnimatedBone> rows() const noexcept;
+    [[nodiscard]] bool is_of(const IkPlan& plan) const noexcept { return rest_.is_of(plan); }
 
   private:
     IkRest rest_;

@@ -67,7 +67,7 @@ class LookAtPlan {
     /// animated one (rotation of PoseBone.matrix_basis * result), w >= 0. Without a turn (weight 0, off,
     /// target at the head itself, input not finite) exactly the identity. world: the rig's matrix_world.
     /// RigView::lengths is not read. Allocates nothing; every result is finite. Throws std::invalid_argument
-    /// where a span has another size.
+    /// where a span has another size, or the rig's parents are not the plan's.
     void solve(const RigView& rig, const glm::dmat4& world, std::span<const LookAtInput> inputs,
                std::span<glm::dquat> rotations, std::span<LookAtReport> reports) const;
 

@@ -7,10 +7,11 @@ detached here. See docs/architecture.md for the way of the data and docs/gotchas
 from .attaching import attach, detach, is_attached, refresh, touch
 from .geometry_sink import place as points_place
 from .outbox import output, output_path, outputs_of, problem
+from .readers import absent_path, targets_on
 from .sinks import has_sinks, release, set_muted, sinks
 from .solver import register, unregister
 
 __all__ = (
-    "attach", "detach", "has_sinks", "is_attached", "output", "output_path", "outputs_of", "points_place", "problem",
-    "refresh", "register", "release", "set_muted", "sinks", "touch", "unregister",
+    "absent_path", "attach", "detach", "has_sinks", "is_attached", "output", "output_path", "outputs_of", "points_place",
+    "problem", "refresh", "register", "release", "set_muted", "sinks", "targets_on", "touch", "unregister",
 )

@@ -5,7 +5,7 @@ import bpy
 from .. import actions, copies
 from ..system import drop_dead_copy, groups_of, of_owner, registered
 from . import (
-    anchor, attribute_sink, carriers, drivers, geometry_sink, healing, limit_sink, order, outbox, override_drivers,
+    anchor, attribute_sink, carriers, drivers, geometry_sink, limit_sink, order, outbox, override_drivers,
     overrides, proxy_sink, readers, solver_driver)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
@@ -203,7 +203,7 @@ def is_attached(system, owner):
 
 def touch(system, owner):
     """Let Blender evaluate the system again after a change of settings from Python."""
-    if healing.has_strange_carriers(system, owner):
+    if carriers.has_strange_carriers(system, owner):
         refresh(system, owner)  # a copy, which was driven along with the first one until now
     elif not _tag(system, owner):
         refresh(system, owner)  # a member was deleted since

@@ -6,7 +6,7 @@ import bpy
 
 from .. import capabilities
 from ..system import groups_of, of_owner, registered
-from . import drivers, healing, outbox
+from . import drivers, outbox, proxy_sink
 
 OWN, HUB, ATTRIBUTE, POINTS = "own", "hub", "attribute", "points"
 OURS = "motus_"
@@ -36,7 +36,7 @@ def _want_hubs(system, owner, groups):
     make a loop where they read each other's bones.
     """
     systems = [one for one in registered.values() if one.groups is not None and not one.moves_points]
-    if _drives_itself(owner) or any(healing.has_driven_settings(owner, of_owner(one, owner)) for one in systems):
+    if _drives_itself(owner) or any(drivers.has_driven_settings(owner, of_owner(one, owner)) for one in systems):
         return True
     if not capabilities.has_geometry_attribute_constraint():
         return False
@@ -61,6 +61,12 @@ def drives_driven(owner, group):
     """Whether drivers of the owner set the own channels of one of its bones that the group drives."""
     driven = drivers.driven_bones(owner)
     return any(member.thing.name in driven for member in group.members)
+
+
+def has_strange_carriers(system, owner):
+    """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
+    return outbox.has_strange_hubs(system, owner) or (
+        system.groups is not None and proxy_sink.has_strange_proxies(owner))
 
 
 def make_hub(system, owner, group):

@@ -19,7 +19,9 @@ from bpy.app.handlers import persistent
 
 from .. import deleted, handlers, native
 from ..system import of_owner, registered
-from . import anchor, geometry_sink, outbox, overrides, proxy_sink, relations, sinks
+from . import anchor, attaching, carriers, drivers, geometry_sink, outbox, overrides, relations
+from .sinks import has_sinks, makers, release
+from .solver_driver import waits
 
 log = logging.getLogger(__name__)
 
@@ -69,19 +71,6 @@ def ask_to_settle(system, owner):
         _unsettled.add((system.name, owner.name))
 
 
-def has_driven_settings(owner, settings):
-    """Whether a driver of the owner sets one of the settings."""
-    prefix = settings.path_from_id() + "."
-    animation = owner.animation_data
-    return animation is not None and any(curve.data_path.startswith(prefix) for curve in animation.drivers)
-
-
-def has_strange_carriers(system, owner):
-    """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
-    return outbox.has_strange_hubs(system, owner) or (
-        system.groups is not None and proxy_sink.has_strange_proxies(owner))
-
-
 @persistent
 def _heal_after_frame(_scene=None, depsgraph=None):
     _heal(depsgraph=depsgraph, is_edit=False)
@@ -113,7 +102,6 @@ def _try(heal):
 
 
 def _heal_driven():
-    from . import attaching
     while _asked:
         name, owner_name = _asked.pop()
         owner = bpy.data.objects.get((owner_name, None))
@@ -125,12 +113,11 @@ def _heal_driven():
             continue
         if system.groups is not None:
             attaching.refresh_changed(system, owner)
-        elif has_driven_settings(owner, of_owner(system, owner)) and not _is_direct(owner):
+        elif drivers.has_driven_settings(owner, of_owner(system, owner)) and not _is_direct(owner):
             attaching.refresh(system, owner)
 
 
 def _heal_meshes():
-    from . import attaching
     for place in list(_watched):
         system, owner = _find(*place)
         if owner is None:
@@ -160,13 +147,12 @@ def _heal_copies():
     if count == _object_count[0]:
         return
     relations.look()
-    from . import attaching
     for system, owner in _attached():
         place = system.name, owner.name
-        if place in _given_up or not has_strange_carriers(system, owner):
+        if place in _given_up or not carriers.has_strange_carriers(system, owner):
             continue
         attaching.refresh(system, owner)
-        if has_strange_carriers(system, owner):
+        if carriers.has_strange_carriers(system, owner):
             _given_up.add(place)
     _object_count[0] = len(bpy.data.objects)
 
@@ -178,7 +164,6 @@ def _attached():
 
 
 def _heal_overrides():
-    from . import attaching
     overrides.forget()
     if native.module is None or not any(obj.override_library and not obj.library for obj in bpy.data.objects):
         return
@@ -196,12 +181,11 @@ def _release_overrides():
         for system in registered.values():
             settings = of_owner(system, obj)
             if settings.is_released and not settings.is_active:
-                sinks.release(system, obj)
+                release(system, obj)
                 overrides.unmark(system, obj)
 
 
 def _heal_edited(depsgraph):
-    from . import attaching
     edited = [update.id.original for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
     edited = {armature for armature in edited if not armature.is_editmode}
     _heal_joined({armature for armature in edited if _bone_counts.get(_key(armature)) != len(armature.bones)})
@@ -223,9 +207,9 @@ def _heal_joined(grown):
         has_settings = obj.is_property_set("motus")
         for system in registered.values():
             is_wired = has_settings and of_owner(system, obj).is_active
-            if system.groups is not None and not is_wired and sinks.has_sinks(system, obj):
-                joined = [rig for rig in sinks.makers(system, obj) if not rig.users_collection]
-                sinks.release(system, obj)
+            if system.groups is not None and not is_wired and has_sinks(system, obj):
+                joined = [rig for rig in makers(system, obj) if not rig.users_collection]
+                release(system, obj)
                 for rig in joined:
                     _discard(rig)
         if not has_settings:
@@ -248,7 +232,6 @@ def _key(datablock):
 
 def _armatures(system, owner):
     """The data of the owner and of all objects that it reads."""
-    from .solver_driver import waits
     read = [pair[0] for key, _ in outbox.carriers(system, owner) for pair in waits(system, owner, key)]
     return {owner.data, *(obj.data for obj in read if obj)}
 
@@ -286,7 +269,6 @@ def _updated(_scene=None, depsgraph=None):
 
 
 def _heal_order(depsgraph):
-    from . import attaching
     if not relations.have_changed(depsgraph):
         return
     for system, owner in _attached():

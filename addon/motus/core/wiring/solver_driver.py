@@ -3,7 +3,7 @@
 import bpy
 
 from ..system import BonesOwn, Setting, Transform, Variable, input_variables, of_owner
-from . import drivers, healing, outbox, waiting
+from . import drivers, outbox, waiting
 
 
 def add(system, owner, group, carrier):
@@ -21,7 +21,7 @@ def add(system, owner, group, carrier):
 def direct(system, owner, group):
     """(expression with {slot}, variables) where the sinks of an owner are to compute for themselves; else None."""
     settings = of_owner(system, owner)
-    if not settings.use_direct_drivers and (system.groups or not healing.has_driven_settings(owner, settings)):
+    if not settings.use_direct_drivers and (system.groups or not drivers.has_driven_settings(owner, settings)):
         return None
     expression, variables = _call(system, owner, group, with_settings=True)
     return f'motus_direct(self,"{_name(system, group)}",{{slot}},frame,depsgraph{expression})', variables

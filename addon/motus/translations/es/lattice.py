@@ -87,6 +87,7 @@ INTERFACE = {
     "Where the lattice deforms one object only, let it move along as the object's child":
         "Si la jaula deforma un solo objeto, deja que se mueva con él como su hija",
     "Which way the lattice's axes point": "Hacia dónde apuntan los ejes de la jaula",
+    "At most {count} vertices can be held": "Se pueden retener {count} vértices como máximo",
     "{keyword} is not a list of whole numbers": "{keyword} no es una lista de números enteros",
     "{lattice} deforms {objects}": "{lattice} deforma {objects}",
     "{modifier} of {object} cannot be applied: {error}": "{modifier} de {object} no se puede aplicar: {error}",

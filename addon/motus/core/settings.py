@@ -1,0 +1,68 @@
+"""What every system's settings have, and what happens when they are edited."""
+
+import bpy
+
+from . import wiring
+from .system import registered
+
+
+def _system_of(settings):
+    """The system of a group of settings, or of one within it, such as an entry of a list."""
+    return registered[settings.path_from_id().split(".")[1].partition("[")[0]]
+
+
+def rewire(settings, _context):
+    """`update` of a property whose change needs other drivers or sinks (targets, members, channels)."""
+    wiring.refresh(_system_of(settings), settings.id_data)
+
+
+def touch(settings, _context):
+    """`update` of a property whose change only needs a new evaluation."""
+    system = _system_of(settings)
+    if wiring.is_attached(system, settings.id_data):
+        wiring.touch(system, settings.id_data)
+
+
+class MOTUS_PG_helper(bpy.types.PropertyGroup):
+    """A hidden object that the wiring has made."""
+
+    object: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Object", description="Hidden object that works for this one",
+        override={'LIBRARY_OVERRIDABLE'})
+
+
+class SystemSettings:
+    """Mixin for every system's PropertyGroup: what the wiring itself keeps with the owner."""
+
+    is_active: bpy.props.BoolProperty(
+        name="Active", description="This system drives the object", options=set(),
+        override={'LIBRARY_OVERRIDABLE'})
+    is_baked: bpy.props.BoolProperty(
+        name="Baked", description="The motion stands in keyframes and the live set-up is switched off", options=set(),
+        override={'LIBRARY_OVERRIDABLE'})
+    is_released: bpy.props.BoolProperty(
+        name="Released", description="What the library has wired on this override was taken off it", options=set(),
+        override={'LIBRARY_OVERRIDABLE'})
+    hub: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Hub", description="Hidden object that computes for all members",
+        override={'LIBRARY_OVERRIDABLE'})
+    more_hubs: bpy.props.CollectionProperty(
+        type=MOTUS_PG_helper, name="More Hubs", description="Hubs of the groups but the first, by the groups' keys",
+        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
+    targets: bpy.props.CollectionProperty(
+        type=MOTUS_PG_helper, name="Targets", description="Hidden objects that the constraints have as targets",
+        override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})
+    wired: bpy.props.StringProperty(
+        name="Wired", description="What was wired, to notice where it has changed since", options=set(),
+        override={'LIBRARY_OVERRIDABLE'})
+    order_proxy: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Order Proxy",
+        description="Hidden object that lets the curve's deformation be evaluated first")
+    leader: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Leader", description="Object whose settings drive this one")
+    use_direct_drivers: bpy.props.BoolProperty(
+        name="Direct Drivers",
+        description="Compute in every driver by itself instead of once: slower, but without an outbox",
+        options=set(), update=rewire)
+
+classes = (MOTUS_PG_helper,)

@@ -1,0 +1,224 @@
+// Pendulums, single and double.
+#include "motus/dynamics/pendulum.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "areas.hpp"
+#include "arrays.hpp"
+#include "motus/dynamics/double_pendulum.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+using namespace motus::dynamics;
+
+constexpr double state_cost = 600.0;  // ns, rough
+
+static_assert(sizeof(PendulumState) == 2 * sizeof(double), "states are rows of numbers");
+static_assert(sizeof(DoublePendulumState) == 4 * sizeof(double), "states are rows of numbers");
+
+/// (k, 2) of x and z.
+[[nodiscard]] DoubleArray pairs(const py::object& object, const char* name) {
+    DoubleArray array = doubles(object, name);
+    if (array.ndim() != 2 || array.shape(1) != 2)
+        value_error(name, "must have the shape (k, 2), not " + shape_of(array));
+    return array;
+}
+
+[[nodiscard]] std::span<const double> numbers_in(const DoubleArray& array) {
+    return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// The two arguments that move a pivot.
+class Pivot {
+  public:
+    Pivot(const py::object& step, const py::object& accelerations) : step_(number(step, "pivot_step")) {
+        if (!accelerations.is_none()) accelerations_.emplace(pairs(accelerations, "pivot_accelerations"));
+        if (accelerations_ && !(step_ > 0.0)) value_error("pivot_step", "must be greater than 0");
+    }
+    [[nodiscard]] bool moves() const noexcept { return accelerations_.has_value(); }
+    [[nodiscard]] PivotMotion motion() const { return {step_, numbers_in(*accelerations_)}; }
+
+  private:
+    double step_;
+    std::optional<DoubleArray> accelerations_;
+};
+
+/// solve(times, rows) for a number or an array of times: (size,) or (m, size).
+template <class State, class Solve>
+[[nodiscard]] DoubleArray states_at(const py::object& times, const Solve& solve) {
+    const Numbers at(times, "times");
+    constexpr std::size_t size = sizeof(State) / sizeof(double);
+    DoubleArray result = at.is_single() ? new_array({size}) : new_array({at.values().size(), size});
+    const std::span<State> rows{reinterpret_cast<State*>(result.mutable_data()), at.values().size()};
+    {
+        const ReleaseGil released(rows.size(), state_cost);
+        solve(at.values(), rows);
+    }
+    return result;
+}
+
+[[nodiscard]] double limit(const py::object& object, const char* name) {
+    constexpr double none = std::numeric_limits<double>::infinity();
+    if (object.is_none()) return none;
+    return number(object, name);
+}
+
+[[nodiscard]] DoublePendulum double_pendulum_of(const py::object& mass1, const py::object& mass2,
+                                                const py::object& length1, const py::object& length2,
+                                                const py::object& gravity, const py::object& damping,
+                                                const py::object& most_acceleration,
+                                                const py::object& most_velocity) {
+    return {number(mass1, "mass1"),
+            number(mass2, "mass2"),
+            number(length1, "length1"),
+            number(length2, "length2"),
+            number(gravity, "gravity"),
+            number(damping, "damping"),
+            limit(most_acceleration, "most_acceleration"),
+            limit(most_velocity, "most_velocity")};
+}
+
+void bind_single(py::module_& m) {
+    m.def(
+        "single_pendulum",
+        [](const py::object& times, const py::object& theta, const py::object& omega,
+           const py::object& length, const py::object& gravity, const py::object& damping,
+           const py::object& pivot_step, const py::object& pivot_accelerations) {
+            const Pendulum pendulum{number(length, "length"), number(gravity, "gravity"),
+                                    number(damping, "damping")};
+            const PendulumState start{number(theta, "theta"), number(omega, "omega")};
+            const Pivot pivot(pivot_step, pivot_accelerations);
+            return states_at<PendulumState>(
+                times, [&](std::span<const double> at, std::span<PendulumState> rows) {
+                    if (pivot.moves())
+                        single_pendulum(pendulum, start, pivot.motion(), at, rows);
+                    else
+                        single_pendulum(pendulum, start, at, rows);
+                });
+        },
+        "times"_a, "theta"_a, "omega"_a = 0.0, "length"_a = 1.0, "gravity"_a = 9.81, "damping"_a = 0.0,
+        "pivot_step"_a = 0.0, "pivot_accelerations"_a = py::none(), R"(
+Angle (rad from the downward vertical, with all turns) and angular velocity (rad/s) of a pendulum at times.
+
+theta'' = -(gravity / length) sin(theta) - damping theta'
+
+times: s, a number or (m,), of any sign and order.  theta, omega: the state at time 0.  length: m, > 0.  gravity: m/s^2,
+>= 0.  damping: 1/s, >= 0.  pivot_accelerations: (k, 2), m/s^2, of a moved pivot in the plane of the swing (to the side
+of positive angles, and up), every pivot_step seconds from time 0 on, linear in between, none after the last; times must
+then be >= 0.
+Returns (2,) or (m, 2). Undamped on a fixed pivot in closed form (Jacobi's elliptic functions), else integrated.
+Raises ValueError where a value is not finite or outside its domain, or a time is out of the integration's reach.)");
+    m.def(
+        "pendulum_period",
+        [](const py::object& theta, const py::object& omega, const py::object& length,
+           const py::object& gravity) {
+            return pendulum_period({number(length, "length"), number(gravity, "gravity"), 0.0},
+                                   {number(theta, "theta"), number(omega, "omega")});
+        },
+        "theta"_a, "omega"_a = 0.0, "length"_a = 1.0, "gravity"_a = 9.81, R"(
+Seconds after which an undamped pendulum repeats itself, a full turn being a repetition; infinity where it never does.
+Arguments and errors as single_pendulum().)");
+    m.def(
+        "pivot_accelerations",
+        [](const py::object& step, const py::object& positions) {
+            const DoubleArray given = pairs(positions, "positions");
+            DoubleArray result = new_array({static_cast<std::size_t>(given.shape(0)), 2});
+            pivot_accelerations(number(step, "step"), numbers_in(given), values_of(result));
+            return result;
+        },
+        "step"_a, "positions"_a, R"(
+Accelerations (k, 2) of a pivot that passes through positions (k, 2), m, `step` seconds (> 0) apart: those of the natural
+cubic spline, for pivot_accelerations of the pendulums.  Raises ValueError where a value is not finite.)");
+}
+
+void bind_double(py::module_& m) {
+    m.def(
+        "double_pendulum",
+        [](const py::object& times, const py::object& theta1, const py::object& theta2,
+           const py::object& omega1, const py::object& omega2, const py::object& mass1,
+           const py::object& mass2, const py::object& length1, const py::object& length2,
+           const py::object& gravity, const py::object& damping, const py::object& most_acceleration,
+           const py::object& most_velocity, const py::object& pivot_step,
+           const py::object& pivot_accelerations) {
+            const DoublePendulum pendulum = double_pendulum_of(mass1, mass2, length1, length2, gravity,
+                                                               damping, most_acceleration, most_velocity);
+            const DoublePendulumState start{number(theta1, "theta1"), number(theta2, "theta2"),
+                                            number(omega1, "omega1"), number(omega2, "omega2")};
+            const Pivot pivot(pivot_step, pivot_accelerations);
+            return states_at<DoublePendulumState>(
+                times, [&](std::span<const double> at, std::span<DoublePendulumState> rows) {
+                    if (pivot.moves())
+                        double_pendulum(pendulum, start, pivot.motion(), at, rows);
+                    else
+                        double_pendulum(pendulum, start, at, rows);
+                });
+        },
+        "times"_a, "theta1"_a, "theta2"_a, "omega1"_a = 0.0, "omega2"_a = 0.0, "mass1"_a = 1.0,
+        "mass2"_a = 1.0, "length1"_a = 1.0, "length2"_a = 1.0, "gravity"_a = 9.81, "damping"_a = 0.0,
+        "most_acceleration"_a = py::none(), "most_velocity"_a = py::none(), "pivot_step"_a = 0.0,
+        "pivot_accelerations"_a = py::none(), R"(
+theta1, theta2 (rad from the downward vertical, with all turns), omega1, omega2 (rad/s) of a double pendulum at times.
+
+times: s, a number or (m,), of any sign and order; each row depends on its own time alone.  theta1, theta2, omega1, omega2:
+the state at time 0.  mass1, length1: of the upper bob and rod, kg and m, > 0.  gravity: m/s^2, >= 0.  damping: 1/s, >= 0,
+taken as damping * omega from both angular accelerations.  most_acceleration, most_velocity: None, or limits (> 0) on the
+sizes of angular accelerations and velocities, which no real pendulum has.  pivot_step, pivot_accelerations: see
+single_pendulum().
+Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits on
+every machine.  Raises ValueError where a value is not finite or outside its domain, and for times beyond
+double_pendulum_longest_time().)");
+    m.def(
+        "double_pendulums",
+        [](const py::object& time, const py::object& starts, const py::object& mass1, const py::object& mass2,
+           const py::object& length1, const py::object& length2, const py::object& gravity,
+           const py::object& damping, const py::object& most_acceleration, const py::object& most_velocity) {
+            const DoublePendulum pendulum = double_pendulum_of(mass1, mass2, length1, length2, gravity,
+                                                               damping, most_acceleration, most_velocity);
+            const DoubleArray given = doubles(starts, "starts");
+            if (given.ndim() != 2 || given.shape(1) != 4)
+                value_error("starts", "must have the shape (n, 4), not " + shape_of(given));
+            const auto count = static_cast<std::size_t>(given.shape(0));
+            DoubleArray result = new_array({count, 4});
+            const std::span first{reinterpret_cast<const DoublePendulumState*>(given.data()), count};
+            const std::span rows{reinterpret_cast<DoublePendulumState*>(result.mutable_data()), count};
+            const double at = number(time, "time");
+            {
+                const ReleaseGil released(count, state_cost);
+                double_pendulums(pendulum, first, at, rows);
+            }
+            return result;
+        },
+        "time"_a, "starts"_a, "mass1"_a = 1.0, "mass2"_a = 1.0, "length1"_a = 1.0, "length2"_a = 1.0,
+        "gravity"_a = 9.81, "damping"_a = 0.0, "most_acceleration"_a = py::none(),
+        "most_velocity"_a = py::none(), R"(
+States (n, 4) of many equal double pendulums at one time, s, from states `starts` (n, 4) at time 0. The same numbers as
+double_pendulum() gives one by one, sooner.  Other arguments and errors as double_pendulum().)");
+    m.def(
+        "double_pendulum_longest_time",
+        [](const py::object& theta1, const py::object& theta2, const py::object& omega1,
+           const py::object& omega2, const py::object& mass1, const py::object& mass2,
+           const py::object& length1, const py::object& length2, const py::object& gravity) {
+            return longest_time({number(mass1, "mass1"), number(mass2, "mass2"), number(length1, "length1"),
+                                 number(length2, "length2"), number(gravity, "gravity")},
+                                {number(theta1, "theta1"), number(theta2, "theta2"), number(omega1, "omega1"),
+                                 number(omega2, "omega2")});
+        },
+        "theta1"_a, "theta2"_a, "omega1"_a = 0.0, "omega2"_a = 0.0, "mass1"_a = 1.0, "mass2"_a = 1.0,
+        "length1"_a = 1.0, "length2"_a = 1.0, "gravity"_a = 9.81, R"(
+Farthest time, s, to either side of 0, at which double_pendulum() knows the state.  Arguments and errors as there.)");
+}
+
+}  // namespace
+
+void bind_pendulum(py::module_& m) {
+    bind_single(m);
+    bind_double(m);
+}
+
+}  // namespace motus::bindings

@@ -1,0 +1,65 @@
+// The double pendulum: two bobs on massless rods, the second one hanging on the first.
+//
+// Integrated in canonical variables (angles and their momenta) by Gauss's method of order 16, which keeps the
+// energy to some 1e-13 of its range. The states at equal intervals are kept, shared by all who ask for the
+// same pendulum and start; one step leads from there to any time. No function of the system's mathematics
+// library is used, so the same numbers come out on every machine, which chaos would soon make visible.
+#pragma once
+#include <limits>
+#include <span>
+
+#include "motus/dynamics/pendulum.hpp"
+
+namespace motus::dynamics {
+
+/// Kilograms, metres, m/s^2, 1/s.
+struct DoublePendulum {
+    double mass1 = 1.0;     ///< of the upper bob, > 0
+    double mass2 = 1.0;     ///< of the lower bob, > 0
+    double length1 = 1.0;   ///< of the upper rod, > 0
+    double length2 = 1.0;   ///< of the lower rod, > 0
+    double gravity = 9.81;  ///< >= 0
+    double damping = 0.0;   ///< c, >= 0: c omega is taken from each angular acceleration
+    /// Limits that no pendulum has, on the sizes of both angular accelerations, rad/s^2, and velocities,
+    /// rad/s; > 0. With one of them the motion is integrated in small steps of Runge and Kutta's method, to
+    /// some 1e-6.
+    double most_acceleration = std::numeric_limits<double>::infinity();
+    double most_velocity = std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] friend bool operator==(const DoublePendulum&, const DoublePendulum&) = default;
+};
+
+/// Angles of both rods from the downward vertical, rad, with all turns; angular velocities, rad/s.
+struct DoublePendulumState {
+    double theta1 = 0.0;
+    double theta2 = 0.0;
+    double omega1 = 0.0;
+    double omega2 = 0.0;
+
+    [[nodiscard]] friend bool operator==(const DoublePendulumState&, const DoublePendulumState&) = default;
+};
+
+/// State at each time, s, whatever its sign and order, from the state at time 0. Each depends on its own time
+/// alone, bit for bit. Throws std::invalid_argument, naming the argument, where a number is not finite or
+/// outside its domain, or sizes differ; std::length_error for times beyond longest_time(); std::domain_error
+/// where velocities grow beyond all bounds (backwards in time with damping).
+void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
+                     std::span<const double> times, std::span<DoublePendulumState> out);
+
+/// The same on a pivot that is moved; see PivotMotion.
+void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
+                     const PivotMotion& pivot, std::span<const double> times,
+                     std::span<DoublePendulumState> out);
+
+/// Many of them at one time, from a start each: out.size() == starts.size(). The same numbers as one by one,
+/// in about two thirds of the time.
+void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
+                      double time, std::span<DoublePendulumState> out);
+
+/// Farthest time, s, to either side of 0, that the table of states may reach. Throws as above.
+[[nodiscard]] double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& start);
+
+/// Kinetic and potential energy, J; 0 at rest with both bobs at the pivot's height.
+[[nodiscard]] double energy(const DoublePendulum& pendulum, const DoublePendulumState& state);
+
+}  // namespace motus::dynamics

@@ -1,0 +1,206 @@
+#include "motus/dynamics/double_pendulum.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <initializer_list>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "ieee_floats.hpp"
+#include "motion_cache.hpp"
+#include "units.hpp"
+
+namespace motus::dynamics {
+namespace {
+
+void require_valid(const DoublePendulum& pendulum) {
+    require(is_positive(pendulum.mass1), "mass1 must be greater than 0 and finite");
+    require(is_positive(pendulum.mass2), "mass2 must be greater than 0 and finite");
+    require(is_positive(pendulum.length1), "length1 must be greater than 0 and finite");
+    require(is_positive(pendulum.length2), "length2 must be greater than 0 and finite");
+    require(is_not_negative(pendulum.gravity), "gravity must be at least 0 and finite");
+    require(is_not_negative(pendulum.damping), "damping must be at least 0 and finite");
+    require(pendulum.most_acceleration > 0.0, "most_acceleration must be greater than 0");
+    require(pendulum.most_velocity > 0.0, "most_velocity must be greater than 0");
+}
+
+void require_valid(const DoublePendulumState& start) {
+    require(std::isfinite(start.theta1), "theta1 must be finite");
+    require(std::isfinite(start.theta2), "theta2 must be finite");
+    require(std::isfinite(start.omega1), "omega1 must be finite");
+    require(std::isfinite(start.omega2), "omega2 must be finite");
+}
+
+void require_valid(std::span<const double> times) {
+    require(std::ranges::all_of(times, [](double time) { return std::isfinite(time); }),
+            "times must be finite");
+}
+
+[[nodiscard]] bool has_limits(const DoublePendulum& pendulum) {
+    return std::isfinite(pendulum.most_acceleration) || std::isfinite(pendulum.most_velocity);
+}
+
+/// Sine and cosine of the angle between the rods.
+[[nodiscard]] SineCosine<double> between_rods(double theta1, double theta2) {
+    const SineCosine<Pair> each = sine_cosine(Pair(theta1, theta2));
+    const double sine1 = lane(each.sine, 0), cosine1 = lane(each.cosine, 0);
+    const double sine2 = lane(each.sine, 1), cosine2 = lane(each.cosine, 1);
+    return {sine1 * cosine2 - cosine1 * sine2, cosine1 * cosine2 + sine1 * sine2};
+}
+
+/// Between states and what the systems hold.
+class Scale {
+  public:
+    explicit Scale(const DoublePendulum& pendulum)
+        : unit_(pendulum.length1, pendulum.gravity), free_(free_system(pendulum)) {}
+
+    [[nodiscard]] const TimeUnit& unit() const noexcept { return unit_; }
+
+    [[nodiscard]] MotionSettings<DoubleSystem> settings(const DoublePendulum& /*pendulum*/,
+                                                        const DoublePendulumState& start,
+                                                        const DoubleSystem& /*kind*/) const {
+        const double w1 = unit_.from_rate(start.omega1);
+        const double w2 = unit_.from_rate(start.omega2);
+        const double cosine = between_rods(start.theta1, start.theta2).cosine;
+        MotionSettings<DoubleSystem> settings;
+        settings.system = free_;
+        settings.start = {start.theta1, start.theta2, w1 + free_.mass * free_.length * cosine * w2,
+                          w2 + cosine * w1 / free_.length};
+        settings.interval = interval(w1, w2);
+        return settings;
+    }
+    [[nodiscard]] MotionSettings<LimitedSystem> settings(const DoublePendulum& pendulum,
+                                                         const DoublePendulumState& start,
+                                                         const LimitedSystem& /*kind*/) const {
+        MotionSettings<LimitedSystem> settings;
+        settings.system = {free_, unit_.from_rate(unit_.from_rate(pendulum.most_acceleration)),
+                           unit_.from_rate(pendulum.most_velocity)};
+        settings.start = {start.theta1, start.theta2, unit_.from_rate(start.omega1),
+                          unit_.from_rate(start.omega2)};
+        settings.interval = interval(settings.start[2], settings.start[3]);
+        return settings;
+    }
+
+    [[nodiscard]] DoublePendulumState state(const std::array<double, 4>& values,
+                                            const DoubleSystem& /*kind*/) const {
+        const auto [sine, cosine] = between_rods(values[0], values[1]);
+        std::array<double, 2> velocities{};
+        free_.velocities(&values[2], sine, cosine, velocities.data());
+        return {values[0], values[1], unit_.to_rate(velocities[0]), unit_.to_rate(velocities[1])};
+    }
+    [[nodiscard]] DoublePendulumState state(const std::array<double, 4>& values,
+                                            const LimitedSystem& /*kind*/) const {
+        return {values[0], values[1], unit_.to_rate(values[2]), unit_.to_rate(values[3])};
+    }
+
+  private:
+    [[nodiscard]] DoubleSystem free_system(const DoublePendulum& pendulum) const {
+        // By their ratio: the sum of the largest masses is no number.
+        const double ratio = pendulum.mass2 / pendulum.mass1;
+        const double inverse = pendulum.mass1 / pendulum.mass2;
+        DoubleSystem system;
+        system.gravity = unit_.gravity;
+        system.damping = unit_.from_rate(pendulum.damping);
+        system.mass = 1.0 / (1.0 + inverse);
+        system.other = 1.0 / (1.0 + ratio);
+        system.length = pendulum.length2 / pendulum.length1;
+        constexpr double least = 1e-12;  // beyond, the rods would swing too fast for any table
+        require(system.mass > least && system.other > least, "mass2 must be comparable to mass1");
+        require(system.length > least && 1.0 / system.length > least,
+                "length2 must be comparable to length1");
+        return system;
+    }
+
+    /// Between nodes: by the faster of the two small oscillations, and the velocities.
+    [[nodiscard]] double interval(double w1, double w2) const {
+        const double small = std::sqrt(free_.gravity * (1.0 + 1.0 / free_.length) / free_.other);
+        return interval_for(std::max({small, std::abs(w1), std::abs(w2)}));
+    }
+
+    TimeUnit unit_;
+    DoubleSystem free_;
+};
+
+template <class System>
+void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start, const PivotMotion* pivot,
+               std::span<const double> times, std::span<DoublePendulumState> out) {
+    const Scale scale(pendulum);
+    MotionSettings<System> settings = scale.settings(pendulum, start, System{});
+    if (pivot != nullptr) drive(settings, *pivot, scale.unit(), pendulum.length1);
+    Motion<System> motion(std::move(settings));
+    for (std::size_t i = 0; i < times.size(); ++i)
+        out[i] = scale.state(motion.at(scale.unit().from_seconds(times[i])), System{});
+}
+
+void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start, const PivotMotion* pivot,
+               std::span<const double> times, std::span<DoublePendulumState> out) {
+    require_valid(pendulum);
+    require_valid(start);
+    require_valid(times);
+    require(times.size() == out.size(), "out must have a state for each time");
+    const auto run = has_limits(pendulum) ? &integrate<LimitedSystem> : &integrate<DoubleSystem>;
+    in_ieee_floats([&] { run(pendulum, start, pivot, times, out); });
+}
+
+template <class System>
+void integrate_many(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts, double time,
+                    std::span<DoublePendulumState> out) {
+    const Scale scale(pendulum);
+    std::vector<Motion<System>> motions;
+    std::vector<const MotionTable<System>*> tables;
+    motions.reserve(starts.size());
+    for (const DoublePendulumState& start : starts) {
+        motions.emplace_back(scale.settings(pendulum, start, System{}));
+        tables.push_back(&motions.back().table(time < 0.0));
+    }
+    std::vector<std::array<double, System::size>> states(starts.size());
+    MotionTable<System>::at(tables, scale.unit().from_seconds(time), states);
+    for (std::size_t i = 0; i < starts.size(); ++i) out[i] = scale.state(states[i], System{});
+}
+
+}  // namespace
+
+void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
+                     std::span<const double> times, std::span<DoublePendulumState> out) {
+    integrate(pendulum, start, nullptr, times, out);
+}
+
+void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
+                     const PivotMotion& pivot, std::span<const double> times,
+                     std::span<DoublePendulumState> out) {
+    integrate(pendulum, start, &pivot, times, out);
+}
+
+void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
+                      double time, std::span<DoublePendulumState> out) {
+    require_valid(pendulum);
+    for (const DoublePendulumState& start : starts) require_valid(start);
+    require(std::isfinite(time), "time must be finite");
+    require(starts.size() == out.size(), "out must have a state for each start");
+    const auto run = has_limits(pendulum) ? &integrate_many<LimitedSystem> : &integrate_many<DoubleSystem>;
+    in_ieee_floats([&] { run(pendulum, starts, time, out); });
+}
+
+double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& start) {
+    require_valid(pendulum);
+    require_valid(start);
+    const Scale scale(pendulum);
+    const double interval = scale.settings(pendulum, start, DoubleSystem{}).interval;
+    constexpr auto nodes = static_cast<double>(MotionTable<DoubleSystem>::most_nodes);
+    return scale.unit().to_seconds(interval * nodes);
+}
+
+double energy(const DoublePendulum& pendulum, const DoublePendulumState& state) {
+    const double v1 = pendulum.length1 * state.omega1;
+    const double v2 = pendulum.length2 * state.omega2;
+    const double height1 = -pendulum.length1 * std::cos(state.theta1);
+    const double height2 = height1 - pendulum.length2 * std::cos(state.theta2);
+    const double square = v1 * v1 + v2 * v2 + 2.0 * v1 * v2 * std::cos(state.theta1 - state.theta2);
+    return 0.5 * (pendulum.mass1 * v1 * v1 + pendulum.mass2 * square) +
+           pendulum.gravity * (pendulum.mass1 * height1 + pendulum.mass2 * height2);
+}
+
+}  // namespace motus::dynamics

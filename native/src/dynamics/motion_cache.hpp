@@ -1,0 +1,87 @@
+// The tables of all motions that were asked for last. Private to the library.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "motion_table.hpp"
+#include "motus/cache.hpp"
+
+namespace motus::dynamics {
+
+template <class System>
+struct MotionHash {
+    std::size_t operator()(const MotionSettings<System>& settings) const {
+        ContentHash hash;
+        hash.add(std::span<const double>(settings.start));
+        hash.add(settings.interval);
+        add_to(hash, settings.system);
+        hash.add(std::span<const double>(settings.accelerations));
+        return hash.value();
+    }
+};
+
+template <class System>
+struct MotionBytes {
+    std::size_t operator()(const MotionSettings<System>& settings, const MotionTable<System>& table) const {
+        return table.bytes() + bytes_of(settings.accelerations);
+    }
+};
+
+template <class System>
+using MotionCache =
+    Cache<MotionSettings<System>, MotionTable<System>, MotionHash<System>, MotionBytes<System>>;
+
+/// The one cache of a system's tables. It is never destroyed: other threads may still use it when the process
+/// ends.
+template <class System>
+[[nodiscard]] MotionCache<System>& motion_cache() {
+    constexpr std::size_t most_tables = 4096;
+    constexpr std::size_t most_bytes = std::size_t{512} << 20U;
+    static auto& cache = *new MotionCache<System>(most_tables, most_bytes);
+    return cache;
+}
+
+template <class System>
+[[nodiscard]] std::shared_ptr<const MotionTable<System>> motion_table(
+    const MotionSettings<System>& settings) {
+    return motion_cache<System>().get(settings, [](const MotionSettings<System>& key) {
+        return std::make_shared<const MotionTable<System>>(key);
+    });
+}
+
+/// A motion forwards and backwards from its start.
+template <class System>
+class Motion {
+  public:
+    /// settings: forwards.
+    explicit Motion(MotionSettings<System> settings) : settings_(std::move(settings)) {}
+
+    /// In the motion's own unit of time.
+    [[nodiscard]] std::array<double, System::size> at(double time) { return table(time < 0.0).at(time); }
+
+    /// The table for times below 0, or that for others.
+    [[nodiscard]] const MotionTable<System>& table(bool is_past) {
+        auto& found = tables_[is_past ? 1 : 0];
+        if (!found) {
+            MotionSettings<System> wanted = settings_;
+            if (is_past) {
+                if (!settings_.accelerations.empty())
+                    throw std::invalid_argument("times must be at least 0: the pivot's past is not known");
+                wanted.interval = -wanted.interval;
+            }
+            found = motion_table(wanted);
+        }
+        return *found;
+    }
+
+  private:
+    MotionSettings<System> settings_;
+    std::array<std::shared_ptr<const MotionTable<System>>, 2> tables_;
+};
+
+}  // namespace motus::dynamics

@@ -1,0 +1,258 @@
+// States of an integrated motion at equal intervals of time, as far as anybody has asked for. Private to the
+// library.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <shared_mutex>
+#include <span>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "motion.hpp"
+
+namespace motus::dynamics {
+
+/// In a motion's own units.
+template <class System>
+struct MotionSettings {
+    [[nodiscard]] friend bool operator==(const MotionSettings&, const MotionSettings&) = default;
+
+    System system;
+    std::array<double, System::size> start{};
+    double interval = 0.0;  ///< between nodes; below 0: backwards in time
+    /// Of the pivot, x and z in turn, at every `intervals_per_sample` nodes; linear between.
+    std::vector<double> accelerations;
+    int intervals_per_sample = 1;
+};
+
+/// Thread-safe. What it answers is a function of the settings and the time, however far it has grown.
+template <class System>
+class MotionTable {
+    using State = std::array<double, System::size>;
+
+  public:
+    static constexpr std::size_t most_nodes = std::size_t{1} << 18U;
+
+    explicit MotionTable(MotionSettings<System> settings)
+        : settings_(std::move(settings)), states_{settings_.start}, levels_{0} {}
+
+    /// At a time of the sign of the interval, below most_nodes of them.
+    [[nodiscard]] State at(double time) const {
+        const Place place = place_of(time);
+        grow(place.last());
+        return leave(place);
+    }
+
+    /// The tables' states at one time; they grow several at a time.
+    static void at(std::span<const MotionTable* const> tables, double time, std::span<State> out) {
+        std::vector<const MotionTable*> short_ones;
+        for (const MotionTable* table : tables)
+            if (!table->reaches(table->place_of(time).last())) short_ones.push_back(table);
+        std::ranges::sort(short_ones);  // locked in one order by all threads, and each once
+        short_ones.erase(std::unique(short_ones.begin(), short_ones.end()), short_ones.end());
+        for (std::size_t i = 0; i < short_ones.size(); i += steps_at_once) {
+            std::vector<Growth> growths;
+            std::array<std::unique_lock<std::mutex>, steps_at_once> locks;
+            for (std::size_t k = 0; k < std::min(steps_at_once, short_ones.size() - i); ++k) {
+                const MotionTable& table = *short_ones[i + k];
+                locks[k] = std::unique_lock(table.growing_);
+                growths.emplace_back(table, table.place_of(time).last());
+            }
+            run(growths);
+        }
+        for (std::size_t i = 0; i < tables.size(); ++i) out[i] = tables[i]->at(time);
+    }
+
+    [[nodiscard]] std::size_t bytes() const {
+        const std::shared_lock lock(states_lock_);
+        return sizeof *this + states_.capacity() * (sizeof(State) + 1) +
+               settings_.accelerations.capacity() * sizeof(double);
+    }
+
+  private:
+    struct Place {
+        std::size_t node = 0;
+        double rest = 0.0;  ///< from the node on
+
+        /// The node that has to be there: beyond the time, since how the interval was made counts for all
+        /// within.
+        [[nodiscard]] std::size_t last() const { return rest == 0.0 ? node : node + 1; }
+    };
+
+    /// Of a step; one of half the length has a 256th of it. An error of the momenta becomes one of the
+    /// velocities that is larger the smaller `inertia` is.
+    static constexpr double largest_tail = 1e-5;
+    static constexpr double needless = 1.0 / 1024.0;  ///< of the largest: half as many steps would do
+    static constexpr int highest_level = 12;
+
+    [[nodiscard]] Place place_of(double time) const {
+        const double intervals = std::floor(time / settings_.interval);
+        if (!(intervals < static_cast<double>(most_nodes)))
+            throw std::length_error("times must lie within the table's reach");
+        Place place{static_cast<std::size_t>(std::max(intervals, 0.0)), 0.0};
+        place.rest = time - static_cast<double>(place.node) * settings_.interval;
+        if (place.rest * settings_.interval < 0.0) place.rest = 0.0;
+        return place;
+    }
+
+    [[nodiscard]] bool reaches(std::size_t node) const {
+        const std::shared_lock lock(states_lock_);
+        return node < states_.size();
+    }
+
+    void grow(std::size_t node) const {
+        if (reaches(node)) return;
+        const std::scoped_lock lock(growing_);
+        std::array<Growth, 1> growth{Growth(*this, node)};
+        run(growth);
+    }
+
+    /// The steps of one interval, and of the next ones: made by somebody else, judged here.
+    class Growth {
+      public:
+        Growth(const MotionTable& table, std::size_t node) : table_(table), node_(node) { begin(); }
+
+        [[nodiscard]] bool is_done() const noexcept { return table_.states_.size() > node_; }
+
+        /// The step to be made.
+        [[nodiscard]] GaussStep<System> step() {
+            const double length = std::scalbn(table_.settings_.interval, -level_);
+            const int count = 1 << level_;
+            return {&table_.settings_.system, &state_, &table_.derivatives_, length,
+                    table_.drive(table_.states_.size() - 1, static_cast<double>(made_) / count,
+                                 static_cast<double>(made_ + 1) / count)};
+        }
+
+        void take(const GaussStep<System>& step) {
+            const bool is_finite =
+                std::ranges::all_of(state_, [](double value) { return std::isfinite(value); });
+            if (!step.converged || !is_finite || step.tail > table_.largest_tail_) {
+                if (level_ == highest_level)
+                    throw std::domain_error("times must not reach where the motion leaves all bounds");
+                ++level_;
+                again();
+                return;
+            }
+            largest_ = std::max(largest_, step.tail);
+            if (++made_ < 1 << level_) return;
+            table_.add(state_, level_);
+            if (level_ > 0 && largest_ < needless * table_.largest_tail_) {
+                --level_;
+                table_.derivatives_.are_known = false;
+            }
+            begin();
+        }
+
+      private:
+        void begin() {
+            if (is_done()) {
+                table_.level_ = level_;
+                return;
+            }
+            state_ = table_.states_.back();
+            made_ = 0;
+            largest_ = 0.0;
+        }
+        void again() {
+            table_.derivatives_.are_known = false;
+            begin();
+        }
+
+        const MotionTable& table_;
+        std::size_t node_;
+        State state_{};
+        int level_ = table_.level_;
+        int made_ = 0;
+        double largest_ = 0.0;
+    };
+
+    /// At most steps_at_once of them.
+    static void run(std::span<Growth> growths) {
+        const MakeSteps<System> make = fastest_steps<System>();
+        std::array<GaussStep<System>, steps_at_once> steps;
+        std::array<Growth*, steps_at_once> busy{};
+        for (;;) {
+            std::size_t count = 0;
+            for (Growth& growth : growths) {
+                if (growth.is_done()) continue;
+                steps[count] = growth.step();
+                busy[count++] = &growth;
+            }
+            if (count == 0) return;
+            make(std::span(steps).first(count));
+            for (std::size_t i = 0; i < count; ++i) busy[i]->take(steps[i]);
+        }
+    }
+
+    void add(const State& state, int level) const {
+        const std::scoped_lock lock(states_lock_);
+        levels_.back() = static_cast<std::uint8_t>(level);
+        states_.push_back(state);
+        levels_.push_back(0);
+    }
+
+    /// From a node to a time before the next one.
+    [[nodiscard]] State leave(const Place& place) const {
+        State state;
+        int level = 0;
+        {
+            const std::shared_lock lock(states_lock_);
+            state = states_[place.node];
+            level = levels_[place.node];
+        }
+        if (place.rest == 0.0) return state;
+        const double share = place.rest / settings_.interval;
+        Derivatives<System::size> derivatives;
+        // As many equal steps as are at least as short as the table's.
+        for (;; ++level) {
+            const int count = static_cast<int>(std::ceil(std::scalbn(share, level)));
+            State trial = state;
+            bool is_right = true;
+            derivatives.are_known = false;
+            for (int i = 0; i < count && is_right; ++i) {
+                std::array<GaussStep<System>, 1> step{
+                    {{&settings_.system, &trial, &derivatives, place.rest / count,
+                      drive(place.node, share * i / count, share * (i + 1) / count)}}};
+                fastest_steps<System>()(step);
+                is_right = step[0].converged;
+            }
+            if (is_right) return trial;
+            if (level == highest_level)
+                throw std::domain_error("times must not reach where the motion leaves all bounds");
+        }
+    }
+
+    /// Of the pivot between two fractions of the interval that begins at a node.
+    [[nodiscard]] Drive drive(std::size_t node, double from, double to) const {
+        Drive drive;
+        const std::size_t samples = settings_.accelerations.size() / 2;
+        const auto per_sample = static_cast<std::size_t>(settings_.intervals_per_sample);
+        const std::size_t sample = node / per_sample;
+        if (sample + 1 >= samples) return drive;
+        const double first = static_cast<double>(node % per_sample);
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const double start = settings_.accelerations[2 * sample + axis];
+            const double more = settings_.accelerations[2 * (sample + 1) + axis] - start;
+            drive.start[axis] = start + more * ((first + from) / settings_.intervals_per_sample);
+            drive.end[axis] = start + more * ((first + to) / settings_.intervals_per_sample);
+        }
+        return drive;
+    }
+
+    const MotionSettings<System> settings_;
+    const double largest_tail_ = largest_tail * std::sqrt(settings_.system.inertia());
+    mutable std::mutex growing_;
+    mutable std::shared_mutex states_lock_;  ///< of the two vectors, while they grow
+    mutable std::vector<State> states_;
+    mutable std::vector<std::uint8_t> levels_;  ///< with 2 to the power of which steps the interval was made
+    // Of the interval that comes next.
+    mutable Derivatives<System::size> derivatives_;
+    mutable int level_ = 0;
+};
+
+}  // namespace motus::dynamics

@@ -1,0 +1,100 @@
+// What the tracks of numbers and of rotations share. Private to the library.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+
+#include "motus/dynamics/second_order.hpp"
+#include "motus/dynamics/track.hpp"
+
+namespace motus::dynamics {
+
+inline void require(bool holds, const char* problem) {
+    if (!holds) throw std::invalid_argument(problem);
+}
+
+[[nodiscard]] inline bool are_finite(std::span<const double> values) {
+    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
+}
+
+inline void require_times(std::span<const double> times) {
+    require(!times.empty(), "times must have at least one sample");
+    require(are_finite(times), "times must be finite");
+    require(std::ranges::adjacent_find(times, std::ranges::greater_equal{}) == times.end(),
+            "times must strictly rise");
+    require(std::isfinite(times.back() - times.front()), "times must be finite, their range too");
+}
+
+inline void require_samples(std::span<const double> times, std::span<const double> inputs,
+                            std::size_t dimensions) {
+    require_times(times);
+    require(dimensions > 0, "dimensions must be greater than 0");
+    require(inputs.size() / dimensions == times.size() && inputs.size() % dimensions == 0,
+            "inputs must have a row for each time");
+    require(are_finite(inputs), "inputs must be finite");
+}
+
+inline void require_start(std::span<const double> times, std::span<const std::size_t> resets, Start start) {
+    require(std::ranges::adjacent_find(resets, std::ranges::greater_equal{}) == resets.end() &&
+                (resets.empty() || resets.back() < times.size()),
+            "resets must rise and be indices of samples");
+    if (start == Start::loop) {
+        require(resets.empty(), "resets must be empty in a loop");
+        require(times.size() > 1, "times must have at least two samples in a loop");
+    }
+}
+
+/// Steps of one filter. The last one is kept: most samples lie equally far apart.
+class Steps {
+  public:
+    explicit Steps(const SecondOrder& filter) : filter_(filter) {}
+
+    /// From `first` to `last`. Lengths that differ by no more than the rounding of such times are one.
+    [[nodiscard]] const Step& between(double first, double last) {
+        const double length = last - first;
+        const double rounding =
+            2.0 * std::numeric_limits<double>::epsilon() * std::max(std::abs(first), std::abs(last));
+        if (!(std::abs(length - step_.length) <= rounding)) step_ = make_step(filter_, length);
+        return step_;
+    }
+
+  private:
+    const SecondOrder& filter_;
+    Step step_{.length = std::numeric_limits<double>::quiet_NaN()};
+};
+
+/// One step of a dimension, whose input has the given slope: offset is the output less the input.
+template <class Value>
+inline void advance(const Step& step, const Value& slope, Value& offset, Value& velocity) {
+    const Value lag = step.lag * slope;
+    const Value e = offset - lag;
+    const Value u = velocity - slope;
+    offset = (step.ee * e + step.eu * u) + lag;
+    velocity = (step.ue * e + step.uu * u) + slope;
+}
+
+/// Where a time lies among samples: in the interval that begins at `sample`, `seconds` after it. cycles: how
+/// many whole ones come before, in a loop.
+struct Place {
+    std::size_t sample = 0;
+    double seconds = 0.0;
+    double cycles = 0.0;
+};
+
+[[nodiscard]] inline Place place_of(double time, std::span<const double> times, bool is_loop) {
+    Place place;
+    if (is_loop) {
+        const double cycle = times.back() - times.front();
+        place.cycles = std::floor((time - times.front()) / cycle);
+        time = std::clamp(time - place.cycles * cycle, times.front(), times.back());
+    }
+    const auto after = std::ranges::upper_bound(times, time);
+    place.sample = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times.begin() - 1, 0));
+    place.seconds = std::max(time - times[place.sample], 0.0);
+    return place;
+}
+
+}  // namespace motus::dynamics

@@ -1,0 +1,58 @@
+// Sine and cosine of several numbers at once, with the same bits on every machine. Private to the library.
+#pragma once
+#include <cstdint>
+
+#include "wide.hpp"
+
+namespace motus {
+
+template <class Real>
+struct SineCosine {
+    Real sine, cosine;
+};
+
+/// Of angles up to some 1e5 rad, to 2e-16; beyond, the error grows as the angle's own rounding does. The
+/// system's functions differ in the last digit between processors and releases, and a chaotic motion makes
+/// that visible. Reduction by a quarter turn in three parts and polynomials of the remainder: Sun's fdlibm
+/// (1993), k_sin.c and k_cos.c.
+template <int n>
+[[nodiscard, gnu::always_inline]] inline SineCosine<Wide<n>> sine_cosine(Wide<n> angle) {
+    using Real = Wide<n>;
+    using Numbers = typename Real::Numbers;
+    using Bits = typename WideMask<n>::Bits;
+    // Added to a number below 2^51 it leaves the nearest whole one in the last bits.
+    const Real to_whole = 6755399441055744.0;
+    const Real shifted = angle * Real(6.36619772367581382433e-01) + to_whole;
+    const Bits quarter = __builtin_bit_cast(Bits, shifted.lanes);
+    const Real count = shifted - to_whole;
+    const Real r =
+        ((angle - count * Real(1.57079632673412561417e+00)) - count * Real(6.07710050630396597660e-11)) -
+        count * Real(2.02226624879595063154e-21);
+    const Real z = r * r;
+    const Real sine =
+        r +
+        r * z *
+            (Real(-1.66666666666666324348e-01) +
+             z * (Real(8.33333333332248946124e-03) +
+                  z * (Real(-1.98412698298579493134e-04) +
+                       z * (Real(2.75573137070700676789e-06) + z * (Real(-2.50507602534068634195e-08) +
+                                                                    z * Real(1.58969099521155010221e-10))))));
+    const Real cosine =
+        (Real(1.0) - Real(0.5) * z) + z * z *
+                                          (Real(4.16666666666666019037e-02) +
+                                           z * (Real(-1.38888888888741095749e-03) +
+                                                z * (Real(2.48015872894767294178e-05) +
+                                                     z * (Real(-2.75573143513906633035e-07) +
+                                                          z * (Real(2.08757232129817482790e-09) +
+                                                               z * Real(-1.13596475577881948265e-11))))));
+
+    const Bits odd = -(quarter & 1);  // all bits where the quarter is odd
+    const Bits s = __builtin_bit_cast(Bits, sine.lanes);
+    const Bits c = __builtin_bit_cast(Bits, cosine.lanes);
+    const Bits sine_sign = (quarter & 2) << 62;
+    const Bits cosine_sign = ((quarter + 1) & 2) << 62;
+    return {Real(__builtin_bit_cast(Numbers, ((c & odd) | (s & ~odd)) ^ sine_sign)),
+            Real(__builtin_bit_cast(Numbers, ((s & odd) | (c & ~odd)) ^ cosine_sign))};
+}
+
+}  // namespace motus

@@ -1,0 +1,82 @@
+#include "dynamics/gauss.hpp"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "dynamics/motion.hpp"
+
+using namespace motus;
+using namespace motus::dynamics;
+
+TEST_CASE("Gauss's table integrates polynomials exactly", "[gauss]") {
+    for (int degree = 0; degree < 2 * stages; ++degree) {
+        double sum = 0.0;
+        for (std::size_t j = 0; j < stages; ++j) sum += gauss.weights[j] * std::pow(gauss.nodes[j], degree);
+        CHECK(sum == Approx(1.0 / (degree + 1)).epsilon(1e-14));
+    }
+    for (int degree = 0; degree < stages; ++degree) {
+        for (std::size_t i = 0; i < stages; ++i) {
+            double integral = 0.0;
+            double next = 0.0;
+            for (std::size_t j = 0; j < stages; ++j) {
+                integral += gauss.integrals[j][i] * std::pow(gauss.nodes[j], degree);
+                next += gauss.next[j][i] * std::pow(gauss.nodes[j], degree);
+            }
+            CHECK(integral == Approx(std::pow(gauss.nodes[i], degree + 1) / (degree + 1)).margin(1e-15));
+            CHECK(next == Approx(std::pow(1.0 + gauss.nodes[i], degree)).epsilon(1e-9));
+        }
+    }
+    // Symplectic: b_i a_ij + b_j a_ji = b_i b_j.
+    for (std::size_t i = 0; i < stages; ++i) {
+        for (std::size_t j = 0; j < stages; ++j) {
+            const double sum =
+                gauss.weights[i] * gauss.integrals[j][i] + gauss.weights[j] * gauss.integrals[i][j];
+            CHECK(sum == Approx(gauss.weights[i] * gauss.weights[j]).margin(1e-17));
+        }
+    }
+}
+
+TEST_CASE("sine and cosine are right to the last digits", "[gauss]") {
+    for (int i = -200000; i <= 200000; i += 7) {
+        const double angle = i * 0.00731;
+        const SineCosine<Pair> found = sine_cosine(Pair(angle, -angle));
+        CHECK(std::abs(lane(found.sine, 0) - std::sin(angle)) < 2.5e-16);
+        CHECK(std::abs(lane(found.cosine, 0) - std::cos(angle)) < 2.5e-16);
+        CHECK(lane(found.sine, 1) == -lane(found.sine, 0));
+        CHECK(lane(found.cosine, 1) == lane(found.cosine, 0));
+    }
+}
+
+TEST_CASE("all ways to make steps give the same bits", "[gauss]") {
+    constexpr std::size_t count = 9;
+    for (const StepKernel& kernel : step_kernels()) {
+        DYNAMIC_SECTION(kernel.name) {
+            DoubleSystem system;
+            system.mass = 0.3;
+            system.other = 0.7;
+            system.damping = 0.01;
+            std::array<std::array<double, 4>, count> states{}, alone{};
+            std::array<Derivatives<4>, count> derivatives{}, own{};
+            for (std::size_t i = 0; i < count; ++i)
+                states[i] = alone[i] = {2.0, 0.3 * static_cast<double>(i), 0.5, -1.0};
+            for (int round = 0; round < 200; ++round) {
+                std::array<GaussStep<DoubleSystem>, count> steps, others;
+                const Drive drive{{0.1, -0.2}, {0.3, 0.1 * round}};
+                for (std::size_t i = 0; i < count; ++i) {
+                    steps[i] = {&system, &states[i], &derivatives[i], 0.06, drive};
+                    others[i] = {&system, &alone[i], &own[i], 0.06, drive};
+                }
+                kernel.pair(steps);
+                for (GaussStep<DoubleSystem>& step : others) step_kernels().front().pair({&step, 1});
+                for (std::size_t i = 0; i < count; ++i) {
+                    REQUIRE(steps[i].converged == others[i].converged);
+                    REQUIRE(states[i] == alone[i]);
+                    REQUIRE(steps[i].tail == others[i].tail);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,131 @@
+"""Pendulums and second-order filters through the binding: shapes, defaults and errors. The formulas are tested natively."""
+
+import math
+import unittest
+
+import motus_native as native
+import numpy as np
+
+
+class PendulumTest(unittest.TestCase):
+    def test_shapes_and_order_of_times(self):
+        times = np.array([3.0, 0.0, -1.0, 0.5])
+        single = native.single_pendulum(times, 0.5, length=2.0)
+        self.assertEqual(single.shape, (4, 2))
+        np.testing.assert_allclose(single[1], [0.5, 0.0], atol=1e-15)
+        np.testing.assert_array_equal(native.single_pendulum(0.5, 0.5, length=2.0), single[3])
+        double = native.double_pendulum(times, 2.0, 1.0, mass2=0.5)
+        self.assertEqual(double.shape, (4, 4))
+        np.testing.assert_array_equal(native.double_pendulum(-1.0, 2.0, 1.0, mass2=0.5), double[2])
+        self.assertEqual(native.single_pendulum([], 0.5).shape, (0, 2))
+
+    def test_period(self):
+        period = native.pendulum_period(math.radians(90.0))
+        self.assertAlmostEqual(period, 2.3678419475762374, 14)
+        self.assertAlmostEqual(native.single_pendulum(period, math.radians(90.0))[0], math.radians(90.0), 12)
+
+    def test_many_are_the_same_as_one_by_one(self):
+        starts = np.array([[2.0, 2.0 + 0.0087 * index, 0.0, 0.0] for index in range(5)])
+        many = native.double_pendulums(7.5, starts, length2=0.8)
+        for row, start in zip(many, starts):
+            np.testing.assert_array_equal(row, native.double_pendulum(7.5, *start, length2=0.8))
+
+    def test_moved_pivots(self):
+        # Let go together with its pivot, a pendulum does not swing.
+        falling = np.tile([0.0, -9.81], (50, 1))
+        states = native.single_pendulum([0.0, 1.0], 0.3, pivot_step=0.1, pivot_accelerations=falling)
+        np.testing.assert_allclose(states[:, 0], 0.3, atol=1e-12)
+        positions = np.stack([np.linspace(0.0, 3.0, 20), np.zeros(20)], axis=1)
+        np.testing.assert_allclose(native.pivot_accelerations(0.1, positions), 0.0, atol=1e-9)
+        states = native.double_pendulum([1.0], 0.3, 0.3, pivot_step=0.1, pivot_accelerations=falling)
+        np.testing.assert_allclose(states[0, :2], 0.3, atol=1e-12)
+
+    def test_limits(self):
+        states = native.double_pendulum(np.linspace(0.0, 5.0, 100), 2.0, 2.0, most_velocity=1.5, most_acceleration=20.0)
+        self.assertEqual(np.abs(states[:, 2:]).max(), 1.5)
+
+    def test_errors_name_the_argument(self):
+        for keywords, name in (
+                ({"length": 0.0}, "length"), ({"gravity": -1.0}, "gravity"), ({"damping": -1.0}, "damping"),
+                ({"theta": math.nan}, "theta"), ({"times": [math.nan]}, "times"), ({"damping": 0.1, "times": 1e9}, "times"),
+                ({"pivot_accelerations": [[0.0, 0.0]]}, "pivot_step"),
+                ({"pivot_step": 1.0, "pivot_accelerations": [0.0]}, "pivot_accelerations"),
+                ({"pivot_step": 1.0, "pivot_accelerations": [[0.0, 1.0]], "times": -1.0}, "times")):
+            with self.subTest(keywords), self.assertRaisesRegex(ValueError, name):
+                native.single_pendulum(**{"times": 1.0, "theta": 0.5, **keywords})
+        for keywords, name in (
+                ({"mass1": 0.0}, "mass1"), ({"length2": -1.0}, "length2"), ({"most_velocity": 0.0}, "most_velocity"),
+                ({"times": 1e9}, "times"), ({"mass2": 1e-30}, "mass2")):
+            with self.subTest(keywords), self.assertRaisesRegex(ValueError, name):
+                native.double_pendulum(**{"times": 1.0, "theta1": 0.5, "theta2": 0.5, **keywords})
+        with self.assertRaisesRegex(TypeError, "theta"):
+            native.single_pendulum(1.0, "much")
+        with self.assertRaisesRegex(ValueError, "starts"):
+            native.double_pendulums(1.0, [[1.0, 2.0]])
+        self.assertGreater(native.double_pendulum_longest_time(2.0, 2.0), 3600.0)
+
+
+class SecondOrderTest(unittest.TestCase):
+    def test_filter(self):
+        filter = native.SecondOrder(2.0, 0.5, 0.0)
+        self.assertAlmostEqual(filter.overshoot, math.exp(-math.pi * 0.5 / math.sqrt(0.75)), 13)
+        k1, k2, k3 = filter.coefficients
+        self.assertAlmostEqual(k1, 0.5 / (2.0 * math.pi), 15)
+        self.assertAlmostEqual(native.SecondOrder.from_coefficients(k1, k2, k3).frequency, 2.0, 13)
+        self.assertAlmostEqual(native.SecondOrder.from_mass_spring(1.0, 4.0, 1.0).response, 2.0, 13)
+        same = native.SecondOrder.from_overshoot(filter.overshoot, filter.settling_time(), 0.0)
+        self.assertAlmostEqual(same.damping, 0.5, 9)
+        self.assertAlmostEqual(native.step_response(0.1, 2.0, 0.5, 0.0), 0.47961214688455489697, 15)
+        self.assertEqual(native.step_response([0.0, 0.1], 2.0, 0.5, 0.0).shape, (2,))
+
+    def test_shapes(self):
+        times = np.arange(50) / 24.0
+        values = np.stack([np.sin(times), times, np.zeros(50)], axis=1)
+        outputs = native.second_order(times, values, 2.0, 0.7, 1.0)
+        self.assertEqual(outputs.shape, (50, 3))
+        np.testing.assert_array_equal(native.second_order(times, values[:, 0], 2.0, 0.7, 1.0), outputs[:, 0])
+        filter = native.SecondOrder(2.0, 0.7, 1.0)
+        track = native.Track(filter, times, values)
+        np.testing.assert_array_equal(track.evaluate(times), outputs)
+        self.assertEqual(track.evaluate(0.5).shape, (3,))
+        self.assertEqual(native.Track(filter, times, values[:, 0]).evaluate(0.5).shape, ())
+        self.assertEqual(native.Track(filter, times, values[:, 0]).evaluate([0.5, 0.6]).shape, (2,))
+
+    def test_resets_and_loops(self):
+        filter = native.SecondOrder(1.0, 0.3, 0.0)
+        track = native.Track(filter, [0.0, 1.0, 2.0], [0.0, 1.0, 9.0], resets=[2])
+        self.assertEqual(track.evaluate(2.0), 9.0)
+        loop = native.Track(filter, [0.0, 1.0, 2.0], [0.0, 1.0, 0.0], loop=True)
+        np.testing.assert_allclose(loop.evaluate([0.3, 1.9]), loop.evaluate([4.3, -0.1]), atol=1e-12)
+
+    def test_rotations(self):
+        angles = np.array([0.0, 0.7, 1.1, 0.2])
+        rotations = np.stack([np.cos(angles / 2), np.zeros(4), np.zeros(4), np.sin(angles / 2)], axis=1)
+        rotations[2] *= -1.0
+        filter = native.SecondOrder(1.5, 0.4, 0.0)
+        track = native.RotationTrack(filter, [0.0, 0.5, 1.0, 2.0], rotations)
+        at = np.linspace(0.0, 3.0, 20)
+        found = track.evaluate(at)
+        expected = native.Track(filter, [0.0, 0.5, 1.0, 2.0], angles).evaluate(at)
+        found *= np.sign(found[:, :1])  # q and -q are the same rotation
+        np.testing.assert_allclose(2.0 * np.arctan2(found[:, 3], found[:, 0]), expected, atol=1e-12)
+        self.assertEqual(track.evaluate(1.0).shape, (4,))
+
+    def test_errors_name_the_argument(self):
+        filter = native.SecondOrder(1.0, 1.0, 0.0)
+        for call, name in (
+                (lambda: native.SecondOrder(0.0, 1.0, 0.0), "frequency"),
+                (lambda: native.SecondOrder(1.0, -1.0, 0.0), "damping"),
+                (lambda: native.step_response([0.0, math.inf], 1.0, 1.0, 0.0), "times"),
+                (lambda: native.second_order([0.0, 0.0], [1.0, 2.0], 1.0, 1.0, 0.0), "times"),
+                (lambda: native.second_order([0.0, 1.0], [1.0], 1.0, 1.0, 0.0), "inputs"),
+                (lambda: native.Track(filter, [0.0], [math.nan]), "inputs"),
+                (lambda: native.Track(filter, [0.0], [0.0], resets=[-1]), "resets"),
+                (lambda: native.Track(filter, [0.0], [0.0], resets=[1]), "resets"),
+                (lambda: native.Track(native.SecondOrder(1.0, 0.0, 0.0), [0.0, 1.0], [0.0, 0.0], loop=True), "damping"),
+                (lambda: native.RotationTrack(filter, [0.0], [[1.0, 0.0, 0.0]]), "inputs"),
+                (lambda: native.RotationTrack(filter, [0.0], [[2.0, 0.0, 0.0, 0.0]]), "inputs")):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, name):
+                call()
+        with self.assertRaisesRegex(TypeError, "resets"):
+            native.Track(filter, [0.0], [0.0], resets=3)
