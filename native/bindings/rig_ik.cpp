@@ -121,8 +121,11 @@ struct CopiedInput {
         input.world = matrix_of_columns(world, "world");
         input.settings = settings;
     }
+    ~CopiedInput() = default;
     CopiedInput(const CopiedInput&) = delete;
     CopiedInput& operator=(const CopiedInput&) = delete;
+    CopiedInput(CopiedInput&&) = delete;
+    CopiedInput& operator=(CopiedInput&&) = delete;
 };
 
 py::object solve(const IkPlan& plan, const py::object& bones, const py::object& poses,

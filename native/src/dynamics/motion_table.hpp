@@ -244,15 +244,14 @@ class MotionTable {
         return drive;
     }
 
-    const MotionSettings<System> settings_;
-    const double largest_tail_ = largest_tail * std::sqrt(settings_.system.inertia());
+    mutable Derivatives<System::size> derivatives_;  ///< of the interval that comes next
     mutable std::mutex growing_;
     mutable std::shared_mutex states_lock_;  ///< of the two vectors, while they grow
+    const MotionSettings<System> settings_;
+    const double largest_tail_ = largest_tail * std::sqrt(settings_.system.inertia());
     mutable std::vector<State> states_;
     mutable std::vector<std::uint8_t> levels_;  ///< with 2 to the power of which steps the interval was made
-    // Of the interval that comes next.
-    mutable Derivatives<System::size> derivatives_;
-    mutable int level_ = 0;
+    mutable int level_ = 0;                     ///< of the interval that comes next
 };
 
 }  // namespace motus::dynamics
