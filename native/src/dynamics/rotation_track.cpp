@@ -34,11 +34,11 @@ using Row = std::array<double, size + 1>;
 [[nodiscard]] bool solve(std::array<Row, size>& rows) {
     constexpr double lost = 1e-12;
     for (std::size_t column = 0; column < size; ++column) {
-        const auto pivot = std::max_element(
-            rows.begin() + static_cast<std::ptrdiff_t>(column), rows.end(),
-            [&](const Row& a, const Row& b) { return std::abs(a[column]) < std::abs(b[column]); });
-        if (std::abs((*pivot)[column]) < lost) return false;
-        std::swap(rows[column], *pivot);
+        std::size_t pivot = column;
+        for (std::size_t row = column + 1; row < size; ++row)
+            if (std::abs(rows[row][column]) > std::abs(rows[pivot][column])) pivot = row;
+        if (std::abs(rows[pivot][column]) < lost) return false;
+        std::swap(rows[column], rows[pivot]);
         for (std::size_t row = 0; row < size; ++row) {
             const double share = rows[row][column] / rows[column][column];
             for (std::size_t i = column; row != column && i <= size; ++i)
