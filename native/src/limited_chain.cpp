@@ -15,6 +15,7 @@
 #include "smooth.hpp"
 #include "swing_twist.hpp"
 #include "turns.hpp"
+#include "unfilled.hpp"
 
 namespace motus {
 namespace {
@@ -318,7 +319,7 @@ ChainReport solve_limited_chain(const LimitedChain& chain, const glm::dvec3& tar
     if (chain.rest.size() != count || chain.limits.size() != count || rotations.size() != count)
         throw std::invalid_argument("all spans of a chain must have one size");
     const Reach reach = reach_of(chain);
-    std::array<glm::dquat, largest_chain> given;
+    PerBone<glm::dquat> given;
     std::copy(rotations.begin(), rotations.end(), given.begin());
     Search search(chain, reach, target, settings, orientation);
     ChainReport report;

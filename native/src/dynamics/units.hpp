@@ -60,7 +60,8 @@ void drive(MotionSettings<System>& settings, const PivotMotion& pivot, const Tim
     require(pivot.accelerations.size() % 2 == 0, "accelerations must be pairs of x and z");
     const double step = unit.from_seconds(pivot.step);
     constexpr int most_halvings = 20;
-    const int halvings = step > settings.interval ? exponent_of(step / settings.interval) + 1 : 0;
+    const int halvings =
+        step > settings.interval ? std::max(exponent_of(step / settings.interval), 0) + 1 : 0;
     require(halvings <= most_halvings, "step of the pivot's samples must be shorter for so fast a pendulum");
     settings.interval = std::scalbn(step, -halvings);
     settings.intervals_per_sample = 1 << halvings;
