@@ -120,7 +120,8 @@ TEST_CASE("surfaces and lattices of the smallest sizes do not depend on it eithe
         for (glm::vec3& p : points) p *= size;
         const std::vector<glm::ivec3> triangles{{0, 1, 2}, {1, 3, 2}};
         const Neighbours neighbours(points.size(), triangles);
-        const auto reach = [&] { return surface_reach(points, neighbours, 0, 1.2f * size); };
+        const float radius = 1.2f * size;  // here: in the other mode the product is 0
+        const auto reach = [&] { return surface_reach(points, neighbours, 0, radius); };
         const Reach usual = reach(), other = flushed(reach);
         INFO("size " << size);
         CHECK(other.vertices == usual.vertices);
