@@ -53,14 +53,6 @@ std::vector<std::uint32_t> bits_of(std::span<const float> values) {
     return bits;
 }
 
-Dab sample_dab() {
-    Dab dab;
-    dab.root = {0.2f, -0.1f, 0.3f};
-    dab.displacement = {0.1f, 0.3f, -0.2f};
-    dab.radius = 0.7f;
-    return dab;
-}
-
 constexpr float tiny_sizes[] = {1e-44f, 3e-39f, 1e-30f, 4e-23f, 1e-20f, 2e-19f};
 const std::vector<float> hill{0.0f, 0.3f, -0.2f, 1.0f, 0.5f};
 constexpr Falloff all_falloffs[] = {Falloff::classic,  Falloff::smooth,   Falloff::sphere,

@@ -16,6 +16,15 @@
 
 namespace motus::checks {
 
+/// A pull of no special direction.
+[[nodiscard]] inline Dab sample_dab() {
+    Dab dab;
+    dab.root = {0.2f, -0.1f, 0.3f};
+    dab.displacement = {0.1f, 0.3f, -0.2f};
+    dab.radius = 0.7f;
+    return dab;
+}
+
 /// Vertices anywhere in [-1, 1]^3.
 [[nodiscard]] inline std::vector<glm::vec3> cloud(std::size_t count, unsigned seed = 1) {
     test::Random random(seed);

@@ -21,14 +21,6 @@ namespace {
 constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-Dab sample_dab() {
-    Dab dab;
-    dab.root = {0.2f, -0.1f, 0.3f};
-    dab.displacement = {0.1f, 0.3f, -0.2f};
-    dab.radius = 0.7f;
-    return dab;
-}
-
 /// Stretched, turned and sheared.
 const glm::mat3 world{1.5f, 0.2f, 0.0f, -0.3f, 0.7f, 0.1f, 0.0f, 0.4f, 2.0f};
 
