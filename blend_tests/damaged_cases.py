@@ -184,7 +184,7 @@ def drawn(case, owner):
     """All that the panel writes."""
     bpy.context.view_layer.objects.active = owner
     layout = _Layout()
-    draw = support.addon("pull.pins_panel").draw_list if case.system == "pull" else support.addon(f"{case.system}.panel").draw_main
+    draw = support.addon("pull.pins.panel").draw_list if case.system == "pull" else support.addon(f"{case.system}.panel").draw_main
     draw(layout, bpy.context)
     return " ".join(layout.texts)
 

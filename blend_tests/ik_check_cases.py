@@ -26,4 +26,4 @@ class CheckTestCase(IkTestCase):
 
     def told(self, entry):
         status = support.addon("ik.status")
-        return support.addon("ik.check_results").sentence(entry, lambda value: status.length(bpy.context, value))
+        return support.addon("ik.checking.results").sentence(entry, lambda value: status.length(bpy.context, value))

@@ -68,7 +68,7 @@ class MatchTestCase(IkTestCase):
 
     def error_of_job(self, rig, job="match_fk", switch=False):
         outcome = {}
-        module = support.addon("ik.match_job")
+        module = support.addon("ik.matching.job")
         for _ in getattr(module, job)(bpy.context, rig, "", list(range(1, 31)), switch, outcome):
             pass
         return outcome["error"]

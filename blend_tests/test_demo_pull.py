@@ -81,7 +81,7 @@ class PulledFromClay(unittest.TestCase):
             self.assertFalse(thing.type == 'MESH' and thing.data.shape_keys, thing.name)
 
     def test_every_pin_holds_and_is_keyed(self):
-        pins_solve, wiring = support.addon("pull.pins_solve"), support.addon("core.wiring")
+        pins_solve, wiring = support.addon("pull.pins.solve"), support.addon("core.wiring")
         system, depsgraph = support.addon("pull").SYSTEM, bpy.context.evaluated_depsgraph_get()
         for thing in (self.land, self.head):
             self.assertIsNone(wiring.problem(system, thing, depsgraph))

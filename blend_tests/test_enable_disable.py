@@ -273,13 +273,13 @@ class ClearedTest(unittest.TestCase):
         self.assert_goes_and_comes()
 
     def test_draw_handlers(self):
-        overlay, cursor = support.addon("core.overlay"), support.addon("pull.cursor")
+        overlay, cursor = support.addon("core.overlay"), support.addon("pull.window.cursor")
         bpy.types.SpaceView3D.draw_handler_remove(overlay._handler[0], 'WINDOW')
         bpy.types.WindowManager.draw_cursor_remove(cursor._handle[0])
         self.assert_goes_and_comes()
 
     def test_tools(self):
-        tools = support.addon("pull.tool")
+        tools = support.addon("pull.window.tool")
         for tool in tools.TOOLS:
             bpy.utils.unregister_tool(tool)
         self.assert_goes_and_comes()

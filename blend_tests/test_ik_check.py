@@ -90,7 +90,7 @@ class Frames(CheckTestCase):
         target = self.moving(self.FAR)
         entry = self.reach()
         self.check()
-        outdated = support.addon("ik.check_results").contradicts
+        outdated = support.addon("ik.checking.results").contradicts
         self.assertFalse(outdated(entry, 20, 'FAR') or outdated(entry, 77, 'NEAR') or outdated(entry, 50, 'NONE'))
         self.assertTrue(outdated(entry, 20, 'NONE') and outdated(entry, 50, 'FAR'))
         self.assertTrue(outdated(entry, 20, 'UNSOLVED') and outdated(entry, 50, 'ANIMATED'))
@@ -116,7 +116,7 @@ class Frames(CheckTestCase):
         for frame in (1, 11, 12, 19, 20, 21, 91, 95):
             self.scene.frame_set(frame)
             self.assertFalse(panel.is_outdated(bpy.context, self.rigged, entry), frame)
-        outdated = support.addon("ik.check_results").contradicts
+        outdated = support.addon("ik.checking.results").contradicts
         self.assertTrue(outdated(entry, 11, 'NONE') and outdated(entry, 21, 'FAR'))
         self.check(step=0.3, frame_end=5)  # in single precision: 1, 1.3, 1.6, 1.9, 2.2, 2.5, 2.8, 3.1, 3.4, 3.7, 4.0000001
         self.assertTrue(outdated(entry, 4, 'FAR'))
@@ -182,7 +182,7 @@ class Everything(CheckTestCase):
         self.moving(Frames.FAR)
         entry = self.reach()
         self.scene.frame_set(5)
-        cls = support.addon("ik.check").MOTUS_OT_ik_check
+        cls = support.addon("ik.checking.operators").MOTUS_OT_ik_check
         walker = type("Walker", (), {
             "object": "Rig", "bone": "", "step": 1.0, "steps": cls.steps, "_walk": cls._walk})()
         steps = walker.steps(bpy.context, list(range(1, 101)))
@@ -202,7 +202,7 @@ class Everything(CheckTestCase):
 
 class Text(support.SceneTestCase):
     def test_ranges(self):
-        ranges = support.addon("ik.check_results").ranges
+        ranges = support.addon("ik.checking.results").ranges
         self.assertEqual(ranges([], 1.0), "")
         self.assertEqual(ranges([5], 1.0), "5")
         self.assertEqual(ranges([1, 2, 3, 7, 9, 10], 1.0), "1-3, 7, 9-10")
@@ -211,7 +211,7 @@ class Text(support.SceneTestCase):
 
     def test_large_frames(self):
         """An exponent would be nothing to read, and other frames."""
-        results = support.addon("ik.check_results")
+        results = support.addon("ik.checking.results")
         self.assertEqual(results.ranges([1048573, 1048574, 1048575, 1048600.25], 1.0), "1048573-1048575, 1048600.25")
         entry = type("Entry", (results.CheckResults,), {})()
         results.store(entry, [1048573, 1048574, 1048575], 1.0, [1048574], 1.0, 'FAR')

@@ -11,7 +11,7 @@ class Unsolved(CheckTestCase):
 
     def reported(self, **keywords):
         """Kinds and sentences of the operator's reports."""
-        cls, reports = support.addon("ik.check").MOTUS_OT_ik_check, []
+        cls, reports = support.addon("ik.checking.operators").MOTUS_OT_ik_check, []
         walker = type("Walker", (), {
             **{name: value for name, value in vars(cls).items() if callable(value)},
             "object": "Rig", "bone": "", "step": 1.0, "total": 10, **keywords,

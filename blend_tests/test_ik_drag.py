@@ -59,7 +59,7 @@ class WithoutIk(DragTestCase):
 
     def test_chain_ends_at_branches_and_loose_bones(self):
         rig = self.chain()
-        free = support.addon("ik.grab").free_chain
+        free = support.addon("ik.dragging.grab").free_chain
         self.assertEqual(free(rig, "Bone 2", 0), ("Bone 0", "Bone 1", "Bone 2"))
         self.assertEqual(free(rig, "Finger 1.0", 0), ("Finger 1.0",))
         self.assertEqual(free(rig, "Bone 4", 2), ("Bone 3", "Bone 4"))
@@ -77,7 +77,7 @@ class WithoutIk(DragTestCase):
         self.assertSamePose(rig, before, 1e-5)
         for bone, values in zip(rig.pose.bones, kept):
             bone.rotation_quaternion = values
-        held = support.addon("ik.grab").grab(bpy.context, rig, "Bone 4", 0.5)
+        held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 4", 0.5)
         held.pull(held.point)
         self.assertEqual([tuple(bone.rotation_quaternion) for bone in rig.pose.bones], kept)
 
@@ -85,14 +85,14 @@ class WithoutIk(DragTestCase):
         rig = self.chain()
         turn(rig.pose.bones["Bone 2"], (1.0, 0.0, 0.0), 0.6)
         before = self.poses(rig)
-        held = support.addon("ik.grab").grab(bpy.context, rig, "Bone 4", 0.3)
+        held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 4", 0.3)
         for size in (1e-3, 1e-4):
             held.pull(held.point + Vector((size, 0.0, 0.0)))
             self.assertLess(np.abs(self.poses(rig) - before).max(), 30.0 * size)
 
     def test_depends_on_the_place_alone(self):
         rig = self.chain()
-        held = support.addon("ik.grab").grab(bpy.context, rig, "Bone 4", 1.0)
+        held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 4", 1.0)
         place = held.point + Vector((0.2, -0.1, -0.1))
         held.pull(place)
         first = [tuple(bone.rotation_quaternion) for bone in rig.pose.bones]
@@ -111,7 +111,7 @@ class WithoutIk(DragTestCase):
                 bone.rotation_axis_angle = (9.0, 0.1, 0.9, 0.3)
             before = [(tuple(bone.rotation_quaternion), tuple(bone.rotation_euler), tuple(bone.rotation_axis_angle))
                       for bone in rig.pose.bones]
-            held = support.addon("ik.grab").grab(bpy.context, rig, "Bone 3", 0.5)
+            held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 3", 0.5)
             held.pull(held.point + Vector((0.2, 0.1, -0.2)))
             self.assertNear(self.point(rig, "Bone 3", 0.5), held.point + Vector((0.2, 0.1, -0.2)), 1e-5)
             held.restore()
@@ -224,7 +224,7 @@ class WithIk(DragTestCase):
     def test_out_of_reach_and_back(self):
         rig = self.arm()
         self.reach()
-        held = support.addon("ik.grab").grab(bpy.context, rig, "Bone 1", 1.0)
+        held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 1", 1.0)
         start = tuple(bpy.data.objects["Target"].location)
         held.pull(Vector((5.0, 0.0, 1.0)))
         self.assertLess(bpy.data.objects["Target"].location.length, 10.0)
@@ -249,7 +249,7 @@ class WithIk(DragTestCase):
         self.target((5.0, 0.0, 0.0))
         self.reach()
         before = self.tail(rig)
-        held = support.addon("ik.grab").grab(bpy.context, rig, "Bone 1", 1.0)
+        held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 1", 1.0)
         for way in ((-1.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.3, -0.4, 0.5)):
             for size in (1e-4, 1e-3, 1e-2):
                 held.pull(held.point + size * Vector(way))

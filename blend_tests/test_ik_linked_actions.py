@@ -90,7 +90,7 @@ class Matching(LinkedActionTestCase):
     def test_cancelled(self):
         self.link_action(self.goal)
         self.reach()
-        jobs = support.addon("ik.match_job")
+        jobs = support.addon("ik.matching.job")
         before = [(obj.animation_data.action, self.actions.slot_identifier(obj), state_of(obj))
                   for obj in (self.rigged, self.goal)]
         count = len(bpy.data.actions)

@@ -102,7 +102,7 @@ class Steps(MatchTestCase):
 
     def steps(self, operator):
         """(announced before the first, numbers of those that were done)."""
-        cls = getattr(support.addon("ik.matching"), operator)
+        cls = getattr(support.addon("ik.matching.operators"), operator)
         walker = type("Walker", (), {
             "object": "Rig", "bone": "", "switch": False, "steps": cls.steps, "job": staticmethod(cls.job)})()
         steps = walker.steps(bpy.context, list(range(1, 11)))

@@ -5,8 +5,8 @@ import support
 from ik_match_cases import MatchTestCase
 from mathutils import Euler, Matrix
 
-controls = support.addon("ik.controls")
-frame_of = support.addon("ik.orientation").frame_of
+controls = support.addon("ik.goals.controls")
+frame_of = support.addon("ik.goals.orientation").frame_of
 
 PARENTS = {
     "scaled": (2.0, 1.0, 0.5), "scaled a little": (1.2, 1.0, 1.0), "mirrored": (-1.0, 1.0, 1.0),

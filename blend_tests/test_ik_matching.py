@@ -343,7 +343,7 @@ class IkMatchesFk(MatchTestCase):
                     curve = self.keyed_weight(((11, 0.0), (20, 0.8), (40, 0.3)), interpolation)
                     rig, writer = bpy.data.objects["Rig"], support.addon("ik.keying").KeyWriter()
                     before = _keys(curve)
-                    support.addon("ik.weights").switch(
+                    support.addon("ik.matching.weights").switch(
                         self.scene, rig, rig.motus.ik.entries[:], frames, writer, {"position_weight": 1.0})
                     self.assertNotEqual(_keys(curve), before)
                     writer.take_back()
@@ -376,7 +376,7 @@ class IkMatchesFk(MatchTestCase):
         self.reach(make_pole=True)
         target, pole = bpy.data.objects["Target"], rig.motus.ik.entries[0].pole
         target.keyframe_insert("location", frame=5)
-        module = support.addon("ik.match_job")
+        module = support.addon("ik.matching.job")
         self.scene.frame_set(3)
         before = [state_of(obj) for obj in (target, pole)], state(rig), len(bpy.data.actions)
         for job in ("match_fk", "match_ik"):

@@ -33,7 +33,7 @@ class StationTestCase(SwitchTestCase):
 
     @property
     def driver(self):
-        curve = support.addon("ik.blend_trigger").driver_of(self.rigged, self.entry)
+        curve = support.addon("ik.switching.blend_trigger").driver_of(self.rigged, self.entry)
         return curve and curve.driver
 
     def between(self, start, end, frame):

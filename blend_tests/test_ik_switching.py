@@ -245,7 +245,7 @@ class Triggered(SwitchTestCase):
         self.assertRefused("cannot wait for what is solved on its own bones", bpy.ops.motus.ik_switch_target,
                            object="Rig", bone="Bone 1", target="B", trigger_object="Rig", trigger_system="ik",
                            trigger_output="Hand.distance")
-        self.assertIsNone(support.addon("ik.blend_trigger").driver_of(self.rigged, self.entry))
+        self.assertIsNone(support.addon("ik.switching.blend_trigger").driver_of(self.rigged, self.entry))
 
     def test_settings_of_the_rig_itself(self):
         """To Blender its Blend is one with them."""
@@ -316,7 +316,7 @@ class Triggered(SwitchTestCase):
         known["trigger_object"] = "C"
         self.assertRefused("C is not driven by Follow Path", switch, **known)
         self.assertFalse(self.entry.extra_targets)
-        self.assertIsNone(self.entry.id_data.animation_data and support.addon("ik.blend_trigger").driver_of(
+        self.assertIsNone(self.entry.id_data.animation_data and support.addon("ik.switching.blend_trigger").driver_of(
             self.rigged, self.entry))
         self.rigged.driver_add("motus.ik.entries[0].target_blend").driver.expression = "0.5*2"
         known["trigger_object"] = "Aeroplane"

@@ -60,8 +60,8 @@ def steps_that_raise(error, after, closed):
 
 
 def operators():
-    return (support.addon("core.bake.operators").MOTUS_OT_bake, support.addon("ik.check").MOTUS_OT_ik_check,
-            support.addon("ik.matching").MOTUS_OT_ik_match_fk)
+    return (support.addon("core.bake.operators").MOTUS_OT_bake, support.addon("ik.checking.operators").MOTUS_OT_ik_check,
+            support.addon("ik.matching.operators").MOTUS_OT_ik_match_fk)
 
 
 class TidyTest(unittest.TestCase):

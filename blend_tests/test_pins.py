@@ -162,7 +162,7 @@ class ShapeTest(cases.PinsTestCase):
 
     def test_a_way_that_is_no_usable_number(self):
         """Numbers that are usable each by itself; the other pin goes on."""
-        wiring, setup, solve = (support.addon(name) for name in ("core.wiring", "pull.pins_setup", "pull.pins_solve"))
+        wiring, setup, solve = (support.addon(name) for name in ("core.wiring", "pull.pins.setup", "pull.pins.solve"))
         grid = cases.new_grid()
         root = centre(grid)
         pin = add(grid, root - 1)
@@ -221,9 +221,9 @@ class TimeTest(cases.PinsTestCase):
         grid = self.animated()
         frame_set(7.25)
         kept = evaluated(grid).copy()
-        support.addon("pull.pins_shapes").forget()
+        support.addon("pull.pins.shapes").forget()
         frame_set(3)
-        support.addon("pull.pins_shapes").forget()
+        support.addon("pull.pins.shapes").forget()
         frame_set(7.25)
         self.assert_bits(evaluated(grid), kept)
 

@@ -7,7 +7,7 @@ import support
 from pin_cases import add, basis, centre, evaluated, frame_set
 
 motus = bpy.ops.motus
-wiring, setup, solve = (support.addon(name) for name in ("core.wiring", "pull.pins_setup", "pull.pins_solve"))
+wiring, setup, solve = (support.addon(name) for name in ("core.wiring", "pull.pins.setup", "pull.pins.solve"))
 ULP = 2.5e-7
 """What one rounding of numbers up to 2 may come to, in metres."""
 

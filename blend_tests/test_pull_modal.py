@@ -16,7 +16,7 @@ WAY = types.SimpleNamespace
 
 
 def strokes():
-    return support.addon("pull.strokes")
+    return support.addon("pull.window.strokes")
 
 
 def a_brush(**settings):
@@ -91,7 +91,7 @@ class Pen(unittest.TestCase):
 
 class TypedNumbers(unittest.TestCase):
     def typed(self, *keys, takes_numpad=False):
-        made = support.addon("pull.entry").NumberEntry(takes_numpad)
+        made = support.addon("pull.window.entry").NumberEntry(takes_numpad)
         return made, [made.key(key) for key in keys]
 
     def test_digits(self):
@@ -131,7 +131,7 @@ class TypedNumbers(unittest.TestCase):
 class Adjusting(unittest.TestCase):
     def adjustment(self, name="radius", **settings):
         self.brush = a_brush(**settings)
-        return support.addon("pull.adjusting").Adjustment(name, self.brush, 100, 50.0, None, None)
+        return support.addon("pull.window.adjusting").Adjustment(name, self.brush, 100, 50.0, None, None)
 
     def handle(self, adjustment, *events):
         return [adjustment.handle(bpy.context, self.brush, one) for one in events][-1]
@@ -177,7 +177,7 @@ class Adjusting(unittest.TestCase):
         self.assertAlmostEqual(value, 400.0, places=3)
 
     def test_wheel(self):
-        adjusting = support.addon("pull.adjusting")
+        adjusting = support.addon("pull.window.adjusting")
         self.assertGreater(adjusting.notched(a_brush(radius=1.0), "radius", 1), 1.0)
         self.assertEqual(adjusting.notched(a_brush(radius=3.0, distance='EDGES'), "radius", -1), 2.0)
         self.assertEqual(adjusting.notched(a_brush(radius=1.0, distance='EDGES'), "radius", -1), 1.0)
@@ -185,7 +185,7 @@ class Adjusting(unittest.TestCase):
 
 class CursorShape(unittest.TestCase):
     def shape(self):
-        return support.addon("pull.cursor_shape")
+        return support.addon("pull.window.cursor_shape")
 
     def test_the_circle_lies_across_the_normal(self):
         normal = Vector((1.0, -2.0, 0.5)).normalized()
@@ -244,7 +244,7 @@ class Inset(unittest.TestCase):
         return [Vector((1.0, 2.0, 3.0)) + Vector(sides) * Vector(size) / 2.0 for sides in itertools.product((-1, 1), repeat=3)]
 
     def camera(self, rotation, *size):
-        return support.addon("pull.inset").camera(rotation.to_quaternion(), self.corners(*size), 1.5)
+        return support.addon("pull.window.inset").camera(rotation.to_quaternion(), self.corners(*size), 1.5)
 
     def test_the_whole_box_fills_the_picture(self):
         views = Euler((0.0, 0.0, 0.0)), Euler((math.pi / 2.0, 0.0, 0.0)), Euler((1.1, 0.0, 0.8))
@@ -272,7 +272,7 @@ class Inset(unittest.TestCase):
             self.assertGreater(worked_from.angle(shown_from), math.radians(40.0))
 
     def test_sidebars_and_shelves_are_kept_clear_of(self):
-        inset = support.addon("pull.inset")
+        inset = support.addon("pull.window.inset")
         region = WAY(x=100, y=50, width=1000, height=700)
         around = [
             WAY(type='UI', x=880, y=50, width=220, height=700), WAY(type='TOOLS', x=100, y=50, width=60, height=700),
@@ -288,7 +288,7 @@ class Inset(unittest.TestCase):
             WAY(type='UI', x=150, y=0, width=250, height=300)]))
 
     def test_no_room_no_inset(self):
-        inset = support.addon("pull.inset")
+        inset = support.addon("pull.window.inset")
         self.assertIsNone(inset.rectangle(WAY(width=200, height=500)))
         x, y, width, height = inset.rectangle(WAY(width=1000, height=700))
         self.assertLess(x + width, 1000)
@@ -326,7 +326,7 @@ class Toolbar(unittest.TestCase):
         self.assertEqual(Path(f"{tool.icon}.dat").read_bytes(), made["pick_pull"]())
 
     def test_keys_name_operators_and_properties_that_exist(self):
-        for identifier, _, options in support.addon("pull.keymap").TOOL_KEYMAP:
+        for identifier, _, options in support.addon("pull.window.keymap").TOOL_KEYMAP:
             area, name = identifier.split(".")
             properties = getattr(getattr(bpy.ops, area), name).get_rna_type().properties
             for key, value in options["properties"]:
@@ -337,7 +337,7 @@ class Toolbar(unittest.TestCase):
     def test_status_names_icons_that_exist(self):
         """In the newest Blender; an older one may lack some, and shows the text alone."""
         known = bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
-        status = support.addon("pull.status")
+        status = support.addon("pull.window.status")
         for key in status.SESSION_KEYS + status.ADJUSTING_KEYS:
             for icon in key.icons:
                 if bpy.app.version >= (4, 3, 0):
@@ -359,7 +359,7 @@ class WithoutAWindow(support.SceneTestCase):
         self.assertAlmostEqual(brush.strength, 0.1 / 1.1, places=6)
 
     def test_many_notches_are_one_step(self):
-        brush, adjust = bpy.context.scene.motus.pull, support.addon("pull.adjust")
+        brush, adjust = bpy.context.scene.motus.pull, support.addon("pull.window.adjust")
         self.addCleanup(setattr, adjust, "notched", adjust.notched)
         asked, notched = [], adjust.notched
         adjust.notched = lambda *arguments: asked.append(arguments) or notched(*arguments)
@@ -375,7 +375,7 @@ class WithoutAWindow(support.SceneTestCase):
         self.assertEqual(len(asked), 4)
 
     def test_nothing_is_kept_of_a_closed_file(self):
-        hover = support.addon("pull.hover")
+        hover = support.addon("pull.window.hover")
         hover._kept["key"] = "something"
         support.empty_scene()
         self.assertEqual(hover._kept, {})

@@ -200,7 +200,7 @@ class Accumulation(SessionTestCase):
 
     def test_a_large_radius_does_the_same_in_another_way(self):
         """By looking at all vertices, or at those that the tree finds."""
-        puller = sys.modules[f"{support.addon('pull').__name__}.puller"]
+        puller = sys.modules[f"{support.addon('pull').__name__}.session.puller"]
         shapes = []
         for limits in ({}, {"use_maximum": True, "maximum": 0.7}):
             results = []

@@ -10,7 +10,7 @@ class Settings(PullTestCase):
     def drawn(self, region):
         layout = _Layout()
         context = SimpleNamespace(scene=self.scene, region=SimpleNamespace(type=region))
-        for tool in support.addon("pull.tool").TOOLS:
+        for tool in support.addon("pull.window.tool").TOOLS:
             layout.names, layout.texts = [], {}
             tool.draw_settings(context, layout, None)
         for name in layout.names:
@@ -42,7 +42,7 @@ class Settings(PullTestCase):
         self.assertNotIn("radius", names)
 
     def test_blender_has_the_tool_in_each_mode(self):
-        tools = support.addon("pull.tool")
+        tools = support.addon("pull.window.tool")
         from bl_ui.space_toolsystem_common import ToolSelectPanelHelper
         bar = ToolSelectPanelHelper._tool_class_from_space_type('VIEW_3D')
         for tool in tools.TOOLS:

@@ -109,4 +109,4 @@ def take_tool():
 
 def pulling():
     """What runs, or None."""
-    return support.addon("pull.stage").current()
+    return support.addon("pull.window.stage").current()

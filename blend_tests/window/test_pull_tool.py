@@ -73,7 +73,7 @@ def test_mirror_images_that_cancel_each_other_out_are_told():
     pull.take_tool()
     yield from hover()
     flat = pull.places()
-    modal, told = support.addon("pull.modal"), []
+    modal, told = support.addon("pull.window.modal"), []
     why, modal.why_cancelled = modal.why_cancelled, lambda session: told.append(why(session)) or told[-1]
     try:
         yield from pull.drag('LEFTMOUSE', window_support.centre(), window_support.centre(), steps=1)
@@ -100,7 +100,7 @@ def test_what_is_kept_is_used_again_and_dropped_when_stale():
     pull.build()
     pull.take_tool()
     yield from hover()
-    module = support.addon("pull.hover")
+    module = support.addon("pull.window.hover")
     first = module._kept.get("session")
     assert first is not None, "the mesh under the tool was not read"
     yield from pull.drag('LEFTMOUSE', *ends())
@@ -148,7 +148,7 @@ def test_f_is_the_tools_even_where_nothing_is_read():
     """Blender's own F makes a face of what is selected."""
     pull.build('EDIT')
     pull.take_tool()
-    module = support.addon("pull.hover")
+    module = support.addon("pull.window.hover")
     most, module.MOST_IN_EDIT_MODE = module.MOST_IN_EDIT_MODE, 0
     grid = bpy.data.objects["Grid"]
     with window_support.override():
@@ -179,7 +179,7 @@ def test_inset_beside_the_sidebar():
     yield from window_support.picture("pull_inset_sidebar")
     region, sidebar = (next(one for one in view.regions if one.type == kind) for kind in ('WINDOW', 'UI'))
     assert sidebar.width > 50
-    x, y, width, height = support.addon("pull.inset").rectangle(region, view.regions)
+    x, y, width, height = support.addon("pull.window.inset").rectangle(region, view.regions)
     assert region.x + x + width <= sidebar.x
     view.spaces.active.show_region_ui = False
     brush().show_inset = False
@@ -198,7 +198,7 @@ def test_inset_on_and_off():
     yield from hover()
     with_inset = window_support.pixels((yield from window_support.picture("pull_inset_on")))[2]
     region = window_support.region()
-    x, y, width, height = support.addon("pull.inset").rectangle(region)
+    x, y, width, height = support.addon("pull.window.inset").rectangle(region)
     shape = (800, 1280, 4)
     parts = [np.frombuffer(picture, np.float32).reshape(shape)[
         region.y + y:region.y + y + height, region.x + x:region.x + x + width] for picture in (without, with_inset)]
@@ -226,7 +226,7 @@ def test_the_cursor_is_drawn_on_the_surface():
     part = values[y - 150:y + 150, x - 150:x + 150, :3]
     orange = (part[..., 0] > 0.8) & (part[..., 2] < 0.45) & (part[..., 1] > 0.35) & (part[..., 1] < 0.75)
     assert orange.sum() > 150, orange.sum()
-    log = support.addon("pull.cursor")._failed
+    log = support.addon("pull.window.cursor")._failed
     assert not log, log
 
 
@@ -241,7 +241,7 @@ def test_surface_distance_shows_the_vertices():
     yield from hover()
     yield from window_support.picture("pull_cursor_edges")
     brush().distance = 'STRAIGHT'
-    assert not support.addon("pull.cursor")._failed
+    assert not support.addon("pull.window.cursor")._failed
 
 
 def test_after_another_file_the_tool_works():
@@ -253,7 +253,7 @@ def test_after_another_file_the_tool_works():
     pull.build()
     pull.take_tool()
     yield from hover()
-    assert support.addon("pull.hover")._kept.get("session") is not None, "no cursor after a file was opened"
+    assert support.addon("pull.window.hover")._kept.get("session") is not None, "no cursor after a file was opened"
     yield from pull.drag('LEFTMOUSE', *ends())
     assert pull.heights().max() > 0.05
 
