@@ -1,6 +1,6 @@
 """A system's panels, made of what it declares: settings first, then read-outs, actions last, Refresh in a menu.
 
-Where the object does not use the system there is no panel; the short one at the top of the tab adds it. What is baked
+Where the object does not use the system there is no panel; a short one for all systems adds it. What is baked
 looks baked: a box with the frames, settings that are grey, and no read-outs.
 """
 
@@ -95,7 +95,7 @@ def _of_editor(panel, end, editor):
     menu = _menu(panel, f"{name.replace('_PT_', '_MT_')}_more")
     own = {"bl_options": {'DEFAULT_CLOSED'} if panel.is_used is None else set(),
            "bl_label": panel.labels.get(end, panel.label)}
-    found = [menu, type(name, (_main(panel, menu), editor, bpy.types.Panel), own | _common(panel))]
+    found = [menu, type(name, (_main(panel), editor, bpy.types.Panel), own | _common(panel))]
     settings = [part for part in panel.parts if not part.is_action]
     tools = [part for part in panel.parts if part.is_action]
     ends = [(kind, draw) for kind, draw in (("readouts", panel.readouts), ("actions", panel.actions)) if draw]
@@ -105,7 +105,7 @@ def _of_editor(panel, end, editor):
         if kind == "actions":
             children += [_part(panel, part) for part in tools]
             names += [part.name for part in tools]
-        children.append(_end(panel, kind, draw))
+        children.append(_end(panel, menu, kind, draw))
         names.append(kind)
     for child, mixin in zip(names, children):
         found.append(type(f"{name}_{child}", (mixin, editor, bpy.types.Panel), {"bl_parent_id": name} | _common(panel)))
@@ -127,7 +127,7 @@ def _menu(panel, name):
     return type(name, (bpy.types.Menu,), {"bl_label": "More", "draw": draw, **_common(panel)})
 
 
-def _main(panel, menu):
+def _main(panel):
     class Main:
         bl_translation_context = panel.translation_context
 
@@ -136,12 +136,8 @@ def _main(panel, menu):
             return panel.is_shown(context)
 
         def draw_header_preset(self, context):
-            if not panel.shows_settings(context):
-                return
-            if panel.presets:
+            if panel.presets and panel.shows_settings(context):
                 panel.presets.draw_panel_header(self.layout)
-            if panel.refresh:
-                self.layout.menu(menu.__name__, text="", icon='DOWNARROW_HLT')
 
         def draw(self, context):
             draw(panel, self.layout, context)
@@ -186,7 +182,7 @@ def _part(panel, part):
     return Sub
 
 
-def _end(panel, kind, draw_end):
+def _end(panel, menu, kind, draw_end):
     """Read-outs or actions, without a header, so that they go on below the settings."""
     class End:
         bl_label = panel.label
@@ -200,15 +196,16 @@ def _end(panel, kind, draw_end):
 
         def draw(self, context):
             self.layout.enabled = panel.baked_frames(context) is None
-            draw_end(self.layout, context)
+            row = self.layout.row()
+            draw_end(row.column(), context)
+            if panel.refresh and kind == "actions":
+                row.menu(menu.__name__, text="", icon='DOWNARROW_HLT')
 
     return End
 
 
-class MOTUS_PT_sidebar(ui.Sidebar, bpy.types.Panel):
-    """What is selected, and the systems that it can be given."""
-
-    bl_label = "Motus"
+class _Adding:
+    """What is selected, and the systems that it can be given: below those that it has."""
 
     def draw(self, context):
         layout = self.layout
@@ -226,10 +223,13 @@ class MOTUS_PT_sidebar(ui.Sidebar, bpy.types.Panel):
                     draw_add(panel, column, context)
 
 
-class MOTUS_PT_overlay(ui.Sidebar, bpy.types.Panel):
-    bl_label = "Overlay"
-    bl_order = 100
-    bl_options = {'DEFAULT_CLOSED'}
+class MOTUS_PT_sidebar(_Adding, ui.Sidebar, bpy.types.Panel):
+    bl_label = "Add"
+    bl_order = 90
+
+
+class _Overlay:
+    """What the viewport shows, system by system."""
 
     def draw_header(self, context):
         self.layout.prop(context.scene.motus, "show_overlay", text="")
@@ -241,6 +241,12 @@ class MOTUS_PT_overlay(ui.Sidebar, bpy.types.Panel):
         for system in registered.values():
             if system.overlay is not None:
                 _draw_switches(layout.column(), shown, system)
+
+
+class MOTUS_PT_overlay(_Overlay, ui.Sidebar, bpy.types.Panel):
+    bl_label = "Overlay"
+    bl_order = 100
+    bl_options = {'DEFAULT_CLOSED'}
 
 
 def _draw_switches(column, shown, system):

@@ -51,7 +51,8 @@ class Row:
         """Draw the row, if it matters."""
         if self.when and not self.when(settings):
             return
-        row = layout.row(align=True)
+        # In a row the parts of a vector would stand side by side in a narrow region.
+        row = layout.row(align=True) if self.expand else layout.column(align=True)
         row.active = self.active is None or bool(self.active(settings))
         words = {} if self.text is None else {"text": self.text, "text_ctxt": self.text_ctxt}
         properties = _properties(settings)

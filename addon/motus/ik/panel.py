@@ -133,7 +133,7 @@ PANEL = panels.SystemPanel(
         panels.Part("limits", "Limits", _draw_limits, draw_header=lambda layout, context: layout.prop(
             shown_entry(context), "use_limits", text="")),
         panels.Part("precision", "Precision", _draw_rows(rows.PRECISION)),
-        panels.Part("tools", "Tools", tools_panel.draw, is_action=True),
+        panels.Part("tools", "Tools", tools_panel.draw, is_open=True, is_action=True),
     ),
     readouts=draw_readouts, actions=draw_actions, refresh="motus.ik_refresh", presets=presets.PANEL, draw_add=draw_add)
 

@@ -34,7 +34,7 @@ def draw_add(layout, context):
         layout.operator("motus.path_edit_views", icon='VIEW_ORTHO')
         return
     column = layout.column(align=True)
-    column.prop(obj.motus.path, "curve", text="")
+    column.prop(obj.motus.path, "curve", text="", icon='CURVE_DATA')
     column.operator("motus.path_follow_add", icon='CON_FOLLOWPATH')
 
 

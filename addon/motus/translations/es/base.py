@@ -108,6 +108,7 @@ INTERFACE = {
     "Last frame of the baked keyframes; as the first one in files of older versions":
         "Último fotograma de las claves capturadas; igual que el primero en archivos de versiones anteriores",
     "More": "Más",
+    "Add": "Agregar",
     "Draw what this system computes for the selected objects":
         "Dibujar lo que este sistema calcula para los objetos seleccionados",
     "Path": "Trayectoria",
