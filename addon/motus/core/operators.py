@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import bpy
 
 from . import native
-from .refusals import Refused
+from .refusals import Refused, check_local
 from .translations import tr
 
 OFFER = "motus_offer"
@@ -33,6 +33,11 @@ def offer(layout, context):
     """
     layout.context_pointer_set(OFFER, context.scene)
     return layout
+
+
+def object_keyword(description):
+    """The property by which scripts name an object."""
+    return bpy.props.StringProperty(name="Object", description=description, options={'SKIP_SAVE'})
 
 
 class Operator:
@@ -99,6 +104,21 @@ class Operator:
         return {name: getattr(self, name) for name in names if self.is_given(name)}
 
 
+class OfARig(Operator):
+    """What operators on a system's set-up of a rig have, in the modes in which constraints can be changed.
+
+    rig_with(context, name): the rig of this name, or the active one, where it has such a set-up; else raises Refused.
+    """
+
+    object: object_keyword("Name of the armature; empty takes the active one")
+    modes = OBJECT_OR_POSE_MODE
+    rig_with = None
+
+    @classmethod
+    def check_offer(cls, context):
+        check_local(cls.rig_with(context, ""))
+
+
 def is_for_scripts(prop):
     """Whether a keyword names things or places, which an artist selects: an RNA property of an operator."""
     if prop.is_hidden or prop.type in {'STRING', 'POINTER', 'COLLECTION'}:
@@ -106,8 +126,3 @@ def is_for_scripts(prop):
     if prop.type == 'INT' and not prop.is_array:
         return prop.default == -1  # an index
     return prop.type == 'FLOAT' and prop.is_array and prop.unit == 'LENGTH' and not any(prop.default_array)
-
-
-def object_keyword(description):
-    """The property by which scripts name an object."""
-    return bpy.props.StringProperty(name="Object", description=description, options={'SKIP_SAVE'})

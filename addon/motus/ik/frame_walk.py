@@ -26,10 +26,6 @@ class OverFrames(OfABone, over_frames.OverFrames):
         default=True, options={'SKIP_SAVE'})
     for_scripts = ("use_range",)
 
-    @classmethod
-    def check_offer(cls, context):
-        rig_with_ik(context, "")
-
     def frames(self, scene):
         if not self.use_range:
             return over_frames.current(scene)

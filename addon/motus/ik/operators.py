@@ -2,8 +2,7 @@
 
 import bpy
 
-from ..core import wiring
-from ..core.operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
+from ..core import operators, wiring
 from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -13,15 +12,10 @@ from .properties import KEYWORDS, IkKeywords
 from .switching import blend_keys, blend_trigger
 
 
-class OfARig(Operator):
-    """What all these operators have: a rig, in the modes in which its constraints can be changed."""
+class OfARig(operators.OfARig):
+    """What all these operators have."""
 
-    object: object_keyword("Name of the armature; empty takes the active one")
-    modes = OBJECT_OR_POSE_MODE
-
-    @classmethod
-    def check_offer(cls, context):
-        check_local(targets.rig_with_ik(context, ""))
+    rig_with = staticmethod(targets.rig_with_ik)
 
 
 class OfABone(OfARig):

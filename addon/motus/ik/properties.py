@@ -1,7 +1,6 @@
 """Settings of inverse kinematics: Object.motus.ik, with an entry for each chain."""
 
 import math
-from contextlib import contextmanager
 
 import bpy
 
@@ -140,15 +139,6 @@ class MOTUS_PG_ik(SystemSettings, bpy.types.PropertyGroup):
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_ik_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Chain", options={'HIDDEN'})
     active_entry: bpy.props.IntProperty(name="Active Chain", options={'SKIP_SAVE'}, get=_get_active, set=_set_active)
-
-    @contextmanager
-    def unwired(self):
-        """Changes within do not wire the rig again, each by itself."""
-        was_active, self.is_active = self.is_active, False
-        try:
-            yield self
-        finally:
-            self.is_active = was_active
 
 
 classes = (MOTUS_PG_ik_target, MOTUS_PG_ik_entry, MOTUS_PG_ik)

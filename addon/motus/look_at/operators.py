@@ -2,23 +2,17 @@
 
 import bpy
 
-from ..core import wiring
-from ..core.operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
+from ..core import operators, wiring
 from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, rows, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
 
 
-class OfARig(Operator):
-    """What all these operators have: a rig, in the modes in which its constraints can be changed."""
+class OfARig(operators.OfARig):
+    """What all these operators have."""
 
-    object: object_keyword("Name of the armature; empty takes the active one")
-    modes = OBJECT_OR_POSE_MODE
-
-    @classmethod
-    def check_offer(cls, context):
-        check_local(targets.looking_rig(context, ""))
+    rig_with = staticmethod(targets.looking_rig)
 
 
 class OfAHead(OfARig):

@@ -4,6 +4,8 @@ import bpy
 import support
 from window import window_support
 
+TOOLTIP = 1.5
+"""Seconds after which Blender surely shows the tooltip of what is under the mouse."""
 JOINTS = ((0.0, 0.0, 2.0), (0.0, -0.2, 1.0), (0.0, 0.0, 0.0))
 
 
@@ -46,13 +48,17 @@ def menu(kind, picture):
     with window_support.override():
         bpy.ops.wm.call_menu(name=f"MOTUS_MT_{kind}")
     yield
+    for step in range(3):
+        window_support.move(x - step, y)
+        yield
+    yield TOOLTIP
     yield from window_support.picture(picture)
     window_support.press('ESC', x, y)
     yield
 
 
 def test_menus():
-    """Grouped by system; what the selection cannot have is grey."""
+    """Grouped by system; what the selection cannot have is grey, and the tooltip says why."""
     glider, _, rig = build()
     for kind in ("add", "object"):
         choose(glider)
