@@ -1,0 +1,266 @@
+"""One number under strips of the NLA: their times, extrapolation, influence and blending, as Blender evaluates them."""
+
+from types import SimpleNamespace
+
+from .. import actions, copies
+from ..lazy import numpy as np
+from . import keys
+from .reason import Reason
+
+SAME = 2.0**-23
+"""Numbers that are nearer are one to Blender (frames, influences)."""
+SCALES = {"scale", "delta_scale"}
+"""Properties that Combine multiplies."""
+REPEATS = 1000
+"""Repetitions of a strip in which bounds() looks for keys."""
+
+
+def animating(player_owner, data_path, index):
+    """The F-curve by which the action of a datablock, or of anything with animation_data, animates a number; or None."""
+    curve = actions.find(player_owner, data_path, index)
+    if curve is None or curve.is_empty or curve.mute or (curve.group and curve.group.mute) or not curve.is_valid:
+        return None
+    return curve
+
+
+def animates(strip, data_path, index):
+    """Whether a strip, or one inside it, animates a number."""
+    if strip.mute:
+        return False
+    if strip.type == 'META':
+        return any(animates(inner, data_path, index) for inner in strip.strips)
+    return _curve(strip, data_path, index) is not None
+
+
+def _curve(strip, data_path, index):
+    # A strip names its action and slot as animation data does.
+    return animating(SimpleNamespace(animation_data=strip), data_path, index)
+
+
+class Stack:
+    """All that the NLA lays over each other for one number, the lowest first."""
+
+    def __init__(self, layers, number):
+        self._layers, self._number = layers, number
+
+    @classmethod
+    def of(cls, animation, data_path, number, acting):
+        """Of what animates a number, where strips take part; a Reason where Blender's value is not known ahead.
+
+        acting: the F-curve of the active action, or None.
+        """
+        unknown = Reason(Reason.STRIPS, thing=animation.id_data.name)
+        if animation.use_tweak_mode or any(track.is_solo for track in animation.nla_tracks):
+            return unknown
+        index = max(number.index, 0)
+        layers = [_Track([(strip, _curve(strip, data_path, index)) for strip in track.strips])
+                  for track in animation.nla_tracks if not track.mute and len(track.strips)]
+        if animation.action:
+            layers.append(_Acting(animation, acting))
+        layers = [layer for layer in layers if layer.animates]
+        # Where at times nothing sets it, it stays at what it was on the frame before.
+        if not any(layer.is_always for layer in layers):
+            return unknown
+        if not all(layer.is_known(number, data_path) for layer in layers):
+            return unknown
+        return cls(layers, number)
+
+    def values(self, times):
+        """(n,) at times (n,)."""
+        times = np.asarray(times, np.float32).astype(float)
+        lower = np.full(len(times), self._number.default)
+        for layer in self._layers:
+            for upper, influence, kind, at in layer.parts(times):
+                lower[at] = _blended(kind, lower[at], upper, influence, self._number)
+        return lower
+
+    def bounds(self, first, last):
+        """As Channel.bounds()."""
+        inner = {frame for layer in self._layers for frame in layer.bounds(first, last)}
+        return keys.union([[first, *inner, last]])
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return tuple(layer.stamp for layer in self._layers)
+
+
+def _blended(kind, lower, upper, influence, number):
+    if kind == 'ADD':
+        return lower + upper * influence
+    if kind == 'SUBTRACT':
+        return lower - upper * influence
+    if kind == 'MULTIPLY':
+        return influence * (lower * upper) + (1.0 - influence) * lower
+    if kind == 'COMBINE':
+        if number.name in SCALES:
+            return lower * np.power(upper / (number.default or 1.0), influence)
+        return lower + (upper - number.default) * influence
+    return lower * (1.0 - influence) + upper * influence
+
+
+def _is_blend_known(kind, number):
+    if kind == 'COMBINE':
+        return number.subtype != 'QUATERNION' and (number.name in SCALES or "scale" not in number.name)
+    return kind in {'ADD', 'SUBTRACT', 'MULTIPLY', 'REPLACE'}
+
+
+class _Acting:
+    """The active action, on top of the strips."""
+
+    def __init__(self, animation, curve):
+        self._animation, self._curve = animation, curve
+        self.animates = curve is not None and animation.action_influence > 0.0
+        self._is_endless = animation.action_extrapolation != 'NOTHING'
+        self.is_always = self.animates and self._is_endless
+
+    def is_known(self, number, _data_path):
+        return _is_blend_known(self._animation.action_blend_type, number)
+
+    def parts(self, times):
+        at = np.arange(len(times))
+        if not self._is_endless:
+            start, end = self._animation.action.frame_range
+            at = np.flatnonzero((start <= times) & (times <= (end if end > start else start + 1.0)))
+        animation = self._animation
+        yield keys.values(self._curve, times[at]), animation.action_influence, animation.action_blend_type, at
+
+    def bounds(self, first, last):
+        ends = () if self._is_endless else self._animation.action.frame_range
+        return [*keys.bounds(self._curve, first, last), *ends]
+
+    @property
+    def stamp(self):
+        animation = self._animation
+        return (copies.number_of_action(animation.action), animation.action_influence, animation.action_blend_type,
+                animation.action_extrapolation)
+
+
+class _Track:
+    """One track's strips, in the order of time, each with the F-curve that animates the number or None."""
+
+    def __init__(self, strips):
+        self._strips = strips
+        usable = [strip for strip, curve in strips if curve is not None and not strip.mute]
+        self.animates = any(not strip.mute and (curve is not None or strip.type == 'META') for strip, curve in strips)
+        self.is_always = len(usable) == len(strips) and usable[0].extrapolation == 'HOLD' and all(
+            strip.extrapolation != 'NOTHING' and not strip.use_animated_influence
+            and strip.blend_in == strip.blend_out == 0.0 for strip in usable)
+
+    def is_known(self, number, data_path):
+        return all(strip.mute or self._is_strip_known(strip, curve, number, data_path) for strip, curve in self._strips)
+
+    @staticmethod
+    def _is_strip_known(strip, curve, number, data_path):
+        if strip.type != 'CLIP' or len(strip.modifiers):
+            return False
+        if curve is None:
+            return True
+        # Of a quaternion Blender sets all four numbers, whichever of them have keys.
+        is_whole = number.subtype != 'QUATERNION' or all(_curve(strip, data_path, index) for index in range(4))
+        return is_whole and _is_blend_known(strip.blend_type, number)
+
+    def parts(self, times):
+        chosen, clamped = self._chosen(times)
+        for place, (strip, curve) in enumerate(self._strips):
+            at = np.flatnonzero(chosen == place)
+            if strip.mute or curve is None or len(at) == 0:
+                continue
+            influence = _influences(strip, clamped[at])
+            acts = influence > 0.0
+            at = at[acts]
+            yield keys.values(curve, _action_times(strip, clamped[at])), influence[acts], strip.blend_type, at
+
+    def _chosen(self, times):
+        """Which strip acts at each time, -1 for none, and the time within it."""
+        chosen, clamped = np.full(len(times), -1), times.copy()
+        left = np.ones(len(times), bool)
+        for place, (strip, _) in enumerate(self._strips):
+            inside = left & (strip.frame_start <= times) & (times <= strip.frame_end)
+            chosen[inside] = place
+            left &= ~inside
+            before = left & (times < strip.frame_start)
+            left &= ~before
+            if place > 0:
+                previous = self._strips[place - 1][0]
+                chosen[before] = place - 1 if previous.extrapolation != 'NOTHING' else -1
+                clamped[before] = previous.frame_end
+            else:
+                chosen[before] = 0 if strip.extrapolation == 'HOLD' else -1
+                clamped[before] = strip.frame_start
+        last = self._strips[-1][0]
+        chosen[left] = len(self._strips) - 1 if last.extrapolation != 'NOTHING' else -1
+        clamped[left] = last.frame_end
+        return chosen, clamped
+
+    def bounds(self, first, last):
+        for strip, curve in self._strips:
+            yield from (strip.frame_start, strip.frame_end, strip.frame_start + strip.blend_in,
+                        strip.frame_end - strip.blend_out)
+            if curve is None:
+                continue
+            start, end = max(first, strip.frame_start), min(last, strip.frame_end)
+            if start < end:
+                yield from keys.whole(start, end)
+                yield from self._keys(strip, curve)
+
+    @staticmethod
+    def _keys(strip, curve):
+        """Frames of the scene at which a strip meets a key of its action."""
+        length = (strip.action_frame_end - strip.action_frame_start) or 1.0
+        scale = abs(strip.scale) or 1.0
+        inner = keys.bounds(curve, strip.action_frame_start, strip.action_frame_start + length)
+        if strip.use_reverse:
+            inner = [2.0 * strip.action_frame_start + length - frame for frame in inner]
+        for lap in range(min(int(np.ceil(strip.repeat)), REPEATS, max(1, keys.MOST // len(inner)))):
+            for frame in inner:
+                yield strip.frame_start + scale * (lap * length + frame - strip.action_frame_start)
+
+    @property
+    def stamp(self):
+        return tuple(_strip_stamp(strip) for strip, _ in self._strips)
+
+
+def _strip_stamp(strip):
+    # A strip's own F-curves are edited with the datablock that has it, of which nothing tells a fresh copy.
+    own = tuple(tuple((*point.co, *point.handle_left, *point.handle_right) for point in curve.keyframe_points)
+                for curve in strip.fcurves)
+    return (copies.number_of_action(strip.action) if strip.action else 0, strip.mute, strip.frame_start, strip.frame_end,
+            strip.action_frame_start, strip.action_frame_end, strip.scale, strip.repeat, strip.use_reverse, strip.blend_type,
+            strip.extrapolation, strip.blend_in, strip.blend_out, strip.use_animated_influence, strip.use_animated_time, own)
+
+
+def _influences(strip, times):
+    if strip.use_animated_influence:
+        return _controlled(strip, "influence", times)
+    found = np.ones(len(times))
+    if strip.blend_out > SAME:
+        to_end = times >= strip.frame_end - strip.blend_out
+        found[to_end] = np.abs(strip.frame_end - times[to_end]) / strip.blend_out
+    if strip.blend_in > SAME:
+        from_start = times <= strip.frame_start + strip.blend_in
+        found[from_start] = np.abs(times[from_start] - strip.frame_start) / strip.blend_in
+    return found
+
+
+def _controlled(strip, name, times):
+    """A setting of a strip that has F-curves of its own."""
+    curve = strip.fcurves.find(name)
+    if curve is None or curve.is_empty or curve.mute:
+        return np.full(len(times), getattr(strip, name))
+    return keys.values(curve, times)
+
+
+def _action_times(strip, times):
+    """Where in its action a strip is at times within it."""
+    start, end = strip.action_frame_start, strip.action_frame_end
+    if strip.use_animated_time:
+        found = _controlled(strip, "strip_time", times)
+        return start + np.fmod(found - start, (end - start) or 1.0) if strip.use_animated_time_cyclic else found
+    scale = abs(strip.scale) or 1.0
+    # In single precision, as Blender: near the end of a lap its rounding decides on which side a time lies.
+    period = np.float32((end - start or 1.0) * scale)
+    passed = np.fmod((times - strip.frame_start).astype(np.float32), period).astype(float) / scale
+    if strip.repeat == np.floor(strip.repeat):
+        passed[np.abs(times - strip.frame_end) < SAME] = end - start
+    return end - passed if strip.use_reverse else start + passed

@@ -1,0 +1,270 @@
+"""Inputs over time that nobody knows ahead: recorded into the file, read between the samples, and checked."""
+
+import types
+
+import bpy
+import numpy as np
+import support
+import toy_echo_system
+from test_over_frames import Recorder, stand_in
+from track_cases import TrackTestCase
+
+WITHIN = (1.0, 2.0, 17.0, 40.0)
+
+
+class RecordingCase(TrackTestCase):
+    def setUp(self):
+        super().setUp()
+        self.goal, self.thing = self.link("Goal"), self.link("Thing")
+        for path in ("location", "rotation_euler", "scale"):
+            self.key(self.goal, path, low=0.5, high=2.0, frames=(1, 20, 40))
+            self.key(self.thing, path, low=0.5, high=2.0, frames=(1, 20, 40))
+        self.constraint = self.thing.constraints.new('CHILD_OF')
+        self.constraint.target = self.goal
+        self.scene.frame_start, self.scene.frame_end = 1, 40
+
+    def record(self, **keywords):
+        keywords.setdefault("datablock", "Thing")
+        self.assertEqual(bpy.ops.motus.track_record(**keywords), {'FINISHED'})
+
+    def track(self):
+        return self.tracks.world_track(self.thing)
+
+    def assertRecorded(self, frames=WITHIN, tolerance=1e-6):
+        track = self.track()
+        self.assertTrue(track.is_known)
+        wanted = np.array([self.world(self.thing, frame) for frame in frames])
+        np.testing.assert_allclose(track.values(frames), wanted, atol=tolerance)
+        np.testing.assert_array_equal(self.tracks.world_track(self.evaluated(self.thing)).values(frames), track.values(frames))
+
+
+class Recording(RecordingCase):
+    def test_transform(self):
+        self.go_to(7.5)
+        self.assertIn("Needs recording: Thing has the constraint Child Of", self.track().sentence)
+        self.record()
+        self.assertEqual((self.scene.frame_current, self.scene.frame_subframe), (7, 0.5))
+        self.assertIn("Recorded 1-40", self.track().sentence)
+        self.assertRecorded()
+        before, after = self.track().values((-5.0, 90.0))
+        np.testing.assert_array_equal(before, self.track().values((1.0,))[0])
+        np.testing.assert_array_equal(after, self.track().values((40.0,))[0])
+
+    def test_between_the_samples(self):
+        self.record(step=0.25)
+        self.assertRecorded((*WITHIN, 3.25, 38.75))
+        between = self.track().values((3.0, 3.125, 3.25))
+        np.testing.assert_allclose(between[1], 0.5 * (between[0] + between[2]), atol=1e-3)
+        self.assertTrue({1.0, 1.25, 40.0} <= set(self.track().bounds(1.0, 40.0)))
+        self.assertIn("Recorded 1-40", self.track().sentence)
+
+    def test_a_turn_between_the_samples_keeps_lengths(self):
+        for path in ("location", "rotation_euler", "scale"):
+            self.goal.keyframe_delete(path, frame=20)
+        self.thing.animation_data_clear()
+        self.goal.animation_data_clear()
+        self.goal.driver_add("rotation_euler", 2).driver.expression = "frame"
+        self.goal.scale = self.thing.scale = 1.0, 1.0, 1.0
+        self.record()
+        matrices = self.track().values(np.linspace(1.0, 40.0, 200))
+        np.testing.assert_allclose(np.linalg.det(matrices[:, :3, :3]), 1.0, atol=1e-5)
+
+    def test_range_and_time_mapping(self):
+        self.scene.render.frame_map_old, self.scene.render.frame_map_new = 100, 200
+        self.record(frame_start=10, frame_end=30)
+        self.assertIn("Recorded 5-15", self.track().sentence)
+        np.testing.assert_allclose(self.track().values((10.0,))[0], self.world(self.thing, 20), atol=1e-6)
+
+    def test_number_and_own_transform(self):
+        self.thing.driver_add("location", 0).driver.expression = "frame * 0.1"
+        self.record(data_path="location", index=0)
+        track = self.tracks.property_track(self.thing, "location", 0)
+        np.testing.assert_allclose(track.values((1.0, 3.5, 40.0, 50.0)), (0.1, 0.35, 4.0, 4.0), atol=1e-6)
+        self.assertFalse(self.tracks.own_track(self.thing).is_known)
+        self.record(transform='OWN')
+        own = self.tracks.own_track(self.thing).values((3.0, 7.0))
+        np.testing.assert_allclose(own.locations[:, 0], (0.3, 0.7), atol=1e-6)
+        self.go_to(7)
+        np.testing.assert_allclose(own.scales[1], self.evaluated(self.thing).scale, atol=1e-6)
+        np.testing.assert_allclose(
+            np.abs(own.rotations[1] @ np.array(self.evaluated(self.thing).rotation_euler.to_quaternion())), 1.0, atol=1e-6)
+
+    def test_bone_and_other_datablocks(self):
+        rig = self.rig()
+        constraint = rig.pose.bones["Bone.1"].constraints.new('COPY_ROTATION')
+        constraint.target = self.goal
+        self.record(datablock="Rig", bone="Bone.2")
+        bone = rig.pose.bones["Bone.2"]
+        wanted = self.world(bone, 17)
+        np.testing.assert_allclose(self.tracks.world_track(bone).values((17.0,))[0], wanted, atol=1e-6)
+        self.assertFalse(self.tracks.world_track(rig.pose.bones["Bone.1"]).is_known)
+        material = bpy.data.materials.new("Material")
+        material["value"] = 1.0
+        driver = material.driver_add('["value"]').driver
+        driver.expression = "frame"
+        mesh = bpy.data.meshes.new("Mesh")
+        mesh.materials.append(material)
+        self.link("Mesh", mesh)
+        self.record(datablock="Material", collection="materials", data_path='["value"]')
+        self.assertEqual(list(self.tracks.property_track(material, '["value"]').values((3.0, 40.0))), [3.0, 40.0])
+
+    def test_it_goes_along_in_the_file(self):
+        self.record()
+        wanted = self.track().values(WITHIN)
+        copy = self.thing.copy()
+        self.scene.collection.objects.link(copy)
+        np.testing.assert_array_equal(self.tracks.world_track(copy).values(WITHIN), wanted)
+        path = str(self.folder / "file.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        bpy.ops.wm.open_mainfile(filepath=path)
+        np.testing.assert_array_equal(self.tracks.world_track(bpy.data.objects["Thing"]).values(WITHIN), wanted)
+        support.empty_scene()
+        with bpy.data.libraries.load(path, link=True) as (_, wanted_objects):
+            wanted_objects.objects = ["Thing"]
+        linked = bpy.data.objects["Thing"]
+        bpy.context.scene.collection.objects.link(linked)
+        np.testing.assert_array_equal(self.tracks.world_track(linked).values(WITHIN), wanted)
+        with self.assertRaisesRegex(RuntimeError, "linked"):
+            bpy.ops.motus.track_record(datablock="Thing")
+
+    def test_clear(self):
+        self.record()
+        self.assertEqual(bpy.ops.motus.track_clear(datablock="Thing"), {'FINISHED'})
+        self.assertFalse(self.track().is_known)
+        self.assertEqual(list(self.thing.keys()), [])
+        with self.assertRaisesRegex(RuntimeError, "Nothing was recorded"):
+            bpy.ops.motus.track_clear(datablock="Thing")
+
+    def test_what_is_exact_again_is_not_read_from_the_recording(self):
+        self.record()
+        self.thing.constraints.remove(self.constraint)
+        self.assertWorld(self.thing)
+
+    def test_refusals(self):
+        for keywords, part in (({"datablock": "Nobody"}, "no Nobody"), ({"datablock": "Goal"}, "known at any frame"),
+                               ({"collection": "nothing"}, "no Thing in nothing"), ({"data_path": "name"}, "no number"),
+                               ({"bone": "Bone"}, "no bone Bone"), ({"collection": "scenes", "datablock": "Scene"}, "data path"),
+                               ({"frame_start": 1, "frame_end": 30_000}, "too many for a file"),
+                               ({"frame_start": 9, "frame_end": 1}, "empty"), ({"step": float("nan")}, "finite")):
+            with self.subTest(**keywords), self.assertRaisesRegex(RuntimeError, part):
+                bpy.ops.motus.track_record(**{"datablock": "Thing", **keywords})
+        self.assertEqual(list(self.thing.keys()), [])
+
+    def test_escape_leaves_nothing(self):
+        operator = support.addon("core.tracks.operators").MOTUS_OT_track_record
+        self.go_to(3)
+        made = stand_in(operator, lambda: operator._record(made, bpy.context, self.thing, [10.0, 11.0, 12.0]))
+        made._samples, made.bone, made.data_path, made.transform, made.index = [], "", "", 'WORLD', -1
+        context = Recorder()
+        self.assertEqual(made.invoke(context, None), {'RUNNING_MODAL'})
+        self.assertEqual(self.scene.frame_current, 10)
+        self.assertEqual(made.modal(context, types.SimpleNamespace(type='ESC')), {'CANCELLED'})
+        self.assertTrue(context.is_tidy)
+        self.assertEqual(self.scene.frame_current, 3)
+        self.assertEqual(list(self.thing.keys()), [])
+
+
+class OutOfDate(RecordingCase):
+    def assertOutdated(self, outdated, message=""):
+        bpy.context.view_layer.update()
+        self.assertEqual(self.tracks.is_outdated(self.track()), outdated, message)
+
+    def test_frames_are_no_edits(self):
+        self.constraint.influence = 0.5
+        self.constraint.keyframe_insert("influence", frame=3)
+        self.record()
+        for frame in (1, 20, 37.5):
+            self.go_to(frame)
+            self.assertOutdated(False)
+
+    def test_edits(self):
+        self.goal["pace"] = 1.0
+        driver = self.constraint.driver_add("influence").driver
+        variable = driver.variables.new()
+        variable.targets[0].id, variable.targets[0].data_path = self.goal, '["pace"]'
+        driver.expression = "var"
+        curve = support.addon("core.actions").find(self.goal, "rotation_euler", 2)
+        helper = self.link("Helper")
+
+        def move_key():
+            curve.keyframe_points[1].co[1] += 0.5
+
+        def set_pace():
+            self.goal["pace"] = 0.5
+            self.goal.update_tag()
+
+        for edit in (move_key, lambda: setattr(self.constraint, "use_scale_x", False), set_pace,
+                     lambda: setattr(self.goal, "parent", helper), lambda: setattr(helper, "location", (1.0, 2.0, 3.0)),
+                     lambda: setattr(driver, "expression", "var * 2"), lambda: curve.modifiers.new('NOISE'),
+                     lambda: setattr(self.thing, "delta_scale", (2.0, 1.0, 1.0))):
+            self.record()
+            self.assertOutdated(False)
+            edit()
+            self.assertOutdated(True)
+
+    def test_damaged(self):
+        self.record()
+        key, = self.thing.keys()
+        whole = self.thing[key].to_dict()
+        recordings = support.addon("core.tracks.recordings")
+        for spoilt in (
+                3, "text", [1.0], {}, whole | {"numbers": "text"}, whole | {"numbers": [1, 2, 3]}, whole | {"numbers": []},
+                whole | {"numbers": [0.0] * 13}, whole | {"numbers": [float("nan")] * 12}, whole | {"step": 0.0},
+                whole | {"step": -1.0}, whole | {"start": float("inf")}, whole | {"start": "text"}, whole | {"what": "own"},
+                whole | {"stamp": 1}, whole | {"stamp": "x" * 1000}, whole | {"version": 99}, whole | {"digest": [1.0]},
+                whole | {"numbers": [0.0] * (12 * (recordings.LARGEST // 12 + 1))}):
+            with self.subTest(str(spoilt)[:60]):
+                self.thing[key] = spoilt
+                self.assertFalse(self.track().is_known)
+                self.assertIn("Needs recording", self.track().sentence)
+                self.assertFalse(self.tracks.is_outdated(self.track()))
+        self.thing[key] = whole
+        self.assertTrue(self.track().is_known)
+
+
+class Consumer(RecordingCase):
+    """A system that shows where another object was ten frames ago."""
+
+    def setUp(self):
+        toy_echo_system.register()
+        self.addCleanup(toy_echo_system.unregister)
+        super().setUp()
+        self.wiring = support.addon("core.wiring")
+        self.owner = self.link("Owner")
+
+    def place(self, frame):
+        return self.world(self.owner, frame)[:3, 3]
+
+    def problem(self):
+        return self.wiring.problem(toy_echo_system.SYSTEM, self.owner, bpy.context.evaluated_depsgraph_get())
+
+    def assertEcho(self, target, frames=(30.0, 5.0, 26.5, 11.0, 12.25), tolerance=2e-6):
+        wanted = [self.world(target, frame - toy_echo_system.AGO)[:3, 3] for frame in frames]
+        found = [self.place(frame) for frame in frames]
+        self.assertIsNone(self.problem())
+        np.testing.assert_allclose(found, wanted, atol=tolerance)
+        np.testing.assert_array_equal([self.place(frame) for frame in frames[::-1]][::-1], found)
+
+    def test_keyed(self):
+        toy_echo_system.echo(self.owner, self.goal)
+        self.assertEcho(self.goal)
+        self.goal.scale[0] = 7.0
+        curve = support.addon("core.actions").find(self.goal, "location", 0)
+        curve.keyframe_points[1].co[1] += 3.0
+        self.assertEcho(self.goal)
+
+    def test_parented(self):
+        child = self.link("Child")
+        child.parent, child.location = self.goal, (1.0, 2.0, 3.0)
+        toy_echo_system.echo(self.owner, child)
+        self.assertEcho(child, tolerance=1e-5)
+
+    def test_constrained(self):
+        toy_echo_system.echo(self.owner, self.thing)
+        self.place(30)
+        self.assertIn("has to be recorded", self.problem().sentence)
+        self.record()
+        self.assertEcho(self.thing, (30.0, 15.0, 11.0))
+        bpy.ops.motus.track_clear(datablock="Thing")
+        self.place(30)
+        self.assertIn("has to be recorded", self.problem().sentence)
