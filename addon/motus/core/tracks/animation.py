@@ -118,7 +118,7 @@ def number(id_data, data_path, index=-1):
 
 def acting_curve(id_data, data_path, index=0):
     """The F-curve of the active action that animates a number, or None. `id_data` may be evaluated."""
-    return strips.animating(id_data, data_path, index)
+    return strips.acting(actions.fcurves(id_data), data_path, index)
 
 
 def is_driven(id_data, data_path, index=0):
@@ -129,15 +129,17 @@ def is_driven(id_data, data_path, index=0):
 
 
 def is_in_strips(id_data, data_path, index=0):
-    """Whether strips of the NLA take part in a number's value."""
+    """Whether strips of the NLA take part in a number's value, or the action above them is more than laid over all."""
     animation = id_data.animation_data
     if animation is None or not animation.use_nla:
         return False
-    replaces = animation.action_blend_type == 'REPLACE' and animation.action_influence == 1.0
-    if replaces and acting_curve(id_data, data_path, index):
+    played = [strip for track in animation.nla_tracks if not track.mute for strip in track.strips]
+    if not played:
         return False
-    return any(strips.animates(strip, data_path, index) for track in animation.nla_tracks if not track.mute
-               for strip in track.strips)
+    if acting_curve(id_data, data_path, index):
+        return (animation.action_blend_type != 'REPLACE' or animation.action_influence != 1.0
+                or animation.action_extrapolation != 'HOLD')
+    return any(strips.animates(strip, data_path, index) for strip in played)
 
 
 def _holder(id_data, data_path):
@@ -177,7 +179,7 @@ def _custom(holder, name, index):
     kind = {bool: 'BOOLEAN', int: 'INT', float: 'FLOAT'}[type(one)]
     limits = holder.id_properties_ui(_key(name)).as_dict()
     default = limits.get("default", 0.0)
-    if hasattr(default, "__len__"):
-        default = default[index]
+    if hasattr(default, "__len__"):  # empty where an array has none (3.4)
+        default = default[index] if len(default) else 0.0
     return Number(holder, name, index, kind, limits.get("min", -np.inf), limits.get("max", np.inf),
                   limits.get("subtype", 'NONE'), float(default))

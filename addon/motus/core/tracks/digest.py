@@ -75,10 +75,11 @@ class _Digest:
             self._values(bone, f"{bone.path_from_id()}.", _TRANSFORM)
             self._note(bone.name, bone.parent and bone.parent.name, tuple(bone.bone.matrix_local.to_translation()))
             self._constraints(bone)
-        for name in registered:
-            settings = getattr(id_data.motus, name)
-            if settings.is_active:
-                self._settings(settings)
+        if id_data.is_property_set("motus"):  # to ask for what is not there would make it
+            for name in registered:
+                settings = getattr(id_data.motus, name)
+                if getattr(settings, "is_active", False):
+                    self._settings(settings)
 
     def _animation(self, id_data):
         """Notes keys and drivers; returns the beginnings of data paths that they set."""

@@ -10,7 +10,7 @@ from .operators import MOTUS_OT_track_clear, MOTUS_OT_track_record
 
 _edits = [0]
 _digests = {}
-"""Datablock by name and type -> (number of edits when it was looked at, its digest)."""
+"""Type and name of a datablock -> (number of edits when it was looked at, its digest)."""
 
 
 def draw(layout, track, **keywords):
@@ -38,7 +38,7 @@ def is_outdated(track):
 
 def _digest(id_data):
     """The digest of a datablock, found anew after an edit."""
-    place = id_data.id_type, id_data.name_full
+    place = id_data.bl_rna.identifier, id_data.name_full
     edits, found = _digests.get(place, (None, None))
     if edits != _edits[0]:
         if edits is None and len(_digests) >= digest.MOST:

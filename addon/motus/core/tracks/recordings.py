@@ -132,11 +132,11 @@ def matrices(recording, times):
     lower, upper = where.reshape(2, -1)
     rows = recording.samples[needed].reshape(-1, 3, 4)
     turns = rotations.of_axes(rows[:, :, :3])
-    stretches = np.swapaxes(rotations.matrices(turns), 1, 2) @ rows[:, :, :3]
+    stretches = rotations.chained(np.swapaxes(rotations.matrices(turns), 1, 2), rows[:, :, :3])
     share = parts[:, None, None]
     found = np.zeros((len(places), 4, 4))
-    found[:, :3, :3] = rotations.matrices(rotations.mixed(turns[lower], turns[upper], parts)) @ (
-        stretches[lower] + share * (stretches[upper] - stretches[lower]))
+    mixed = rotations.matrices(rotations.mixed(turns[lower], turns[upper], parts))
+    found[:, :3, :3] = rotations.chained(mixed, stretches[lower] + share * (stretches[upper] - stretches[lower]))
     found[:, :3, 3] = rows[lower, :, 3] + parts[:, None] * (rows[upper, :, 3] - rows[lower, :, 3])
     found[:, 3, 3] = 1.0
     at_sample = parts == 0.0

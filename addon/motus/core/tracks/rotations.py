@@ -1,4 +1,6 @@
-"""Rotations over time as arrays: quaternions (n, 4; w, x, y, z), as Blender makes them of its rotation modes."""
+"""Rotations over time as arrays: quaternions (n, 4; w, x, y, z), as Blender makes them of its rotation modes; and matrices."""
+
+import math
 
 from mathutils import Matrix
 
@@ -16,8 +18,8 @@ def from_axis_angle(values):
     """Quaternions of (n, 4): an angle, and an axis of any length."""
     lengths = np.linalg.norm(values[:, 1:], axis=1, keepdims=True)
     axes = values[:, 1:] / np.where(lengths > 0.0, lengths, 1.0)
-    half = 0.5 * values[:, :1]
-    return np.where(lengths > 0.0, np.hstack((np.cos(half), np.sin(half) * axes)), (1.0, 0.0, 0.0, 0.0))
+    cosines, sines = _cosines_and_sines(0.5 * values[:, 0])
+    return np.where(lengths > 0.0, np.column_stack((cosines, sines[:, None] * axes)), (1.0, 0.0, 0.0, 0.0))
 
 
 def from_euler(angles, order):
@@ -26,9 +28,15 @@ def from_euler(angles, order):
     for letter in order:
         axis = "XYZ".index(letter)
         turn = np.zeros((len(angles), 4))
-        turn[:, 0], turn[:, 1 + axis] = np.cos(0.5 * angles[:, axis]), np.sin(0.5 * angles[:, axis])
+        turn[:, 0], turn[:, 1 + axis] = _cosines_and_sines(0.5 * angles[:, axis])
         found = turn if found is None else product(turn, found)
     return found
+
+
+def _cosines_and_sines(angles):
+    # NumPy's own (1.24) give one of two results for the same number, from call to call.
+    listed = angles.tolist()
+    return np.array(list(map(math.cos, listed))), np.array(list(map(math.sin, listed)))
 
 
 def product(left, right):
@@ -46,6 +54,11 @@ def matrices(quaternions):
             (2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)),
             (2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)))
     return np.moveaxis(np.array(rows), -1, 0)
+
+
+def chained(left, right):
+    """Products of matrices (n or 1, k, k). Row by row: those of a linear algebra library depend on where the arrays lie."""
+    return sum(left[:, :, index, None] * right[:, None, index, :] for index in range(left.shape[-1]))
 
 
 def of_axes(rows):

@@ -1,6 +1,6 @@
 """One number under strips of the NLA: their times, extrapolation, influence and blending, as Blender evaluates them."""
 
-from types import SimpleNamespace
+import math
 
 from .. import actions, copies
 from ..lazy import numpy as np
@@ -15,9 +15,9 @@ REPEATS = 1000
 """Repetitions of a strip in which bounds() looks for keys."""
 
 
-def animating(player_owner, data_path, index):
-    """The F-curve by which the action of a datablock, or of anything with animation_data, animates a number; or None."""
-    curve = actions.find(player_owner, data_path, index)
+def acting(curves, data_path, index):
+    """Which of the F-curves of an action (actions.curves_of) animates a number; None where none does."""
+    curve = curves.find(data_path, index=index) if curves else None
     if curve is None or curve.is_empty or curve.mute or (curve.group and curve.group.mute) or not curve.is_valid:
         return None
     return curve
@@ -33,8 +33,7 @@ def animates(strip, data_path, index):
 
 
 def _curve(strip, data_path, index):
-    # A strip names its action and slot as animation data does.
-    return animating(SimpleNamespace(animation_data=strip), data_path, index)
+    return acting(actions.curves_of(strip), data_path, index)
 
 
 class Stack:
@@ -94,9 +93,16 @@ def _blended(kind, lower, upper, influence, number):
         return influence * (lower * upper) + (1.0 - influence) * lower
     if kind == 'COMBINE':
         if number.name in SCALES:
-            return lower * np.power(upper / (number.default or 1.0), influence)
+            return lower * _powers(upper / (number.default or 1.0), influence)
         return lower + (upper - number.default) * influence
     return lower * (1.0 - influence) + upper * influence
+
+
+def _powers(bases, exponents):
+    # By the mathematics library: NumPy's own results may differ in their last bit from call to call.
+    pairs = zip(bases.tolist(), np.broadcast_to(exponents, bases.shape).tolist())
+    return np.array([math.pow(base, exponent) if base >= 0.0 or exponent.is_integer() else math.nan
+                     for base, exponent in pairs])
 
 
 def _is_blend_known(kind, number):
@@ -111,22 +117,23 @@ class _Acting:
     def __init__(self, animation, curve):
         self._animation, self._curve = animation, curve
         self.animates = curve is not None and animation.action_influence > 0.0
-        self._is_endless = animation.action_extrapolation != 'NOTHING'
-        self.is_always = self.animates and self._is_endless
+        start, end = animation.action.frame_range
+        is_endless = animation.action_extrapolation != 'NOTHING'
+        self._start, self._end = (-np.inf, np.inf) if is_endless else (start, max(end, start + 1.0))
+        self.is_always = self.animates and is_endless
 
     def is_known(self, number, _data_path):
-        return _is_blend_known(self._animation.action_blend_type, number)
+        # Held forward, it is not there before its first key in some Blenders (5.2), and in others it is (3.4, 4.3).
+        return self._animation.action_extrapolation != 'HOLD_FORWARD' and _is_blend_known(
+            self._animation.action_blend_type, number)
 
     def parts(self, times):
-        at = np.arange(len(times))
-        if not self._is_endless:
-            start, end = self._animation.action.frame_range
-            at = np.flatnonzero((start <= times) & (times <= (end if end > start else start + 1.0)))
+        at = np.flatnonzero((self._start <= times) & (times <= self._end))
         animation = self._animation
         yield keys.values(self._curve, times[at]), animation.action_influence, animation.action_blend_type, at
 
     def bounds(self, first, last):
-        ends = () if self._is_endless else self._animation.action.frame_range
+        ends = [end for end in (self._start, self._end) if first <= end <= last]
         return [*keys.bounds(self._curve, first, last), *ends]
 
     @property
@@ -256,7 +263,8 @@ def _action_times(strip, times):
     start, end = strip.action_frame_start, strip.action_frame_end
     if strip.use_animated_time:
         found = _controlled(strip, "strip_time", times)
-        return start + np.fmod(found - start, (end - start) or 1.0) if strip.use_animated_time_cyclic else found
+        # Not from the action's start on, as one would think.
+        return np.fmod(found - start, (end - start) or 1.0) if strip.use_animated_time_cyclic else found
     scale = abs(strip.scale) or 1.0
     # In single precision, as Blender: near the end of a lap its rounding decides on which side a time lies.
     period = np.float32((end - start or 1.0) * scale)

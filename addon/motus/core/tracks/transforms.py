@@ -8,8 +8,8 @@ import bpy
 from mathutils import Matrix
 
 from ..lazy import numpy as np
-from .. import copies
-from . import keys, rotations
+from .. import actions, copies
+from . import keys, rotations, strips
 from .animation import Channel, acting_curve, is_driven, is_in_strips
 from .reason import Reason
 
@@ -79,8 +79,23 @@ class Own:
 
     def values(self, times):
         """Transforms at times (n,)."""
+        if self._is_simple():
+            return self._combined({name: self._keyed(name, size, times) for name, size in self._names().items()})
         return self._combined({
             name: np.stack([one.values(times) for one in group], axis=1) for name, group in self.channels.items()})
+
+    def _keyed(self, name, size, times):
+        """(n, size) of a property that at most keys of the active action animate. Transforms have no limits."""
+        found = np.empty((len(times), size))
+        found[:] = getattr(self._thing, name)
+        for index, curve in enumerate(self._curves(name, size)):
+            if curve is not None:
+                found[:, index] = keys.values(curve, times)
+        return found
+
+    def _curves(self, name, size):
+        curves = actions.curves_of(self._id.animation_data)
+        return [strips.acting(curves, self._prefix + name, index) for index in range(size)]
 
     def _combined(self, found):
         locations, scales = found["location"], found["scale"]
@@ -91,6 +106,9 @@ class Own:
 
     def bounds(self, first, last):
         """As Channel.bounds()."""
+        if self._is_simple():
+            found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
+            return keys.union([[first, last], *(keys.bounds(curve, first, last) for curve in found)])
         return keys.union([one.bounds(first, last) for group in self.channels.values() for one in group])
 
     @property
@@ -113,8 +131,8 @@ class Own:
         """Values of the channels that nothing animates. place: tells apart whose channels they are, and by which keys."""
         still = _still.get(place)
         if still is None:
-            still = {name: [index for index, one in enumerate(group) if one.is_constant]
-                     for name, group in self.channels.items()}
+            still = {name: [index for index, curve in enumerate(self._curves(name, size)) if curve is None]
+                     for name, size in self._names().items()}
             if len(place) > 2:  # without keys it is quickly found
                 _still[place] = still
                 if len(_still) > LARGEST_CACHE:
@@ -248,22 +266,23 @@ class _Link:
         obj = self._object
         found = self._own.values(times).matrices
         if parent is not None:
-            found = parent @ self._from_parent() @ np.array(obj.matrix_parent_inverse) @ found
-        return found @ self._poses(times) if self._bone else found
+            for matrix in (_array(obj.matrix_parent_inverse), self._from_parent(), parent):
+                found = rotations.chained(matrix, found)
+        return rotations.chained(found, self._poses(times)) if self._bone else found
 
     def _from_parent(self):
         """From what _poses() gives of a parent to where its children begin."""
         bone = self.parent_bone
         if bone is None:
-            return np.eye(4)
+            return _array(Matrix())
         if bone.bone.use_relative_parent:
-            return np.array(bone.bone.matrix_local.inverted_safe())
-        return np.array(Matrix.Translation((0.0, bone.bone.length, 0.0)))
+            return _array(bone.bone.matrix_local.inverted_safe())
+        return _array(Matrix.Translation((0.0, bone.bone.length, 0.0)))
 
     def _poses(self, times):
         """Matrices of the bone in the rig's space."""
         if self._object.data.pose_position == 'REST':
-            return np.array(self._bone.bone.matrix_local)[None]
+            return _array(self._bone.bone.matrix_local)
         found = None
         for bone, own in zip(self._bones, self._posed):
             found = _posed(bone.bone, _basis(bone, own, times), found)
@@ -281,6 +300,11 @@ class _Link:
         pose = obj.data.pose_position if bones else ""
         return (self._own.stamp, *(own.stamp for own in self._posed), obj.parent_type, _numbers(obj.matrix_parent_inverse),
                 bones, pose)
+
+
+def _array(matrix):
+    """(1, 4, 4)"""
+    return np.array(matrix, float)[None]
 
 
 def _numbers(matrix):
@@ -317,13 +341,13 @@ def _basis(bone, own, times):
 
 def _posed(bone, basis, parent):
     """Poses in the rig's space of a bone (n, 4, 4), by those of its parent, or None."""
-    rest = np.array(bone.matrix_local)
     above = bone.parent
     is_plain = bone.inherit_scale == 'FULL' and bone.use_inherit_rotation or above is None
     if is_plain and bone.use_local_location:
         if above is None:
-            return rest @ basis
-        return parent @ (np.linalg.inv(np.array(above.matrix_local)) @ rest) @ basis
+            return rotations.chained(_array(bone.matrix_local), basis)
+        below = _array(above.matrix_local.inverted_safe() @ bone.matrix_local)
+        return rotations.chained(parent, rotations.chained(below, basis))
     # Whatever else a bone inherits, Blender itself says by matrices in single precision.
     parents = [None] * len(basis) if parent is None else parent
     return np.array([_converted(bone, above, *pair) for pair in zip(basis, parents)])

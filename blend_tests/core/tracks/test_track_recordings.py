@@ -5,9 +5,9 @@ import types
 import bpy
 import numpy as np
 import support
-import toy_echo_system
-from test_over_frames import Recorder, stand_in
-from track_cases import TrackTestCase
+from core.tracks import toy_echo_system
+from core.test_over_frames import Recorder, stand_in
+from core.tracks.track_cases import TrackTestCase
 
 WITHIN = (1.0, 2.0, 17.0, 40.0)
 
@@ -193,14 +193,14 @@ class OutOfDate(RecordingCase):
             self.goal["pace"] = 0.5
             self.goal.update_tag()
 
-        for edit in (move_key, lambda: setattr(self.constraint, "use_scale_x", False), set_pace,
+        for index, edit in enumerate((move_key, lambda: setattr(self.constraint, "use_scale_x", False), set_pace,
                      lambda: setattr(self.goal, "parent", helper), lambda: setattr(helper, "location", (1.0, 2.0, 3.0)),
-                     lambda: setattr(driver, "expression", "var * 2"), lambda: curve.modifiers.new('NOISE'),
-                     lambda: setattr(self.thing, "delta_scale", (2.0, 1.0, 1.0))):
+                     lambda: setattr(driver, "expression", "var * 2"), lambda: setattr(curve.modifiers.new('NOISE'), "strength", 2.0),
+                     lambda: setattr(self.thing, "delta_scale", (2.0, 1.0, 1.0)))):
             self.record()
-            self.assertOutdated(False)
+            self.assertOutdated(False, index)
             edit()
-            self.assertOutdated(True)
+            self.assertOutdated(True, index)
 
     def test_damaged(self):
         self.record()
