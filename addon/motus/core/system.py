@@ -199,6 +199,7 @@ class System:
     the owner's mesh, by a modifier, and has no members. unbakeable: a sentence that says why there is nothing to bake.
     scene_settings: a PropertyGroup that becomes Scene.motus.<name>. extras: with register() and unregister() of their own.
     settle: called after an evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner.
+    over_time: called with the owner, a driven object and the scene; gives what it does at any times (core/tracks/solved.py).
     bone_renamed: called with the owner, a rig, and the old and the new name of a bone of it that the owner drives or reads.
     """
 
@@ -219,6 +220,7 @@ class System:
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
     settle: Optional[Callable] = None
+    over_time: Optional[Callable] = None
     unbakeable: str = ""
     scene_settings: Optional[type] = None
     extras: tuple = ()

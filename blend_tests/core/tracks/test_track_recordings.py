@@ -28,14 +28,14 @@ class RecordingCase(TrackTestCase):
         self.assertEqual(bpy.ops.motus.track_record(**keywords), {'FINISHED'})
 
     def track(self):
-        return self.tracks.world_track(self.thing)
+        return self.tracks.world_track(self.thing, self.scene)
 
     def assertRecorded(self, frames=WITHIN, tolerance=1e-6):
         track = self.track()
         self.assertTrue(track.is_known)
         wanted = np.array([self.world(self.thing, frame) for frame in frames])
         np.testing.assert_allclose(track.values(frames), wanted, atol=tolerance)
-        np.testing.assert_array_equal(self.tracks.world_track(self.evaluated(self.thing)).values(frames), track.values(frames))
+        np.testing.assert_array_equal(self.tracks.world_track(self.evaluated(self.thing), self.scene).values(frames), track.values(frames))
 
 
 class Recording(RecordingCase):
@@ -96,8 +96,8 @@ class Recording(RecordingCase):
         self.record(datablock="Rig", bone="Bone.2")
         bone = rig.pose.bones["Bone.2"]
         wanted = self.world(bone, 17)
-        np.testing.assert_allclose(self.tracks.world_track(bone).values((17.0,))[0], wanted, atol=1e-6)
-        self.assertFalse(self.tracks.world_track(rig.pose.bones["Bone.1"]).is_known)
+        np.testing.assert_allclose(self.tracks.world_track(bone, self.scene).values((17.0,))[0], wanted, atol=1e-6)
+        self.assertFalse(self.tracks.world_track(rig.pose.bones["Bone.1"], self.scene).is_known)
         material = bpy.data.materials.new("Material")
         material["value"] = 1.0
         driver = material.driver_add('["value"]').driver
@@ -113,17 +113,17 @@ class Recording(RecordingCase):
         wanted = self.track().values(WITHIN)
         copy = self.thing.copy()
         self.scene.collection.objects.link(copy)
-        np.testing.assert_array_equal(self.tracks.world_track(copy).values(WITHIN), wanted)
+        np.testing.assert_array_equal(self.tracks.world_track(copy, self.scene).values(WITHIN), wanted)
         path = str(self.folder / "file.blend")
         bpy.ops.wm.save_as_mainfile(filepath=path)
         bpy.ops.wm.open_mainfile(filepath=path)
-        np.testing.assert_array_equal(self.tracks.world_track(bpy.data.objects["Thing"]).values(WITHIN), wanted)
+        np.testing.assert_array_equal(self.tracks.world_track(bpy.data.objects["Thing"], self.scene).values(WITHIN), wanted)
         support.empty_scene()
         with bpy.data.libraries.load(path, link=True) as (_, wanted_objects):
             wanted_objects.objects = ["Thing"]
         linked = bpy.data.objects["Thing"]
         bpy.context.scene.collection.objects.link(linked)
-        np.testing.assert_array_equal(self.tracks.world_track(linked).values(WITHIN), wanted)
+        np.testing.assert_array_equal(self.tracks.world_track(linked, self.scene).values(WITHIN), wanted)
         with self.assertRaisesRegex(RuntimeError, "linked"):
             bpy.ops.motus.track_record(datablock="Thing")
 

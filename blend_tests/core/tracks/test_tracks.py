@@ -126,7 +126,7 @@ class Numbers(TrackTestCase):
         best = min(seconds_of(
             lambda: self.tracks.property_track(cube, "location", 0).values(times)) for _ in range(5))
         print(f"1000 values of a keyed number: {best * 1e3:.3f} ms")
-        best = min(seconds_of(lambda: self.tracks.world_track(cube).values(times)) for _ in range(5))
+        best = min(seconds_of(lambda: self.tracks.world_track(cube, self.scene).values(times)) for _ in range(5))
         print(f"1000 world matrices of an object with three keyed channels: {best * 1e3:.3f} ms")
         self.assertLess(best, 0.1)
 
@@ -290,7 +290,7 @@ class Transforms(TrackTestCase):
                 self.assertWorld(thing)
                 own = self.tracks.own_track(thing).values(FRAMES)
                 np.testing.assert_allclose(np.linalg.norm(own.rotations, axis=1), 1.0)
-                np.testing.assert_array_equal(own.matrices, self.tracks.world_track(thing).values(FRAMES))
+                np.testing.assert_array_equal(own.matrices, self.tracks.world_track(thing, self.scene).values(FRAMES))
                 bpy.data.objects.remove(thing)
 
     def test_no_rotation_at_all(self):
@@ -309,7 +309,7 @@ class Transforms(TrackTestCase):
         self.go_to(17)
         low.matrix_parent_inverse = middle.matrix_world.inverted()
         self.assertWorld(low, tolerance=2e-5)
-        track = self.tracks.world_track(low)
+        track = self.tracks.world_track(low, self.scene)
         self.assertEqual(len(track.values(())), 0)
         bounds = track.bounds(1.0, 60.0)
         self.assertTrue({1.0, 12.0, 12.25, 30.0, 60.0} <= set(bounds), bounds)
@@ -366,7 +366,7 @@ class Transforms(TrackTestCase):
         self.assertWorld(thing, tolerance=1e-5)
 
     def assertUnknown(self, thing, part):
-        track = self.tracks.world_track(thing)
+        track = self.tracks.world_track(thing, self.scene)
         self.assertEqual(track.kind, self.tracks.Kind.RECORDED)
         self.assertIn(part, track.sentence)
 
@@ -386,7 +386,7 @@ class Transforms(TrackTestCase):
         thing.parent, thing.parent_type = course, 'OBJECT'
         self.assertUnknown(thing, "along the curve Course")
         course.data.use_path = False
-        self.assertTrue(self.tracks.world_track(thing).is_known)
+        self.assertTrue(self.tracks.world_track(thing, self.scene).is_known)
         thing.parent = None
         thing.keyframe_insert("rotation_mode", frame=1)
         self.assertUnknown(thing, "rotation mode")
@@ -418,7 +418,7 @@ class Kept(TrackTestCase):
     def asked(self, frame):
         """How often it was made, when asked for on a frame."""
         self.go_to(frame)
-        self.tracks.kept(self.tracks.world_track(self.evaluated(self.thing)), "test", self.make)
+        self.tracks.kept(self.tracks.world_track(self.evaluated(self.thing), self.scene), "test", self.make)
         self.tracks.kept(self.tracks.own_track(self.evaluated(self.thing)), "own", self.make)
         return self.made
 
@@ -443,6 +443,6 @@ class Kept(TrackTestCase):
         self.assertEqual(self.asked(10), 8, "the keys")
 
     def test_originals_are_read_anew(self):
-        track = self.tracks.world_track(self.thing)
+        track = self.tracks.world_track(self.thing, self.scene)
         for wanted in (1, 2):
             self.assertEqual(self.tracks.kept(track, "test", self.make), wanted)

@@ -20,7 +20,7 @@ class MOTUS_PG_echo(settings.SystemSettings, bpy.types.PropertyGroup):
 def solve(context, target):
     if target is None:
         return NO_TARGET
-    track = tracks.world_track(context.settings.target)
+    track = tracks.world_track(context.settings.target, context.depsgraph.scene)
     if not track.is_known:
         return NOT_RECORDED
     context.locations[0] = track.values([context.frame - AGO])[0, :3, 3]

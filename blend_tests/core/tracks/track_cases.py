@@ -74,16 +74,16 @@ class TrackTestCase(support.SceneTestCase):
 
     def assertWorld(self, thing, frames=FRAMES, tolerance=3e-6):
         """The thing's world track is exact, and says what Blender makes."""
-        track = self.tracks.world_track(thing)
+        track = self.tracks.world_track(thing, self.scene)
         self.assertEqual(track.kind, self.tracks.Kind.EXACT, track.sentence)
         wanted = np.array([self.world(thing, frame) for frame in frames])
         found = track.values(frames)
         self.assertLessEqual(np.abs(found - wanted).max(), tolerance * max(1.0, np.abs(wanted).max()))
         # From another frame, and of what is evaluated there, it says the same.
-        np.testing.assert_array_equal(self.tracks.world_track(thing).values(frames), found)
+        np.testing.assert_array_equal(self.tracks.world_track(thing, self.scene).values(frames), found)
         evaluated = self.evaluated(thing.id_data)
         thing = evaluated.pose.bones[thing.name] if isinstance(thing, bpy.types.PoseBone) else evaluated
-        np.testing.assert_array_equal(self.tracks.world_track(thing).values(frames), found)
+        np.testing.assert_array_equal(self.tracks.world_track(thing, self.scene).values(frames), found)
 
     def assertNumber(self, id_data, path, index=-1, frames=FRAMES, tolerance=0.0):
         """The number's track is exact, and says what Blender makes."""

@@ -166,9 +166,11 @@ def _declared(holder, name, index):
     if isinstance(holder, bpy.types.ShapeKey) and name == "value":
         least, most = holder.slider_min, holder.slider_max
     default = declared.default_array[index] if is_array else declared.default
-    if declared.subtype == 'QUATERNION':
+    # Blender warns of a subtype that is a unit, which no array of four has.
+    subtype = declared.subtype if is_array and len(declared.default_array) == 4 else 'NONE'
+    if subtype == 'QUATERNION':
         default = float(index == 0)
-    return Number(holder, name, index, declared.type, least, most, declared.subtype, float(default))
+    return Number(holder, name, index, declared.type, least, most, subtype, float(default))
 
 
 def _custom(holder, name, index):

@@ -50,7 +50,7 @@ class _OfATrack:
                 object=self.datablock, collection=self.collection))
         return found
 
-    def track(self, id_data):
+    def track(self, id_data, scene):
         """The track of the datablock, original or evaluated."""
         if self.data_path:
             return property_track(id_data, self.data_path, self.index)
@@ -59,7 +59,7 @@ class _OfATrack:
         if self.bone:
             check_bone(id_data, self.bone)
         thing = id_data.pose.bones[self.bone] if self.bone else id_data
-        return own_track(thing) if self.transform == 'OWN' else world_track(thing)
+        return own_track(thing) if self.transform == 'OWN' else world_track(thing, scene)
 
 
 class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
@@ -80,7 +80,7 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
 
     def result(self, context):
         id_data = self.id_data(context)
-        track = self.track(id_data)
+        track = self.track(id_data, context.scene)
         length = context.scene.render.frame_map_old / context.scene.render.frame_map_new
         made = recordings.write(
             id_data, track.what, self._frames_done[0] * length, self.step * length, self._samples, digest.of(id_data))
@@ -89,7 +89,7 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
 
     def _check(self, context, id_data, count):
         check_local(id_data)
-        track = self.track(id_data)
+        track = self.track(id_data, context.scene)
         if track.reason is None:
             raise Refused(tr("{object} is known at any frame: there is nothing to record").format(object=id_data.name))
         most = recordings.most_samples(track.width)
@@ -108,7 +108,7 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
                 whole = math.floor(frame)
                 scene.frame_set(whole, subframe=frame - whole)
                 evaluated = id_data.evaluated_get(context.view_layer.depsgraph)
-                self._samples.append(self.track(evaluated).present())
+                self._samples.append(self.track(evaluated, scene).present())
                 yield index + 1
         finally:
             scene.frame_set(before[0], subframe=before[1])
@@ -124,7 +124,7 @@ class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
         try:
             id_data = self.id_data(context)
             check_local(id_data)
-            if not recordings.remove(id_data, self.track(id_data).what):
+            if not recordings.remove(id_data, self.track(id_data, context.scene).what):
                 raise Refused(tr("Nothing was recorded of {object}").format(object=id_data.name))
         except Refused as refusal:
             self.report({'ERROR'}, str(refusal))

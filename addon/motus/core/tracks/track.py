@@ -17,9 +17,10 @@ _kept = OrderedDict()
 
 
 class Kind(enum.Enum):
-    """EXACT: read from keys, or constant. RECORDED: it has to be recorded, or was."""
+    """EXACT: read from keys, or constant. SOLVED: a system of Motus's is asked. RECORDED: it has to be recorded, or was."""
 
     EXACT = enum.auto()
+    SOLVED = enum.auto()
     RECORDED = enum.auto()
 
 
@@ -41,7 +42,13 @@ class Track:
 
     @property
     def kind(self):
-        return Kind.EXACT if self.reason is None else Kind.RECORDED
+        if self.reason is not None:
+            return Kind.RECORDED
+        return Kind.SOLVED if self._solvers else Kind.EXACT
+
+    @property
+    def _solvers(self):
+        return getattr(self._source, "solvers", ())
 
     @functools.cached_property
     def recording(self):
@@ -60,6 +67,8 @@ class Track:
     def sentence(self):
         """What the panel says, in the user's language."""
         if self.reason is None:
+            if self._solvers:
+                return tr("Exact at any frame: solved by {systems}").format(systems=", ".join(map(tr, self._solvers)))
             return tr("Exact at any frame: read from keys")
         if self.recording:
             return tr("Recorded {frames}, holding the first and last value beyond").format(
@@ -107,9 +116,9 @@ def own_track(thing):
     return Track(Own(thing), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
 
 
-def world_track(thing):
-    """The Track of the world matrix of an Object or PoseBone."""
-    return Track(World(thing), thing.id_data, _what(thing, "world"), recordings.WIDTHS["world"])
+def world_track(thing, scene):
+    """The Track of the world matrix of an Object or PoseBone. scene: whose frame rate counts for what systems drive."""
+    return Track(World(thing, scene), thing.id_data, _what(thing, "world"), recordings.WIDTHS["world"])
 
 
 def kept(track, name, make):

@@ -9,7 +9,7 @@ from mathutils import Matrix
 
 from ..lazy import numpy as np
 from .. import actions, copies
-from . import keys, rotations, strips
+from . import keys, rotations, solved, strips
 from .animation import Channel, acting_curve, is_driven, is_in_strips
 from .reason import Reason
 
@@ -165,8 +165,8 @@ class Own:
 class World:
     """The world matrix of an Object or PoseBone, from the channels of it and of all that it hangs on."""
 
-    def __init__(self, thing):
-        self._thing = thing
+    def __init__(self, thing, scene):
+        self._thing, self._scene = thing, scene
         self._is_bone = isinstance(thing, bpy.types.PoseBone)
 
     @functools.cached_property
@@ -175,7 +175,7 @@ class World:
         found, obj = [], self._thing.id_data
         bone = self._thing if self._is_bone else None
         while obj is not None and len(found) < DEEPEST:
-            link = _Link(obj, bone)
+            link = _Link(obj, bone, self._scene)
             found.insert(0, link)
             bone = link.parent_bone
             obj = obj.parent
@@ -185,6 +185,11 @@ class World:
     def reason(self):
         """As Channel.reason."""
         return next((link.reason for link in reversed(self._links) if link.reason), None)
+
+    @property
+    def solvers(self):
+        """Names of the systems that are asked for it."""
+        return [link.solved.label for link in self._links if link.solved]
 
     def values(self, times):
         """(n, 4, 4) in rows."""
@@ -213,8 +218,8 @@ class World:
 class _Link:
     """An object, and the bone of it that the next one hangs on, or None for the object itself."""
 
-    def __init__(self, obj, bone):
-        self._object, self._bone = obj, bone
+    def __init__(self, obj, bone, scene):
+        self._object, self._bone, self._scene = obj, bone, scene
         self._own = Own(obj)
         self._bones = _chain(bone) if bone else []
         self._posed = [Own(one) for one in self._bones]
@@ -245,7 +250,12 @@ class _Link:
     def _of_object(self):
         if self._object.rigid_body:
             return Reason(Reason.PHYSICS, thing=self._object.name)
-        return _constrained(self._object)
+        return self.solved.reason if self.solved else _constrained(self._object)
+
+    @functools.cached_property
+    def solved(self):
+        """What a system of Motus's makes of the object; None where none drives it, or something else does too."""
+        return solved.of(self._object, self._scene) if len(self._object.constraints) else None
 
     def _of_bones(self):
         if self._bone is None or self._object.data.pose_position == 'REST':
@@ -268,6 +278,8 @@ class _Link:
         if parent is not None:
             for matrix in (_array(obj.matrix_parent_inverse), self._from_parent(), parent):
                 found = rotations.chained(matrix, found)
+        if self.solved:
+            found = self.solved.applied(times, found)
         return rotations.chained(found, self._poses(times)) if self._bone else found
 
     def _from_parent(self):
@@ -289,7 +301,8 @@ class _Link:
         return found
 
     def bounds(self, first, last):
-        return keys.union([own.bounds(first, last) for own in (self._own, *self._posed)])
+        parts = [self._own, *self._posed, *([self.solved] if self.solved else [])]
+        return keys.union([part.bounds(first, last) for part in parts])
 
     @property
     def stamp(self):
@@ -298,7 +311,8 @@ class _Link:
                        bone.bone.use_local_location, bone.bone.use_connect, bone.bone.use_relative_parent)
                       for bone in self._bones)
         pose = obj.data.pose_position if bones else ""
-        return (self._own.stamp, *(own.stamp for own in self._posed), obj.parent_type, _numbers(obj.matrix_parent_inverse),
+        solver = self.solved and self.solved.stamp
+        return (self._own.stamp, *(own.stamp for own in self._posed), solver, obj.parent_type, _numbers(obj.matrix_parent_inverse),
                 bones, pose)
 
 

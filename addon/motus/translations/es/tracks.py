@@ -34,9 +34,13 @@ INTERFACE = {
     "{thing} is led along the curve {name}": "{thing} es llevado por la curva {name}",
     "NLA strips of {thing} are mixed in a way that is not known ahead":
         "Las tiras del ANL de {thing} se mezclan de un modo que no se sabe de antemano",
+    "{name} drives {thing} by a part alone: its influence is not always 1":
+        "{name} mueve {thing} solo en parte: su influencia no es siempre 1",
+    "the shape of {name} changes, on which {thing} goes": "cambia la forma de {name}, por donde va {thing}",
     "{thing} changes its rotation mode": "{thing} cambia de modo de rotación",
     # What the panel says
     "Exact at any frame: read from keys": "Exacto en cualquier fotograma: se lee de las claves",
+    "Exact at any frame: solved by {systems}": "Exacto en cualquier fotograma: lo resuelve {systems}",
     "Recorded {frames}, holding the first and last value beyond":
         "Grabado {frames}; fuera valen el primer y el último valor",
     "Needs recording: {reason}": "Hay que grabarlo: {reason}",
