@@ -1,5 +1,7 @@
 """Inputs over time that nobody knows ahead: recorded into the file, read between the samples, and checked."""
 
+import base64
+import json
 import types
 
 import bpy
@@ -38,13 +40,18 @@ class RecordingCase(TrackTestCase):
         np.testing.assert_array_equal(self.tracks.world_track(self.evaluated(self.thing), self.scene).values(frames), track.values(frames))
 
 
+    def assertNothingLeft(self):
+        self.assertFalse(self.thing.is_property_set("motus_recordings"))
+        self.assertEqual(list(self.thing.keys()), [])
+
+
 class Recording(RecordingCase):
     def test_transform(self):
         self.go_to(7.5)
         self.assertIn("Needs recording: Thing has the constraint Child Of", self.track().sentence)
         self.record()
         self.assertEqual((self.scene.frame_current, self.scene.frame_subframe), (7, 0.5))
-        self.assertIn("Recorded 1-40", self.track().sentence)
+        self.assertIn("Recorded 1-40 by steps of 1", self.track().sentence)
         self.assertRecorded()
         before, after = self.track().values((-5.0, 90.0))
         np.testing.assert_array_equal(before, self.track().values((1.0,))[0])
@@ -56,7 +63,7 @@ class Recording(RecordingCase):
         between = self.track().values((3.0, 3.125, 3.25))
         np.testing.assert_allclose(between[1], 0.5 * (between[0] + between[2]), atol=1e-3)
         self.assertTrue({1.0, 1.25, 40.0} <= set(self.track().bounds(1.0, 40.0)))
-        self.assertIn("Recorded 1-40", self.track().sentence)
+        self.assertIn("Recorded 1-40 by steps of 0.25", self.track().sentence)
 
     def test_a_turn_between_the_samples_keeps_lengths(self):
         for path in ("location", "rotation_euler", "scale"):
@@ -72,7 +79,7 @@ class Recording(RecordingCase):
     def test_range_and_time_mapping(self):
         self.scene.render.frame_map_old, self.scene.render.frame_map_new = 100, 200
         self.record(frame_start=10, frame_end=30)
-        self.assertIn("Recorded 5-15", self.track().sentence)
+        self.assertIn("Recorded 5-15 by steps of 0.5", self.track().sentence)
         np.testing.assert_allclose(self.track().values((10.0,))[0], self.world(self.thing, 20), atol=1e-6)
 
     def test_number_and_own_transform(self):
@@ -127,11 +134,37 @@ class Recording(RecordingCase):
         with self.assertRaisesRegex(RuntimeError, "linked"):
             bpy.ops.motus.track_record(datablock="Thing")
 
+    def test_library_override(self):
+        """Its recordings are its own, and stay; one that its library has can be replaced and cleared."""
+        path, again = str(self.folder / "library.blend"), str(self.folder / "file.blend")
+        for is_recorded in (False, True):
+            if is_recorded:
+                self.record(frame_end=9)
+            bpy.ops.wm.save_as_mainfile(filepath=path)
+            support.empty_scene()
+            with bpy.data.libraries.load(path, link=True) as (_, wanted):
+                wanted.objects = ["Thing"]
+            thing = bpy.data.objects["Thing"].override_create()
+            bpy.context.scene.collection.objects.link(thing)
+            bpy.context.view_layer.update()
+            self.assertEqual(self.tracks.world_track(thing, bpy.context.scene).is_known, is_recorded)
+            self.assertEqual(bpy.ops.motus.track_record(datablock="Thing", frame_end=30), {'FINISHED'})
+            for operator, sentence in ((None, "Recorded 1-30"), (bpy.ops.motus.track_clear, "Needs recording")):
+                if operator:
+                    self.assertEqual(operator(datablock="Thing"), {'FINISHED'})
+                bpy.ops.wm.save_as_mainfile(filepath=again)
+                bpy.ops.wm.open_mainfile(filepath=again)
+                thing, = (one for one in bpy.data.objects if one.override_library)
+                with self.subTest(sentence, is_recorded=is_recorded):
+                    self.assertIn(sentence, self.tracks.world_track(thing, bpy.context.scene).sentence)
+            bpy.ops.wm.open_mainfile(filepath=path)
+            self.thing = bpy.data.objects["Thing"]
+
     def test_clear(self):
         self.record()
         self.assertEqual(bpy.ops.motus.track_clear(datablock="Thing"), {'FINISHED'})
         self.assertFalse(self.track().is_known)
-        self.assertEqual(list(self.thing.keys()), [])
+        self.assertNothingLeft()
         with self.assertRaisesRegex(RuntimeError, "Nothing was recorded"):
             bpy.ops.motus.track_clear(datablock="Thing")
 
@@ -148,7 +181,7 @@ class Recording(RecordingCase):
                                ({"frame_start": 9, "frame_end": 1}, "empty"), ({"step": float("nan")}, "finite")):
             with self.subTest(**keywords), self.assertRaisesRegex(RuntimeError, part):
                 bpy.ops.motus.track_record(**{"datablock": "Thing", **keywords})
-        self.assertEqual(list(self.thing.keys()), [])
+        self.assertNothingLeft()
 
     def test_escape_leaves_nothing(self):
         operator = support.addon("core.tracks.operators").MOTUS_OT_track_record
@@ -161,7 +194,7 @@ class Recording(RecordingCase):
         self.assertEqual(made.modal(context, types.SimpleNamespace(type='ESC')), {'CANCELLED'})
         self.assertTrue(context.is_tidy)
         self.assertEqual(self.scene.frame_current, 3)
-        self.assertEqual(list(self.thing.keys()), [])
+        self.assertNothingLeft()
 
 
 class OutOfDate(RecordingCase):
@@ -204,22 +237,34 @@ class OutOfDate(RecordingCase):
 
     def test_damaged(self):
         self.record()
-        key, = self.thing.keys()
-        whole = self.thing[key].to_dict()
-        recordings = support.addon("core.tracks.recordings")
-        for spoilt in (
-                3, "text", [1.0], {}, whole | {"numbers": "text"}, whole | {"numbers": [1, 2, 3]}, whole | {"numbers": []},
-                whole | {"numbers": [0.0] * 13}, whole | {"numbers": [float("nan")] * 12}, whole | {"step": 0.0},
-                whole | {"step": -1.0}, whole | {"start": float("inf")}, whole | {"start": "text"}, whole | {"what": "own"},
-                whole | {"stamp": 1}, whole | {"stamp": "x" * 1000}, whole | {"version": 99}, whole | {"digest": [1.0]},
-                whole | {"numbers": [0.0] * (12 * (recordings.LARGEST // 12 + 1))}):
-            with self.subTest(str(spoilt)[:60]):
-                self.thing[key] = spoilt
-                self.assertFalse(self.track().is_known)
-                self.assertIn("Needs recording", self.track().sentence)
-                self.assertFalse(self.tracks.is_outdated(self.track()))
-        self.thing[key] = whole
+        entry, = self.thing.motus_recordings
+        head, data = entry.head, entry.data
+        version, start, step, stamp, digest = json.loads(head)
+        most = support.addon("core.tracks.recordings").LARGEST
+
+        def numbers(values):
+            return base64.b64encode(np.array(values, "<f4").tobytes()).decode()
+
+        heads = [[99, start, step, stamp, digest], [version, start, step, stamp], [version, "1", step, stamp, digest],
+                 [version, start, 0.0, stamp, digest], [version, start, -1.0, stamp, digest], {}, 3, [version, 1e999, 1, "", ""],
+                 [version, start, step, 1, digest], [version, start, step, stamp, [1]]]
+        for spoilt in (*map(json.dumps, heads), "text", "[" * 100_000):
+            with self.subTest(spoilt[:60]):
+                entry.head = spoilt
+                self.assertDamaged()
+        for index, spoilt in enumerate((
+                "", "text", "ä", data[:-4], data[:-1], numbers([0.0] * 13), numbers([float("nan")] * 12),
+                numbers([0.0] * (12 * (most // 12 + 1))))):
+            with self.subTest(spoilt[:60]):
+                entry.head, entry.data = json.dumps([version, start, step, f"{index}", digest]), spoilt
+                self.assertDamaged()
+        entry.head, entry.data = head, data
         self.assertTrue(self.track().is_known)
+
+    def assertDamaged(self):
+        self.assertFalse(self.track().is_known)
+        self.assertIn("Needs recording", self.track().sentence)
+        self.assertFalse(self.tracks.is_outdated(self.track()))
 
 
 class Consumer(RecordingCase):
@@ -268,3 +313,77 @@ class Consumer(RecordingCase):
         bpy.ops.motus.track_clear(datablock="Thing")
         self.place(30)
         self.assertIn("has to be recorded", self.problem().sentence)
+
+    def test_solved(self):
+        """What follows a path, and what hangs on it."""
+        data = bpy.data.curves.new("Course", 'CURVE')
+        data.dimensions = '3D'
+        spline = data.splines.new('BEZIER')
+        spline.bezier_points.add(1)
+        spline.bezier_points[1].co = 9.0, 3.0, 1.0
+        self.link("Course", data)
+        self.assertEqual(bpy.ops.motus.path_follow_add(object="Goal", curve="Course", duration=1.5), {'FINISHED'})
+        child = self.link("Child")
+        child.parent, child.location = self.goal, (1.0, 2.0, 3.0)
+        toy_echo_system.echo(self.owner, child)
+        self.assertEqual(self.tracks.world_track(child, self.scene).kind, self.tracks.Kind.SOLVED)
+        self.assertEcho(child, tolerance=5e-6)
+
+    def test_many_at_once(self):
+        """Blender evaluates them in threads; each reads what the others read."""
+        self.record()
+        owners = [self.link(f"Owner {index}") for index in range(24)]
+        for owner, target in zip(owners, (self.goal, self.thing) * 12):
+            toy_echo_system.echo(owner, target)
+        for frame in (30.0, 15.5, 11.0):
+            self.go_to(frame)
+            depsgraph = bpy.context.evaluated_depsgraph_get()
+            places = [tuple(owner.evaluated_get(depsgraph).matrix_world.translation) for owner in owners]
+            self.assertEqual(len(set(places)), 2)
+            np.testing.assert_allclose(places[0], self.world(self.goal, frame - 10.0)[:3, 3], atol=2e-6)
+
+
+class Panel(RecordingCase):
+    def drawn(self, track, **keywords):
+        layout = Layout()
+        self.tracks.draw(layout, track, **keywords)
+        return layout
+
+    def test_what_is_said(self):
+        shown = self.drawn(self.tracks.world_track(self.goal, self.scene), datablock="Goal")
+        self.assertIn("read from keys", shown.text)
+        self.assertEqual(list(shown.buttons), [])
+        shown = self.drawn(self.track(), datablock="Thing")
+        self.assertIn("Needs recording", shown.text)
+        self.assertEqual(list(shown.buttons), ["motus.track_record"])
+        self.assertEqual(shown.buttons["motus.track_record"].datablock, "Thing")
+        self.record()
+        shown = self.drawn(self.track(), datablock="Thing")
+        self.assertIn("Recorded 1-40", shown.text)
+        self.assertNotIn("out of date", shown.text)
+        self.assertEqual(list(shown.buttons), ["motus.track_record", "motus.track_clear"])
+        self.goal.parent = self.link("Helper")
+        bpy.context.view_layer.update()
+        self.assertIn("out of date", self.drawn(self.track(), datablock="Thing").text)
+
+
+class Layout:
+    """Notes what is drawn."""
+
+    def __init__(self):
+        self.texts, self.buttons = [], {}
+
+    @property
+    def text(self):
+        return " ".join(self.texts)
+
+    def box(self, **_options):
+        return self
+
+    column = row = box
+
+    def label(self, text="", **_options):
+        self.texts.append(text)
+
+    def operator(self, name, **_options):
+        return self.buttons.setdefault(name, types.SimpleNamespace())

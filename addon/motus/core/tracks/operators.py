@@ -82,10 +82,10 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
         id_data = self.id_data(context)
         track = self.track(id_data, context.scene)
         length = context.scene.render.frame_map_old / context.scene.render.frame_map_new
-        made = recordings.write(
+        size = recordings.write(
             id_data, track.what, self._frames_done[0] * length, self.step * length, self._samples, digest.of(id_data))
         self.report({'INFO'}, tr("Recorded {frames} frames of {object}: {size} KB").format(
-            frames=len(self._samples), object=id_data.name, size=math.ceil(made.bytes / 1024)))
+            frames=len(self._samples), object=id_data.name, size=math.ceil(size / 1024)))
 
     def _check(self, context, id_data, count):
         check_local(id_data)
@@ -132,4 +132,4 @@ class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
         return {'FINISHED'}
 
 
-classes = (MOTUS_OT_track_record, MOTUS_OT_track_clear)
+classes = (recordings.MOTUS_PG_recording, MOTUS_OT_track_record, MOTUS_OT_track_clear)

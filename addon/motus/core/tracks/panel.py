@@ -5,7 +5,7 @@ from bpy.app.handlers import persistent
 
 from .. import handlers, ui
 from ..translations import tr
-from . import digest
+from . import digest, recordings
 from .operators import MOTUS_OT_track_clear, MOTUS_OT_track_record
 
 _edits = [0]
@@ -59,10 +59,13 @@ def _watched():
 
 
 def register():
-    """Notice edits, after which recordings may be out of date."""
+    """Give every datablock its list, and notice edits, after which recordings may be out of date."""
+    setattr(bpy.types.ID, recordings.LIST, bpy.props.CollectionProperty(
+        type=recordings.MOTUS_PG_recording, name="Recordings", override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}))
     handlers.add(_watched())
 
 
 def unregister():
     """Take that back."""
     handlers.remove(_watched())
+    delattr(bpy.types.ID, recordings.LIST)

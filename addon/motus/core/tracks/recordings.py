@@ -1,25 +1,43 @@
 """What was recorded of things that nobody knows ahead: kept in the file, with the datablock that it was recorded of.
 
-A recording is a custom property of that datablock: samples at even distances, what they are of, and a digest of what they
-were made from as far as that is known. Copies and appended or linked datablocks bring theirs along. What a file holds is
-checked before it is used.
+A recording is an entry of a list that every datablock has: samples at even distances, what they are of, and a digest of what
+they were made from as far as that is known. Copies and appended or linked datablocks bring theirs along, and library overrides
+keep theirs. What a file holds is checked before it is used.
 """
 
-import hashlib
+import base64
+import binascii
+import json
 import uuid
+from collections import OrderedDict
 from typing import Any, NamedTuple
 
-from .. import stored
+import bpy
+
+from .. import libraries, stored
 from ..lazy import numpy as np
 from . import keys, rotations
 
-KEY = "motus_recorded_"
-"""Beginning of the custom properties' names."""
+LIST = "motus_recordings"
+"""Name of the list."""
 VERSION = 1
 LARGEST = 1 << 18
-"""Numbers in a recording: 2 MB in the file, and a world matrix for a quarter of an hour."""
+"""Numbers in a recording: 1.4 MB in the file, and a world matrix for a quarter of an hour."""
 WIDTHS = {"world": 12, "own": 10}
 """Numbers in a sample, of a transform: a matrix without its last row; location, rotation and scale. Else one."""
+LARGEST_CACHE = 64  # recordings
+
+_FORM = (int, float, float, str, str)
+_read = OrderedDict()
+"""(what, head) -> the Recording that was found there. No two recordings have the same head."""
+
+
+class MOTUS_PG_recording(bpy.types.PropertyGroup):
+    # The name is what was recorded.
+    head: bpy.props.StringProperty(
+        name="Head", description="When the samples were taken, and what of", options=set(), override={'LIBRARY_OVERRIDABLE'})
+    data: bpy.props.StringProperty(
+        name="Data", description="The samples", options=set(), override={'LIBRARY_OVERRIDABLE'})
 
 
 class Recording(NamedTuple):
@@ -36,11 +54,6 @@ class Recording(NamedTuple):
         """Time of the last sample."""
         return self.start + self.step * (len(self.samples) - 1)
 
-    @property
-    def bytes(self):
-        """Of the file."""
-        return self.samples.nbytes
-
     def between(self, times):
         """(places, following, parts): between which two samples times lie, and how far; beyond the ends the end's twice."""
         last = len(self.samples) - 1
@@ -49,47 +62,62 @@ class Recording(NamedTuple):
         return places, np.minimum(places + 1, last), along - places
 
 
-def key(what):
-    """Name of the custom property that holds a recording. what: data path and index, or a path and the kind of transform."""
-    return KEY + hashlib.blake2b(what.encode(), digest_size=8).hexdigest()
-
-
 def read(id_data, what, width):
     """The Recording of a datablock, original or evaluated; None where there is none. Raises Damaged."""
-    found = id_data.get(key(what))
-    if found is None:
+    entry = getattr(id_data, LIST).get(what)
+    head = entry.head if entry else ""
+    if not head:
         return None
-    try:
-        version, said = found["version"], found["what"]
-        start, step, numbers, stamp, digest = (found[name] for name in ("start", "step", "numbers", "stamp", "digest"))
-    except (TypeError, KeyError, IndexError):
-        raise stored.Damaged("no recording") from None
-    if type(version) is int and version > VERSION:
+    found = _read.get((what, head))
+    if found is None:
+        found = _read[what, head] = _opened(head, entry.data, width)
+        if len(_read) > LARGEST_CACHE:
+            _read.popitem(last=False)
+    return found
+
+
+def _opened(head, data, width):
+    """The Recording that an entry holds."""
+    version, start, step, stamp, digest = stored.parse(head, _FORM)
+    if version > VERSION:
         raise stored.Newer("a recording of a newer version")
-    texts_fit = stored.fits([said, stamp, digest], [str]) and said == what and len(stamp) <= 64 and len(digest) <= 64
-    if not texts_fit or not stored.fits([start, step], [float]) or step <= 0.0:
+    if len(data) > 8 * LARGEST or step <= 0.0:
         raise stored.Damaged("another recording")
-    samples = np.frombuffer(stored.doubles(numbers))
+    try:
+        samples = np.frombuffer(base64.b64decode(data, validate=True), "<f4").astype(float)
+    except (binascii.Error, ValueError) as error:
+        raise stored.Damaged("no samples") from error
     if not 0 < len(samples) <= LARGEST or len(samples) % width or not np.isfinite(samples).all():
         raise stored.Damaged("another number of samples")
     return Recording(float(start), float(step), samples.reshape(-1, width), stamp, digest)
 
 
 def write(id_data, what, start, step, samples, digest):
-    """Keep samples (n, width) with an original datablock; returns the Recording."""
-    samples = np.ascontiguousarray(samples, float)
-    made = Recording(float(start), float(step), samples, uuid.uuid4().hex, digest)
-    id_data[key(what)] = {
-        "version": VERSION, "what": what, "start": made.start, "step": made.step, "stamp": made.stamp, "digest": digest,
-        "numbers": samples.ravel()}
+    """Keep samples (n, width) with an original datablock, in single precision, as Blender has them; returns how many bytes."""
+    listed = getattr(id_data, LIST)
+    entry = listed.get(what)
+    if entry is None:
+        entry = listed.add()
+        entry.name = what
+    entry.head = json.dumps([VERSION, float(start), float(step), uuid.uuid4().hex, digest])
+    entry.data = base64.b64encode(np.asarray(samples, "<f4").tobytes()).decode()
     id_data.update_tag()
-    return made
+    return len(entry.data)
 
 
 def remove(id_data, what):
     """Forget a recording; returns whether there was one."""
-    if id_data.pop(key(what), None) is None:
+    listed = getattr(id_data, LIST)
+    entry = listed.get(what)
+    if entry is None or not entry.head:
         return False
+    index = listed.find(what)
+    if index < libraries.count_from_library(id_data, LIST):
+        entry.head = entry.data = ""  # of an override, which cannot be without what its library has
+    else:
+        listed.remove(index)
+    if not listed:
+        id_data.property_unset(LIST)
     id_data.update_tag()
     return True
 
@@ -97,11 +125,6 @@ def remove(id_data, what):
 def most_samples(width):
     """How many samples a recording may have."""
     return LARGEST // width
-
-
-def frames_text(recording):
-    """The recorded range as it is written in panels: 1-250."""
-    return "-".join(f"{frame:g}" for frame in (round(recording.start, 3), round(recording.end, 3)))
 
 
 def bounds(recording, first, last):

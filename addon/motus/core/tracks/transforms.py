@@ -308,7 +308,7 @@ class _Link:
     def stamp(self):
         obj = self._object
         bones = tuple((_numbers(bone.bone.matrix_local), bone.bone.inherit_scale, bone.bone.use_inherit_rotation,
-                       bone.bone.use_local_location, bone.bone.use_connect, bone.bone.use_relative_parent)
+                       bone.bone.use_local_location, bone.bone.use_connect, bone.bone.use_relative_parent, bone.bone.length)
                       for bone in self._bones)
         pose = obj.data.pose_position if bones else ""
         solver = self.solved and self.solved.stamp

@@ -4,6 +4,10 @@ INTERFACE = {
     "Go through the frames and keep in the file what is not known ahead, such as what constraints do":
         "Recorrer los fotogramas y guardar en el archivo lo que no se sabe de antemano, como lo que hacen las restricciones",
     "Take the recorded samples out of the file": "Quitar del archivo las muestras grabadas",
+    "Head": "Cabecera",
+    "When the samples were taken, and what of": "Cuándo se tomaron las muestras, y de qué",
+    "Data": "Datos",
+    "The samples": "Las muestras",
     "Datablock": "Bloque de datos",
     "Name of the object or other datablock; empty takes the active object":
         "Nombre del objeto u otro bloque de datos; vacío toma el objeto activo",
@@ -41,8 +45,8 @@ INTERFACE = {
     # What the panel says
     "Exact at any frame: read from keys": "Exacto en cualquier fotograma: se lee de las claves",
     "Exact at any frame: solved by {systems}": "Exacto en cualquier fotograma: lo resuelve {systems}",
-    "Recorded {frames}, holding the first and last value beyond":
-        "Grabado {frames}; fuera valen el primer y el último valor",
+    "Recorded {start}-{end} by steps of {step}; beyond, the first and last value hold":
+        "Grabado {start}-{end} en pasos de {step}; fuera valen el primer y el último valor",
     "Needs recording: {reason}": "Hay que grabarlo: {reason}",
     "{recorded}; it may be out of date": "{recorded}; puede estar anticuado",
     # Reports
