@@ -12,9 +12,15 @@ from ..core.tracks import world_track
 from ..core.tracks.animation import Channel
 from ..core.tracks.keys import union, whole
 from ..core.tracks.reason import Reason
+from ..core.tracks.strips import together
 from . import members, solve
 
 CHOICES = ("timing", "extend", "pins_by", "orientation", "forward_axis", "up_axis", "lag_by")
+
+
+def over_time(owner, thing, scene):
+    """System.over_time; None for what is no member of the owner, such as the copy of a wagon."""
+    return OverTime(owner, thing, scene) if thing in members.members(owner) else None
 
 
 class OverTime:
@@ -35,7 +41,7 @@ class OverTime:
     @functools.cached_property
     def _curve(self):
         curve = self._settings.curve
-        return curve and world_track(curve, self._scene)
+        return world_track(curve, self._scene) if curve and curve.type == 'CURVE' else None
 
     @property
     def reason(self):
@@ -77,10 +83,12 @@ class OverTime:
     def stamp(self):
         """As Channel.stamp."""
         settings, render = self._settings, self._scene.render
-        return (self._index, tuple(members.offsets(self._owner)), render.fps, render.fps_base, settings.influence,
-                *(getattr(settings, name) for name in CHOICES),
-                *((pin.frame, pin.fraction, pin.distance) for pin in settings.pins),
-                *(track.stamp for track in self._numbers.values()), self._curve and (self._curve.stamp, self._shape()))
+        return together((
+            self._index, tuple(members.offsets(self._owner)), render.fps, render.fps_base, settings.influence,
+            *(getattr(settings, name) for name in CHOICES),
+            *((pin.frame, pin.fraction, pin.distance) for pin in settings.pins),
+            *(track.stamp for track in self._numbers.values()),
+            *((self._curve.stamp, self._shape()) if self._curve else ())))
 
     def _shape(self):
         """Something hashable that says how the curve runs."""

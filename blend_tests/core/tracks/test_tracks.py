@@ -246,6 +246,45 @@ class Strips(TrackTestCase):
                 self.assertAll(thing)
             bpy.data.objects.remove(thing)
 
+    def test_quaternions(self):
+        """Mixed number by number, but for Combine."""
+        for blend in ('REPLACE', 'ADD', 'COMBINE'):
+            thing = self.link("Thing")
+            thing.rotation_mode = 'QUATERNION'
+            for start, kind in ((1, 'REPLACE'), (12, blend)):
+                self.key(thing, "rotation_quaternion")
+                self.pushed(thing, self.track(thing), start, blend_type=kind, blend_in=9.0 * (start > 1))
+            with self.subTest(blend):
+                if blend == 'COMBINE':
+                    self.assertFalse(self.tracks.own_track(thing).is_known)
+                else:
+                    self.assertNumber(thing, "rotation_quaternion", 2, tolerance=2e-6)
+                    self.assertWorld(thing)
+            bpy.data.objects.remove(thing)
+
+    def test_kept_until_a_strip_changes(self):
+        thing = self.keyed()
+        strip = self.pushed(thing, self.track(thing), 10)
+        made = []
+
+        def ask(index):
+            bpy.context.view_layer.update()
+            track = self.tracks.property_track(self.evaluated(thing), "location", index)
+            return self.tracks.kept(track, "test", lambda: made.append(index) or len(made))
+
+        self.assertEqual([ask(0), ask(1), ask(0), ask(1)], [1, 2, 1, 2])
+        strip.scale = 2.0
+        self.assertEqual([ask(0), ask(0)], [3, 3])
+        strip.use_animated_influence = True
+        self.key(thing, "location")
+        self.assertEqual([ask(0), ask(0)], [4, 4], "the action above covers all")
+        thing.animation_data.action_influence = 0.5
+        self.pushed(thing, self.track(thing), 1).blend_type = 'ADD'
+        strip.use_animated_influence = False
+        self.assertEqual([ask(0), ask(0)], [5, 5])
+        strip.use_animated_time = True
+        self.assertEqual([ask(0), ask(0)], [6, 7], "keys of the strip itself")
+
     def test_what_is_not_known(self):
         """A gap, in which a value stays what it was on the frame before; quaternions that are combined; solo; tweak mode."""
         thing = self.keyed()

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from .. import actions, copies
+from .. import actions
 from ..lazy import numpy as np
 from ..refusals import Refused
 from ..translations import tr
@@ -99,9 +99,9 @@ class Channel:
         if not self._id.is_evaluated:
             return None
         if self._stack is not None:
-            return self._stack.stamp
+            return strips.together((self._path, self.number.index, self._stack.stamp))
         if self._curve is not None:
-            return self._path, self.number.index, copies.number_of_action(self._id.animation_data.action)
+            return self._path, self.number.index, strips.stamp_of_action(self._id.animation_data)
         return self.number.present
 
 
@@ -137,7 +137,7 @@ def is_in_strips(id_data, data_path, index=0):
     if not played:
         return False
     if acting_curve(id_data, data_path, index):
-        return (animation.action_blend_type != 'REPLACE' or animation.action_influence != 1.0
+        return (animation.use_tweak_mode or animation.action_blend_type != 'REPLACE' or animation.action_influence != 1.0
                 or animation.action_extrapolation != 'HOLD')
     return any(strips.animates(strip, data_path, index) for strip in played)
 

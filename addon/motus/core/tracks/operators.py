@@ -95,10 +95,9 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
         most = recordings.most_samples(track.width)
         if count > most:
             raise Refused(tr("{count} samples are too many for a file: {most} at most").format(count=count, most=most))
+        check_evaluated(id_data, context.view_layer)
         if self.bone:
             check_posed(id_data, context.view_layer)
-        elif isinstance(id_data, bpy.types.Object):
-            check_evaluated(id_data, context.view_layer)
 
     def _record(self, context, id_data, frames):
         scene = context.scene

@@ -1,6 +1,6 @@
 """Objects that a system of Motus's drives: the system itself is asked where they are at any times.
 
-What System.over_time gives has
+What System.over_time gives is None, or has
 
     reason             as Channel.reason
     poses(times)       (locations (n, 3), rotations (n, 4) or None, acts (n,) whether it drives the object) in world space
@@ -51,8 +51,8 @@ def of(obj, scene):
             continue
         settings = getattr(obj.motus, system.name)
         owner = obj if settings.is_active else settings.leader
-        if owner is not None:
-            sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj)}
-            if all(constraint in sinks for constraint in acting):
-                return Solved(system, system.over_time(owner, obj, scene))
+        sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj)} if owner else ()
+        source = system.over_time(owner, obj, scene) if sinks and all(one in sinks for one in acting) else None
+        if source is not None:
+            return Solved(system, source)
     return None

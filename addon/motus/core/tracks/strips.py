@@ -43,10 +43,10 @@ class Stack:
         self._layers, self._number = layers, number
 
     @classmethod
-    def of(cls, animation, data_path, number, acting):
+    def of(cls, animation, data_path, number, top):
         """Of what animates a number, where strips take part; a Reason where Blender's value is not known ahead.
 
-        acting: the F-curve of the active action, or None.
+        top: the F-curve of the active action, or None.
         """
         unknown = Reason(Reason.STRIPS, thing=animation.id_data.name)
         if animation.use_tweak_mode or any(track.is_solo for track in animation.nla_tracks):
@@ -55,7 +55,7 @@ class Stack:
         layers = [_Track([(strip, _curve(strip, data_path, index)) for strip in track.strips])
                   for track in animation.nla_tracks if not track.mute and len(track.strips)]
         if animation.action:
-            layers.append(_Acting(animation, acting))
+            layers.append(_Acting(animation, top))
         layers = [layer for layer in layers if layer.animates]
         # Where at times nothing sets it, it stays at what it was on the frame before.
         if not any(layer.is_always for layer in layers):
@@ -81,7 +81,19 @@ class Stack:
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return tuple(layer.stamp for layer in self._layers)
+        return together(layer.stamp for layer in self._layers)
+
+
+def together(stamps):
+    """One stamp of several; None where one of them is None."""
+    found = tuple(stamps)
+    return None if None in found else found
+
+
+def stamp_of_action(player):
+    """Which action an evaluated player plays (actions.curves_of), and which slot of it."""
+    # A property of what plays actions since these have slots.
+    return copies.number_of_action(player.action), getattr(player, "action_slot_handle", 0)
 
 
 def _blended(kind, lower, upper, influence, number):
@@ -139,7 +151,7 @@ class _Acting:
     @property
     def stamp(self):
         animation = self._animation
-        return (copies.number_of_action(animation.action), animation.action_influence, animation.action_blend_type,
+        return (stamp_of_action(animation), animation.action_influence, animation.action_blend_type,
                 animation.action_extrapolation)
 
 
@@ -225,16 +237,16 @@ class _Track:
 
     @property
     def stamp(self):
-        return tuple(_strip_stamp(strip) for strip, _ in self._strips)
+        return together(_strip_stamp(strip) for strip, _ in self._strips)
 
 
 def _strip_stamp(strip):
-    # A strip's own F-curves are edited with the datablock that has it, of which nothing tells a fresh copy.
-    own = tuple(tuple((*point.co, *point.handle_left, *point.handle_right) for point in curve.keyframe_points)
-                for curve in strip.fcurves)
-    return (copies.number_of_action(strip.action) if strip.action else 0, strip.mute, strip.frame_start, strip.frame_end,
+    """None of a strip with F-curves of its own, of which nothing tells whether they were edited."""
+    if strip.use_animated_influence or strip.use_animated_time:
+        return None
+    return (stamp_of_action(strip) if strip.action else (), strip.mute, strip.frame_start, strip.frame_end,
             strip.action_frame_start, strip.action_frame_end, strip.scale, strip.repeat, strip.use_reverse, strip.blend_type,
-            strip.extrapolation, strip.blend_in, strip.blend_out, strip.use_animated_influence, strip.use_animated_time, own)
+            strip.extrapolation, strip.blend_in, strip.blend_out)
 
 
 def _influences(strip, times):

@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Matrix
 
-from ..lazy import numpy as np
 from .. import actions, copies
+from ..lazy import numpy as np
 from . import keys, rotations, solved, strips
-from .animation import Channel, acting_curve, is_driven, is_in_strips
+from .animation import Channel, is_driven
 from .reason import Reason
 
 ROTATIONS = {'QUATERNION': ("rotation_quaternion", 4), 'AXIS_ANGLE': ("rotation_axis_angle", 4)}
@@ -18,10 +18,10 @@ DELTA_ROTATIONS = {'QUATERNION': ("delta_rotation_quaternion", 4), 'AXIS_ANGLE':
 """Blender has no channel for a delta by axis and angle."""
 DEEPEST = 256
 """Parents above each other; of bones too. What hangs deeper is taken for a loop."""
-LARGEST_CACHE = 256
+LARGEST_CACHE = 1024  # bones of some rigs, in a viewport and a render
 
-_still = OrderedDict()
-"""What tells apart whose channels and keys they are -> {property: indices that nothing animates}."""
+_keys = OrderedDict()
+"""(an evaluated action, beginning of data paths, rotation mode) -> which channels have keys there (Own._keys_at)."""
 
 
 class Transforms(NamedTuple):
@@ -48,6 +48,7 @@ class Own:
         self._thing = thing
         self._id = thing.id_data
         self._prefix = "" if thing == self._id else f"{thing.path_from_id()}."
+        self._mode = thing.rotation_mode
 
     @functools.cached_property
     def channels(self):
@@ -58,9 +59,13 @@ class Own:
     @functools.cached_property
     def reason(self):
         """As Channel.reason, of the first channel that has one."""
-        if self._changes_mode():
+        if self._is_simple:
+            changes_mode = self._keys_at[1]
+        else:
+            changes_mode = not Channel(self._id, f"{self._prefix}rotation_mode", -1).is_constant
+        if changes_mode:
             return Reason(Reason.MODE, thing=self._thing.name)
-        if self._is_simple():
+        if self._is_simple:
             return None
         return next((one.reason for group in self.channels.values() for one in group if one.reason), None)
 
@@ -69,17 +74,13 @@ class Own:
         """As Channel.stamp."""
         if not self._id.is_evaluated:
             return None
-        mode = self._thing.rotation_mode
-        if not self._is_simple():
-            return mode, *(one.stamp for group in self.channels.values() for one in group)
-        animation = self._id.animation_data
-        action = animation and animation.action
-        acting = (copies.number_of_action(action), getattr(animation, "action_slot_handle", 0)) if action else ()
-        return mode, self._prefix, acting, *self._still_values((*acting, self._prefix, mode))
+        if not self._is_simple:
+            return strips.together((self._mode, *(one.stamp for group in self.channels.values() for one in group)))
+        return self._mode, self._prefix, self._action, *self._still_values()
 
     def values(self, times):
         """Transforms at times (n,)."""
-        if self._is_simple():
+        if self._is_simple:
             return self._combined({name: self._keyed(name, size, times) for name, size in self._names().items()})
         return self._combined({
             name: np.stack([one.values(times) for one in group], axis=1) for name, group in self.channels.items()})
@@ -106,7 +107,7 @@ class Own:
 
     def bounds(self, first, last):
         """As Channel.bounds()."""
-        if self._is_simple():
+        if self._is_simple:
             found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
             return keys.union([[first, last], *(keys.bounds(curve, first, last) for curve in found)])
         return keys.union([one.bounds(first, last) for group in self.channels.values() for one in group])
@@ -117,32 +118,57 @@ class Own:
         found = {name: np.array([[one.number.present for one in group]]) for name, group in self.channels.items()}
         return np.concatenate([part[0] for part in self._combined(found)])
 
+    @functools.cached_property
     def _is_simple(self):
         """Whether nothing but keys of the active action animates it."""
         animation = self._id.animation_data
-        return animation is None or not (len(animation.drivers) or animation.use_nla and len(animation.nla_tracks))
+        if animation is None:
+            return True
+        if animation.use_nla and len(animation.nla_tracks):
+            return False
+        return not len(animation.drivers) or not self._has_drivers()
 
-    def _changes_mode(self):
-        path = f"{self._prefix}rotation_mode"
-        return self._id.animation_data is not None and (
-            is_driven(self._id, path) or is_in_strips(self._id, path) or acting_curve(self._id, path) is not None)
+    def _has_drivers(self):
+        """Whether a driver sets a channel; known for as long as Blender keeps an evaluated copy that can be told from others."""
+        copy = copies.of(self._id) if self._id.is_evaluated else None
+        known = {} if copy is None else copy.found
+        place = "own drivers", self._prefix, self._mode
+        if place not in known:
+            known[place] = any(is_driven(self._id, self._prefix + name, index)
+                               for name, size in (*self._names().items(), ("rotation_mode", 1)) for index in range(size))
+        return known[place]
 
-    def _still_values(self, place):
-        """Values of the channels that nothing animates. place: tells apart whose channels they are, and by which keys."""
-        still = _still.get(place)
-        if still is None:
+    @functools.cached_property
+    def _action(self):
+        """What tells the action of an evaluated thing, and the slot of it, from all others; () without one."""
+        animation = self._id.animation_data
+        return strips.stamp_of_action(animation) if animation and animation.action else ()
+
+    @functools.cached_property
+    def _keys_at(self):
+        """({property: indices that have no keys}, whether the rotation mode has some)."""
+        if self._id.animation_data is None:
+            return {name: range(size) for name, size in self._names().items()}, False
+        place = (self._action, self._prefix, self._mode) if self._id.is_evaluated and self._action else None
+        found = _keys.get(place)
+        if found is None:
             still = {name: [index for index, curve in enumerate(self._curves(name, size)) if curve is None]
                      for name, size in self._names().items()}
-            if len(place) > 2:  # without keys it is quickly found
-                _still[place] = still
-                if len(_still) > LARGEST_CACHE:
-                    _still.popitem(last=False)
-        for name, indices in still.items():
+            found = still, any(self._curves("rotation_mode", 1))
+            if place:
+                _keys[place] = found
+                if len(_keys) > LARGEST_CACHE:
+                    _keys.popitem(last=False)
+        return found
+
+    def _still_values(self):
+        """Values of the channels that nothing animates."""
+        for name, indices in self._keys_at[0].items():
             values = getattr(self._thing, name)
-            yield tuple(values[index] for index in indices)
+            yield tuple([values[index] for index in indices])
 
     def _names(self):
-        mode = self._thing.rotation_mode
+        mode = self._mode
         rotation, size = ROTATIONS.get(mode, ("rotation_euler", 3))
         names = {"location": 3, rotation: size, "scale": 3}
         if self._prefix == "":
@@ -152,13 +178,15 @@ class Own:
         return names
 
     def _quaternions(self, found):
-        mode = self._thing.rotation_mode
+        mode = self._mode
         if mode == 'QUATERNION':
-            parts = [rotations.unit(found[name]) for name in ("rotation_quaternion", "delta_rotation_quaternion") if name in found]
+            names = "rotation_quaternion", "delta_rotation_quaternion"
+            parts = [rotations.unit(found[name]) for name in names if name in found]
         elif mode == 'AXIS_ANGLE':
             parts = [rotations.from_axis_angle(found["rotation_axis_angle"])]
         else:
-            parts = [rotations.from_euler(found[name], mode) for name in ("rotation_euler", "delta_rotation_euler") if name in found]
+            names = "rotation_euler", "delta_rotation_euler"
+            parts = [rotations.from_euler(found[name], mode) for name in names if name in found]
         return parts[0] if len(parts) == 1 else rotations.product(parts[1], parts[0])
 
 
@@ -205,7 +233,7 @@ class World:
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return tuple(link.stamp for link in self._links) if self._thing.id_data.is_evaluated else None
+        return strips.together(link.stamp for link in self._links)
 
     @property
     def present(self):
@@ -311,9 +339,10 @@ class _Link:
                        bone.bone.use_local_location, bone.bone.use_connect, bone.bone.use_relative_parent, bone.bone.length)
                       for bone in self._bones)
         pose = obj.data.pose_position if bones else ""
-        solver = self.solved and self.solved.stamp
-        return (self._own.stamp, *(own.stamp for own in self._posed), solver, obj.parent_type, _numbers(obj.matrix_parent_inverse),
-                bones, pose)
+        solver = self.solved.stamp if self.solved else ()
+        return strips.together((
+            self._own.stamp, *(own.stamp for own in self._posed), solver, obj.parent_type, _numbers(obj.matrix_parent_inverse),
+            bones, pose))
 
 
 def _array(matrix):
