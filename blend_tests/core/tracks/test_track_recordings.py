@@ -2,7 +2,9 @@
 
 import base64
 import json
+import re
 import types
+from pathlib import Path
 
 import bpy
 import numpy as np
@@ -198,6 +200,23 @@ class Recording(RecordingCase):
         self.assertNothingLeft()
 
 
+    def test_the_example_of_the_manual(self):
+        page = Path(__file__).resolve().parents[3] / "docs" / "tracks.md"
+        code = re.findall(r"```python\n(.*?)```", page.read_text(encoding="utf-8"), re.DOTALL)[0]
+        self.thing.name = "Cube"
+        rig = self.rig()
+        rig.data.bones[1].name = "hand.L"
+        bone = rig.pose.bones["hand.L"]
+        rig.driver_add(f"{bone.path_from_id()}.location", 0)
+        clay = bpy.data.materials.new("Clay")
+        clay["age"] = 1.0
+        clay.driver_add('["age"]').driver.expression = "frame"
+        rig.data["clay"] = clay  # so that Blender evaluates it
+        exec(compile(code, "tracks.md", "exec"), {"bpy": bpy})
+        for track in (self.track(), self.tracks.own_track(bone), self.tracks.property_track(clay, '["age"]')):
+            self.assertIn("Recorded 1-", track.sentence)
+
+
 class OutOfDate(RecordingCase):
     def assertOutdated(self, outdated, message=""):
         bpy.context.view_layer.update()
@@ -229,7 +248,8 @@ class OutOfDate(RecordingCase):
 
         for index, edit in enumerate((move_key, lambda: setattr(self.constraint, "use_scale_x", False), set_pace,
                      lambda: setattr(self.goal, "parent", helper), lambda: setattr(helper, "location", (1.0, 2.0, 3.0)),
-                     lambda: setattr(driver, "expression", "var * 2"), lambda: setattr(curve.modifiers.new('NOISE'), "strength", 2.0),
+                     lambda: setattr(driver, "expression", "var * 2"),
+                     lambda: setattr(curve.modifiers.new('NOISE'), "strength", 2.0),
                      lambda: setattr(self.thing, "delta_scale", (2.0, 1.0, 1.0)))):
             self.record()
             self.assertOutdated(False, index)

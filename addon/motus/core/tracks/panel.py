@@ -1,23 +1,22 @@
 """What a panel shows of an input over time: how it is known, and the buttons that record it."""
 
 import bpy
-from bpy.app.handlers import persistent
 
 from .. import handlers, ui
 from ..translations import tr
 from . import digest, recordings
 from .operators import MOTUS_OT_track_clear, MOTUS_OT_track_record
 
-_edits = [0]
 _digests = {}
-"""Type and name of a datablock -> (number of edits when it was looked at, its digest)."""
+"""Type and name of a datablock -> its digest, until the next edit."""
 
 
 def draw(layout, track, **keywords):
     """A line about an original thing's track, and buttons. keywords: of motus.track_record, which name it."""
-    outdated = is_outdated(track)
-    ui.draw_message(layout, tr("{recorded}; it may be out of date").format(recorded=track.sentence) if outdated else track.sentence,
-                    'ERROR' if not track.is_known else 'INFO')
+    sentence = track.sentence
+    if is_outdated(track):
+        sentence = tr("{recorded}; it may be out of date").format(recorded=sentence)
+    ui.draw_message(layout, sentence, 'INFO' if track.is_known else 'ERROR')
     if track.reason is None:
         return
     row = layout.row(align=True)
@@ -38,34 +37,33 @@ def is_outdated(track):
 
 def _digest(id_data):
     """The digest of a datablock, found anew after an edit."""
+    if _forget not in bpy.app.handlers.depsgraph_update_post:
+        _digests.clear()
+        handlers.add(_watched())
     place = id_data.bl_rna.identifier, id_data.name_full
-    edits, found = _digests.get(place, (None, None))
-    if edits != _edits[0]:
-        if edits is None and len(_digests) >= digest.MOST:
-            _digests.clear()
-        found = digest.of(id_data)
-        _digests[place] = _edits[0], found
+    found = _digests.get(place)
+    if found is None:
+        found = _digests[place] = digest.of(id_data)
     return found
 
 
-@persistent
-def _edited(*_):
-    _edits[0] += 1
+def _forget(*_):
+    # Not persistent: a file in which nobody has looked at a recording costs nothing.
+    _digests.clear()
 
 
 def _watched():
     found = bpy.app.handlers
-    return tuple((one, _edited) for one in (found.depsgraph_update_post, found.undo_post, found.redo_post, found.load_post))
+    return tuple((one, _forget) for one in (found.depsgraph_update_post, found.undo_post, found.redo_post))
 
 
 def register():
-    """Give every datablock its list, and notice edits, after which recordings may be out of date."""
+    """Give every datablock its list."""
     setattr(bpy.types.ID, recordings.LIST, bpy.props.CollectionProperty(
         type=recordings.MOTUS_PG_recording, name="Recordings", override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}))
-    handlers.add(_watched())
 
 
 def unregister():
-    """Take that back."""
+    """Take that back, and what notices edits."""
     handlers.remove(_watched())
     delattr(bpy.types.ID, recordings.LIST)
