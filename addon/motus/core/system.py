@@ -199,7 +199,6 @@ class System:
     the owner's mesh, by a modifier, and has no members. unbakeable: a sentence that says why there is nothing to bake.
     scene_settings: a PropertyGroup that becomes Scene.motus.<name>. extras: with register() and unregister() of their own.
     settle: called after an evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner.
-    over_time: called with the owner, a driven object and the scene; gives what core/tracks/solved.py asks of it, or None.
     bone_renamed: called with the owner, a rig, and the old and the new name of a bone of it that the owner drives or reads.
     """
 
@@ -220,7 +219,7 @@ class System:
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
     settle: Optional[Callable] = None
-    over_time: Optional[Callable] = None
+    over_time: Optional[Callable] = None  # called with the owner, a driven object and the scene; see core/tracks/solved.py
     unbakeable: str = ""
     scene_settings: Optional[type] = None
     extras: tuple = ()

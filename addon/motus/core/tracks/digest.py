@@ -77,7 +77,7 @@ class _Digest:
             self._constraints(bone)
         if id_data.is_property_set("motus"):  # to ask for what is not there would make it
             for name in registered:
-                settings = getattr(id_data.motus, name)
+                settings = getattr(id_data.motus, name, None)
                 if getattr(settings, "is_active", False):
                     self._settings(settings)
 
