@@ -219,6 +219,7 @@ class System:
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
     settle: Optional[Callable] = None
+    over_time: Optional[Callable] = None  # called with the owner, a driven object and the scene; see core/tracks/solved.py
     unbakeable: str = ""
     scene_settings: Optional[type] = None
     extras: tuple = ()
