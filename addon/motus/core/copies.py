@@ -16,7 +16,7 @@ from . import actions, stored
 
 KEY = "motus_copy"
 """Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
-LARGEST = 256  # copies that are known at a time
+LARGEST = 4096  # copies that are known at a time
 
 # From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
 _first = random.randrange(1, 2**30)
@@ -63,8 +63,8 @@ class Copy:
 
 
 def prepare(owner):
-    """Let evaluated copies of a rig, of its armature and of its scenes be told apart. Called when it is wired."""
-    for datablock in (owner, owner.data, *owner.users_scene):
+    """Let evaluated copies of an owner be told apart, of a rig its armature's and its scenes' too. Called when it is wired."""
+    for datablock in (owner, owner.data, *owner.users_scene) if owner.type == 'ARMATURE' else (owner,):
         if not datablock.library and _mark(datablock) is None:
             datablock[KEY] = [0]
             datablock.update_tag()
@@ -72,13 +72,13 @@ def prepare(owner):
 
 def release(owner):
     """Take that back, from what no other rig needs it for."""
-    if owner.pop(KEY, None) is None:
+    if owner.pop(KEY, None) is None or owner.type != 'ARMATURE':
         return
     data = owner.data
     if not data.library and all(KEY not in other for other in bpy.data.objects if other.data == data):
         data.pop(KEY, None)
     for scene in bpy.data.scenes:
-        if not scene.library and all(KEY not in other for other in scene.objects):
+        if not scene.library and not any(other.type == 'ARMATURE' and KEY in other for other in scene.objects):
             scene.pop(KEY, None)
 
 
@@ -120,6 +120,21 @@ def _new_number():
     # Where two threads are here at once, the greater number may count as not given; then its copy is given one more.
     _latest[0] = number = next(_numbers)
     return number
+
+
+def has_moving_settings(evaluated):
+    """Whether an action, the NLA or a driver sets a Motus setting of an evaluated object, as far as can be told."""
+    copy = of(evaluated)
+    return has_animation(evaluated) if copy is None else copy.has_animated_settings(evaluated)
+
+
+def has_animated_settings(owner):
+    """The same of an object that is not evaluated."""
+    animation = owner.animation_data
+    if animation is None:
+        return False
+    curves = itertools.chain(animation.drivers, *(actions.all_fcurves(animation.action) if animation.action else ()))
+    return bool(animation.nla_tracks) or _reach(curves).settings
 
 
 def has_animation(evaluated):

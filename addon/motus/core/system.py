@@ -41,11 +41,11 @@ class Setting:
 
     name: str
 
-    def variable(self, owner, settings):
-        return Variable('OBJECT', owner, f"{settings.path_from_id()}.{self.name}")
+    @staticmethod
+    def variable(_owner, _settings):
+        """None: the solver waits for all settings of the owner at once, and reads them itself."""
 
     def read(self, _value, settings):
-        # Not the variable's value: where the owner carries the solver there is none (see wiring.attach).
         value = getattr(settings, self.name)
         if isinstance(value, str):
             return settings.bl_rna.properties[self.name].enum_items[value].value

@@ -1,7 +1,6 @@
 """The function every solver driver calls, and its place in the driver namespace."""
 
 import logging
-from array import array
 from contextlib import suppress
 
 import bpy
@@ -18,8 +17,6 @@ LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
 log = logging.getLogger(__name__)
 
-_Object = bpy.types.Object  # to look it up there costs more than the question
-
 
 def motus_solve(self, name, frame, depsgraph, *values):
     """Solve one group of a system into the outbox of the evaluated carrier `self`. Never raises. Returns status.
@@ -34,9 +31,10 @@ def motus_solve(self, name, frame, depsgraph, *values):
         box = outbox.opened(system, self, key)
         owner = outbox.owner_of(system, self)
         _solve(system, key, self, owner, box, frame, depsgraph, values)
+        outbox.let_out(system, owner, box)
         if system.moves_points:
             healing.watch(system, owner)
-        elif system.groups is not None or isinstance(self, _Object):
+        else:
             healing.check(system, owner)
     except Exception as error:
         return _fail(self, name, error)
@@ -55,24 +53,6 @@ class _Points:
     def __getitem__(self, arguments):
         carrier, name, *values = arguments
         return motus_solve(carrier, name, 0.0, None, *values)
-
-
-def motus_direct(self, name, slot, frame, depsgraph, *values):
-    """Value of one outbox slot, for sinks that are driven without an outbox. Never raises."""
-    box = None
-    try:
-        keep_state()
-        healing.note_use()
-        system, key = _called(name)
-        carrier = self.id_data
-        found = outbox.opened(system, carrier, key)
-        box = found._replace(slots=memoryview(array('d', found.slots)))
-        _solve(system, key, carrier, outbox.owner_of(system, carrier), box, frame, depsgraph, values)
-        return box.slots[slot]
-    except Exception as error:
-        _log(self, name, error)
-        # Only a scale is not 0 where it does nothing; what nobody can read has the influence 0.
-        return float(box is not None and isinstance(slot, int) and slot >= box.layout.base + outbox.POSE_SIZE * box.layout.members)
 
 
 def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
@@ -219,7 +199,7 @@ def _rest_attribute(system, key, carrier):
         attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 
 
-_FUNCTIONS = {"motus_solve": motus_solve, "motus_direct": motus_direct, "motus_points": _Points()}
+_FUNCTIONS = {"motus_solve": motus_solve, "motus_points": _Points()}
 
 
 @persistent
