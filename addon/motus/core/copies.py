@@ -27,9 +27,11 @@ _actions = OrderedDict()
 
 
 class Reach(NamedTuple):
-    """What animation sets. settings: whether any Motus setting. bones: names of those whose own transform; None: maybe any."""
+    """What animation sets. settings: whether any Motus setting. splines: whether anything of a curve's. bones: names of those
+    whose own transform; None: maybe any."""
 
     settings: bool
+    splines: bool
     bones: frozenset | None
 
     def poses(self, names):
@@ -39,7 +41,7 @@ class Reach(NamedTuple):
         return not self.bones.isdisjoint(names)
 
 
-_NOTHING, _ANYTHING = Reach(False, frozenset()), Reach(True, None)
+_NOTHING, _ANYTHING = Reach(False, False, frozenset()), Reach(True, True, None)
 
 
 class Copy:
@@ -56,6 +58,11 @@ class Copy:
         animation = evaluated.animation_data
         return animation is not None and (self._driven.settings or _acting(animation).settings)
 
+    def has_animated_splines(self, evaluated):
+        """Whether one sets what the splines of a curve are made of."""
+        animation = evaluated.animation_data
+        return animation is not None and (self._driven.splines or _acting(animation).splines)
+
     def has_animated_poses(self, evaluated, names):
         """Whether one sets the own transform of a bone of these names, a frozenset; None for all."""
         animation = evaluated.animation_data
@@ -64,10 +71,21 @@ class Copy:
 
 def prepare(owner):
     """Let evaluated copies of an owner be told apart, of a rig its armature's and its scenes' too. Called when it is wired."""
-    for datablock in (owner, owner.data, *owner.users_scene) if owner.type == 'ARMATURE' else (owner,):
+    mark(owner, *((owner.data, *owner.users_scene) if owner.type == 'ARMATURE' else ()))
+
+
+def mark(*datablocks):
+    """Let evaluated copies of these be told apart."""
+    for datablock in datablocks:
         if not datablock.library and _mark(datablock) is None:
             datablock[KEY] = [0]
             datablock.update_tag()
+
+
+def unmark(datablock):
+    """Take that back."""
+    if not datablock.library:
+        datablock.pop(KEY, None)
 
 
 def release(owner):
@@ -165,4 +183,8 @@ def _reach(curves):
     names = {match["bone"] for match in map(actions.OWN_CHANNEL.match, paths) if match}
     # A bone may be named by its number too.
     bones = None if None in names else frozenset(map(bpy.utils.unescape_identifier, names))
-    return Reach(any(path.startswith("motus.") for path in paths), bones)
+    return Reach(_any_begins(paths, "motus."), _any_begins(paths, ("splines", "[")), bones)
+
+
+def _any_begins(paths, beginning):
+    return any(path.startswith(beginning) for path in paths)

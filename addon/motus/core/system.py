@@ -253,6 +253,21 @@ class Context:
     data: Any = field(default_factory=dict)
     offsets: Any = None
     wants_to_settle: bool = False
+    memo: Any = None
+
+    @property
+    def is_still(self):
+        """Whether nothing animates the settings: they are the same until somebody edits them."""
+        return self.memo is not None
+
+    def kept(self, name, key, make):
+        """What `make()` gives, which depends on settings and `key` alone; where they are still it is made once for a key."""
+        if self.memo is None:
+            return make()
+        found = self.memo.get(name)
+        if found is None or found[0] != key:
+            found = self.memo[name] = key, make()
+        return found[1]
 
     @property
     def fps(self):

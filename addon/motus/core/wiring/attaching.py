@@ -24,6 +24,7 @@ def _attach(system, owner):
     settings.is_released = False
     settings.order_proxy = order.proxy_for(system, settings)
     copies.prepare(owner)
+    copies.mark(*solver_driver.curves_for(system, owner))
     groups = groups_of(system, owner)
     for group in groups:
         _wire(system, owner, group)
@@ -82,8 +83,13 @@ def _detach(system, owner):
         of_owner(system, other).leader = None
         overrides.unmark(system, other)
     own = [hub.data for _, hub in outbox.hubs(system, owner) if outbox.is_own_hub(hub, owner)]
+    read = set()
     for mesh in own + outbox.lost_hubs(system, owner):
+        read.update(solver_driver.curves_of(mesh))
         bpy.data.meshes.remove(mesh)
+    for curve in read:
+        if not any(curve in solver_driver.curves_of(mesh) for mesh in bpy.data.meshes if outbox.OWNER_KEY in mesh):
+            copies.unmark(curve)
     settings.hub = None
     settings.more_hubs.clear()
     proxy_sink.release(settings)

@@ -34,6 +34,8 @@ _seen = {}
 """(system, owner) -> what check() saw of the owner when it was last looked through."""
 _object_count = [-1]
 """How many objects the file had when they were last looked through."""
+_orphans = set()
+"""Names of hubs without an owner that were seen."""
 _bone_counts = {}
 """key of an armature -> how many bones it had when the rigs with it were last looked through."""
 _watched = set()
@@ -58,6 +60,13 @@ def check(system, owner):
     if _seen.get(place) != seen:
         _seen[place] = seen
         _asked.add(place)
+
+
+def note_orphan(hub):
+    """Called by the solver with an evaluated hub's mesh that has no owner any more: copies of that may hang on it."""
+    if hub.name not in _orphans:
+        _orphans.add(hub.name)
+        _object_count[0] = -1
 
 
 def watch(system, owner):
@@ -236,6 +245,7 @@ def _forget(*_):
     _in_use[0] = False
     _asked.clear()
     _seen.clear()
+    _orphans.clear()
     _bone_counts.clear()
     _watched.clear()
     _unsettled.clear()

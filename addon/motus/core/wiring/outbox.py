@@ -220,6 +220,11 @@ def hubs(system, owner):
     return [(key, hub) for key, hub in pointers if hub and hub.type == 'MESH']
 
 
+def hub_meshes(system, owner):
+    """Meshes of all hubs of the owner, those whose object is gone too."""
+    return [hub.data for _, hub in hubs(system, owner)] + lost_hubs(system, owner)
+
+
 def lost_hubs(system, owner):
     """Meshes of hubs of the owner whose object somebody has deleted: drivers keep them alive."""
     known = {hub.data for _, hub in hubs(system, owner)}

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..stored import Damaged
 from ..system import groups_of, of_owner
 from . import drivers, marks, outbox, proxy_sink
 
@@ -161,9 +162,18 @@ def set_muted(system, owner, muted):
 
 def led_by(system, owner):
     """Objects whose leader the owner is."""
-    if not outbox.hubs(system, owner):
+    if system.groups is not None or all(_has_one_member(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
         return []
-    return [other for other in bpy.data.objects if of_owner(system, other).leader == owner]
+    # To ask an object for its settings gives it some.
+    return [other for other in bpy.data.objects
+            if other.is_property_set("motus") and of_owner(system, other).leader == owner]
+
+
+def _has_one_member(system, mesh):
+    try:
+        return outbox.opened(system, mesh).layout.members == 1
+    except Damaged:
+        return False
 
 
 def _driven_objects(system, owner):

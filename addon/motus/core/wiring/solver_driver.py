@@ -18,6 +18,19 @@ def add(system, owner, group, hub):
     drivers.add(hub.data, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
 
 
+def curves_for(system, owner):
+    """The data of the curves that a system reads for an owner."""
+    variables = (variable for _, variable in input_variables(system, owner))
+    return [variable.id for variable in variables if variable and variable.id_type == 'CURVE']
+
+
+def curves_of(mesh):
+    """The data of the curves that the solver of a hub's mesh reads."""
+    animation = mesh.animation_data
+    return {target.id for curve in (animation.drivers if animation else ()) for variable in curve.driver.variables
+            for target in variable.targets if target.id_type == 'CURVE' and target.id}
+
+
 def waits(system, owner, key):
     """(object, bone or "") of a group's reads, as it waits for them: where a bone is renamed Blender renames it here too."""
     hub = outbox.hub_of(system, owner, key)
