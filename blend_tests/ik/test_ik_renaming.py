@@ -29,7 +29,7 @@ class Renaming(IkTestCase):
             self.assertNear(self.tail(rig, bone), self.head(controls, goal))
 
     def test_controls_of_the_rig_itself(self):
-        """Few members have an outbox on their owner, many a hub."""
+        """Of one chain, and of many."""
         for arms in (1, 15):
             with self.subTest(arms=arms):
                 support.empty_scene()

@@ -340,7 +340,8 @@ class Told(LookAtTestCase):
         self.assertEqual(self.outputs(), before)
 
     def test_zeros_that_were_solved(self):
-        box = self.evaluated()["motus_look_at_out"]
+        hub = self.rig.motus.look_at.hub.data.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        box = hub["motus_look_at_out"]
         for slot in range(2, 6):
             box[slot] = 0.0
         self.assertEqual(self.outputs(), dict.fromkeys(("angle", "reason", "yaw", "pitch"), 0.0))

@@ -441,14 +441,6 @@ class Keeping(LookAtTestCase):
         bpy.context.view_layer.update()
         self.assertLess(self.off("Head"), 2e-3)
 
-    def test_direct_drivers(self):
-        self.aim(30, 10, 2.0)
-        self.look(eyes_weight=1.0)
-        self.rig.motus.look_at.use_direct_drivers = True
-        self.target.location.z += 0.2
-        bpy.context.view_layer.update()
-        self.assertLess(self.off("Head"), 2e-3)
-
 
 class Presets(LookAtTestCase):
     def test_kept_and_taken_up_again(self):

@@ -16,7 +16,7 @@ from . import actions, stored
 
 KEY = "motus_copy"
 """Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
-LARGEST = 256  # copies that are known at a time
+LARGEST = 4096  # copies that are known at a time
 
 # From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
 _first = random.randrange(1, 2**30)
@@ -27,9 +27,11 @@ _actions = OrderedDict()
 
 
 class Reach(NamedTuple):
-    """What animation sets. settings: whether any Motus setting. bones: names of those whose own transform; None: maybe any."""
+    """What animation sets. settings: whether any Motus setting. splines: whether anything of a curve's. bones: names of those
+    whose own transform; None: maybe any."""
 
     settings: bool
+    splines: bool
     bones: frozenset | None
 
     def poses(self, names):
@@ -39,7 +41,7 @@ class Reach(NamedTuple):
         return not self.bones.isdisjoint(names)
 
 
-_NOTHING, _ANYTHING = Reach(False, frozenset()), Reach(True, None)
+_NOTHING, _ANYTHING = Reach(False, False, frozenset()), Reach(True, True, None)
 
 
 class Copy:
@@ -56,6 +58,11 @@ class Copy:
         animation = evaluated.animation_data
         return animation is not None and (self._driven.settings or _acting(animation).settings)
 
+    def has_animated_splines(self, evaluated):
+        """Whether one sets what the splines of a curve are made of."""
+        animation = evaluated.animation_data
+        return animation is not None and (self._driven.splines or _acting(animation).splines)
+
     def has_animated_poses(self, evaluated, names):
         """Whether one sets the own transform of a bone of these names, a frozenset; None for all."""
         animation = evaluated.animation_data
@@ -63,22 +70,33 @@ class Copy:
 
 
 def prepare(owner):
-    """Let evaluated copies of a rig, of its armature and of its scenes be told apart. Called when it is wired."""
-    for datablock in (owner, owner.data, *owner.users_scene):
+    """Let evaluated copies of an owner be told apart, of a rig its armature's and its scenes' too. Called when it is wired."""
+    mark(owner, *((owner.data, *owner.users_scene) if owner.type == 'ARMATURE' else ()))
+
+
+def mark(*datablocks):
+    """Let evaluated copies of these be told apart."""
+    for datablock in datablocks:
         if not datablock.library and _mark(datablock) is None:
             datablock[KEY] = [0]
             datablock.update_tag()
 
 
+def unmark(datablock):
+    """Take that back."""
+    if not datablock.library:
+        datablock.pop(KEY, None)
+
+
 def release(owner):
     """Take that back, from what no other rig needs it for."""
-    if owner.pop(KEY, None) is None:
+    if owner.pop(KEY, None) is None or owner.type != 'ARMATURE':
         return
     data = owner.data
     if not data.library and all(KEY not in other for other in bpy.data.objects if other.data == data):
         data.pop(KEY, None)
     for scene in bpy.data.scenes:
-        if not scene.library and all(KEY not in other for other in scene.objects):
+        if not scene.library and not any(other.type == 'ARMATURE' and KEY in other for other in scene.objects):
             scene.pop(KEY, None)
 
 
@@ -130,6 +148,21 @@ def _new_number():
     return number
 
 
+def has_moving_settings(evaluated):
+    """Whether an action, the NLA or a driver sets a Motus setting of an evaluated object, as far as can be told."""
+    copy = of(evaluated)
+    return has_animation(evaluated) if copy is None else copy.has_animated_settings(evaluated)
+
+
+def has_animated_settings(owner):
+    """The same of an object that is not evaluated."""
+    animation = owner.animation_data
+    if animation is None:
+        return False
+    curves = itertools.chain(animation.drivers, *(actions.all_fcurves(animation.action) if animation.action else ()))
+    return bool(animation.nla_tracks) or _reach(curves).settings
+
+
 def has_animation(evaluated):
     """Whether anything animates an object: what nothing does is as it was when Blender copied it."""
     animation = evaluated.animation_data
@@ -157,4 +190,8 @@ def _reach(curves):
     names = {match["bone"] for match in map(actions.OWN_CHANNEL.match, paths) if match}
     # A bone may be named by its number too.
     bones = None if None in names else frozenset(map(bpy.utils.unescape_identifier, names))
-    return Reach(any(path.startswith("motus.") for path in paths), bones)
+    return Reach(_any_begins(paths, "motus."), _any_begins(paths, ("splines", "[")), bones)
+
+
+def _any_begins(paths, beginning):
+    return any(path.startswith(beginning) for path in paths)

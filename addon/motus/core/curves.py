@@ -4,7 +4,7 @@ import threading
 from dataclasses import dataclass
 from typing import Any
 
-from . import native
+from . import copies, native, rigs
 from .lazy import numpy as np
 from .per_thread import aside
 from .system import Problem
@@ -52,20 +52,39 @@ def read_evaluated(curve_object, depsgraph, index):
 def read(curve_object, splines, depsgraph, index, matrix):
     """The WorldCurve of spline `index` (or ALL_SPLINES) of an evaluated curve object. Raises Unreadable.
 
-    splines: of its evaluated data; where the object has modifiers or shape keys, the deformed ones are read instead.
+    splines: of its evaluated data; where the object has modifiers or shape keys, the deformed ones are read instead. Others
+    are read once for each evaluated copy of the data, and brought into the world once for each place of the object.
     """
+    data = curve_object.data
+    is_deformed = bool(curve_object.modifiers or data.shape_keys)
+    copy = None if is_deformed else copies.of(data)
+    if copy is None or copy.has_animated_splines(data):
+        return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)
+    local = copy.found.get(index)
+    if local is None:
+        local = copy.found[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
+    name, place = ("in world", index), rigs.columns(matrix).tobytes()
+    found = copy.found.get(name)
+    if found is None or found[0] != place:
+        found = copy.found[name] = place, _in_world(*local, matrix)
+    return found[1]
+
+
+def _in_world(curve, tilt, matrix):
+    return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), tilt)
+
+
+def _read(curve_object, splines, depsgraph, index, is_deformed):
     is_polygon = CONTROL_POLYGON_KEY in curve_object.data
-    if curve_object.modifiers or curve_object.data.shape_keys:
+    if is_deformed:
         with _temporary_curve:
             try:
                 with aside():
                     deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
-                curve, tilt = _read_splines(deformed.splines, index, is_polygon)
+                return _read_splines(deformed.splines, index, is_polygon)
             finally:
                 curve_object.to_curve_clear()
-    else:
-        curve, tilt = _read_splines(splines, index, is_polygon)
-    return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), tilt)
+    return _read_splines(splines, index, is_polygon)
 
 
 def _read_splines(splines, index, is_polygon):

@@ -9,8 +9,8 @@ import re
 
 import bpy
 
-from .system import registered
-from .wiring import outbox, proxy_sink
+from .system import systems
+from .wiring import marks, outbox, proxy_sink
 
 TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "geometry", "drivers", "entry"
 
@@ -212,27 +212,23 @@ class _Graph:
 
     def _is_ours(self, obj, constraint):
         """Whether a constraint is a sink of an entry: what that depends on, the entry says itself."""
-        target = getattr(constraint, "target", None)
-        if obj != self._rig or target is None:
+        if obj != self._rig:
             return False
-        if proxy_sink.proxy_of(constraint):
-            return target[proxy_sink.KEY] == obj
-        if target.type != 'MESH':
-            return False
-        return target.data.get(outbox.OWNER_KEY) == obj and any(
-            outbox.key_on_hub(system, target.data) is not None for system in _with_entries())
+        proxy = proxy_sink.proxy_of(constraint)
+        if proxy:
+            return proxy[marks.PROXY_KEY] == obj
+        found = (marks.read(system, constraint) for system in _with_entries())
+        return any(mesh.get(outbox.OWNER_KEY) == obj for mesh, _ in filter(None, found))
 
     def _reads_ours(self, obj, driver):
         if obj != self._rig:
             return False
-        if driver.expression.startswith("motus_direct("):
-            return True
         paths = [target.data_path for variable in driver.variables for target in variable.targets]
         return any(pattern.match(path) for path in paths for pattern in self._slots)
 
 
 def _with_entries():
-    return [system for system in registered.values() if system.entries]
+    return [system for system in systems() if system.entries]
 
 
 def _place(obj, bone):

@@ -73,9 +73,6 @@ class SystemSettings:
         description="Hidden object that lets the curve's deformation be evaluated first")
     leader: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Leader", description="Object whose settings drive this one")
-    use_direct_drivers: bpy.props.BoolProperty(
-        name="Direct Drivers",
-        description="Compute in every driver by itself instead of once: slower, but without an outbox",
-        options=set(), update=rewire)
+
 
 classes = (MOTUS_PG_helper,)

@@ -41,11 +41,11 @@ class Setting:
 
     name: str
 
-    def variable(self, owner, settings):
-        return Variable('OBJECT', owner, f"{settings.path_from_id()}.{self.name}")
+    @staticmethod
+    def variable(_owner, _settings):
+        """None: the solver waits for all settings of the owner at once, and reads them itself."""
 
     def read(self, _value, settings):
-        # Not the variable's value: where the owner carries the solver there is none (see wiring.attach).
         value = getattr(settings, self.name)
         if isinstance(value, str):
             return settings.bl_rna.properties[self.name].enum_items[value].value
@@ -192,22 +192,37 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class System:
-    """One system; see docs/architecture.md.
+class Feature:
+    """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/architecture.md.
 
-    solve: None where nothing is solved; the settings are then never active. moves_points: the solver moves the points of
-    the owner's mesh, by a modifier, and has no members. unbakeable: a sentence that says why there is nothing to bake.
     scene_settings: a PropertyGroup that becomes Scene.motus.<name>. extras: with register() and unregister() of their own.
-    settle: called after an evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner.
-    bone_renamed: called with the owner, a rig, and the old and the new name of a bone of it that the owner drives or reads.
     """
 
     name: str
     label: str
     settings: type
     classes: tuple
-    solve: Optional[Callable] = None
-    problems: tuple = ()
+    scene_settings: Optional[type] = None
+    extras: tuple = ()
+    overlay: Optional[Callable] = None
+    add_menu: tuple = ()
+    object_menu: tuple = ()
+    pose_menu: tuple = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class System(Feature):
+    """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
+
+    moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. unbakeable: a sentence
+    that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
+    (Context.wants_to_settle), with the owner. over_time: called with the owner, a driven object and the scene; gives what
+    core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner, a rig, and the old and the new name of a
+    bone of it that the owner drives or reads.
+    """
+
+    solve: Callable
+    problems: tuple
     inputs: tuple = ()
     outputs: tuple = ()
     channels: Callable = lambda settings: frozenset({"location", "rotation"})
@@ -219,14 +234,8 @@ class System:
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
     settle: Optional[Callable] = None
-    over_time: Optional[Callable] = None  # called with the owner, a driven object and the scene; see core/tracks/solved.py
+    over_time: Optional[Callable] = None
     unbakeable: str = ""
-    scene_settings: Optional[type] = None
-    extras: tuple = ()
-    overlay: Optional[Callable] = None
-    add_menu: tuple = ()
-    object_menu: tuple = ()
-    pose_menu: tuple = ()
 
 
 @dataclass
@@ -246,6 +255,21 @@ class Context:
     data: Any = field(default_factory=dict)
     offsets: Any = None
     wants_to_settle: bool = False
+    memo: Any = None
+
+    @property
+    def is_still(self):
+        """Whether nothing animates the settings: they are the same until somebody edits them."""
+        return self.memo is not None
+
+    def kept(self, name, key, make):
+        """What `make()` gives, which depends on settings and `key` alone; where they are still it is made once for a key."""
+        if self.memo is None:
+            return make()
+        found = self.memo.get(name)
+        if found is None or found[0] != key:
+            found = self.memo[name] = key, make()
+        return found[1]
 
     @property
     def fps(self):
@@ -254,7 +278,12 @@ class Context:
 
 
 registered = {}
-"""The registered systems by name."""
+"""The registered features by name, systems among them."""
+
+
+def systems():
+    """The registered systems: of all features those that are solved."""
+    return [feature for feature in registered.values() if isinstance(feature, System)]
 
 
 def of_owner(system, owner):

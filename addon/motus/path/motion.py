@@ -1,8 +1,8 @@
 """Where on the way at the present frame: the settings as a native Timing."""
 
 import math
-from dataclasses import dataclass
-from typing import Any, Optional
+from dataclasses import dataclass, replace
+from typing import Any, Callable, Optional
 
 from ..core import native
 from ..core.lazy import numpy as np
@@ -27,12 +27,13 @@ INFINITE = 3.4e38  # what Blender makes of infinity lies above
 
 @dataclass(frozen=True)
 class Motion:
-    """The distance along the curve is timing.distance(time) + offset."""
+    """The distance along the curve is timing.distance(time) + offset. clock: tells the time at another frame, if settings are still."""
 
     timing: Any
     time: float
     offset: float = 0.0
     problem: Optional[Problem] = None
+    clock: Optional[Callable] = None
 
     @property
     def distance(self):
@@ -48,6 +49,13 @@ def motion(context, numbers, length, past):
 
     past: for how many seconds before the present time the timing has to be right, which a lag and the overlay need.
     """
+    found = context.kept("motion", (length, context.fps), lambda: _motion(context, numbers, length, past))
+    if context.is_still and isinstance(found, Motion) and found.clock:
+        return replace(found, time=found.clock(context, numbers))
+    return found
+
+
+def _motion(context, numbers, length, past):
     if not all(map(is_finite, numbers.values())):
         return NOT_FINITE
     return _BY_TIMING[context.settings.timing](context, numbers, length, past)
@@ -62,12 +70,17 @@ def _since_start(context, numbers):
     return max(0.0, (context.frame - numbers["start_frame"]) / context.fps)
 
 
+def _at_frame(context, _numbers):
+    return context.frame / context.fps
+
+
 def _by_duration(context, numbers, length, _past):
     duration = max(numbers["duration"], SHORTEST)
     ease_in = min(max(numbers["ease_in"], 0.0), 1.0)
     ease_out = min(max(numbers["ease_out"], 0.0), 1.0 - ease_in)
     after = AFTER_EASE[context.settings.extend]
-    return Motion(native.module.Timing.eased(duration, length, ease_in, ease_out, after), _since_start(context, numbers))
+    timing = native.module.Timing.eased(duration, length, ease_in, ease_out, after)
+    return Motion(timing, _since_start(context, numbers), clock=_since_start)
 
 
 def _by_speed(context, numbers, _length, past):
@@ -79,7 +92,7 @@ def _by_speed(context, numbers, _length, past):
         unknown = SPEED_IN_STRIPS
     if curve is None or unknown:
         timing = native.module.Timing.constant(numbers["speed"])
-        return Motion(timing, _since_start(context, numbers), problem=unknown)
+        return Motion(timing, _since_start(context, numbers), problem=unknown, clock=_since_start)
     start = numbers["start_frame"]
     now = max(start, context.frame)
     if now == start:
@@ -95,7 +108,7 @@ def _by_speed(context, numbers, _length, past):
     return Motion(timing, times[-1], distance - timing.distance(times[-1]))
 
 
-def _by_pins(context, _numbers, length, _past):
+def _by_pins(context, numbers, length, _past):
     settings = context.settings
     if not settings.pins:
         return NO_PINS
@@ -107,7 +120,7 @@ def _by_pins(context, _numbers, length, _past):
     frames, distances = np.array(pins).T
     timing = native.module.Timing.pins(frames / context.fps, distances)
     problem = SAME_FRAME if len(pins) < len(settings.pins) else None
-    return Motion(timing, context.frame / context.fps, problem=problem)
+    return Motion(timing, _at_frame(context, numbers), problem=problem, clock=_at_frame)
 
 
 def _by_hand(context, numbers, length, past):

@@ -27,9 +27,10 @@ def solve(context, matrix, splines, deformed, **numbers):
         return NO_CURVE
     if deleted.is_deleted(settings.curve):
         return CURVE_DELETED
-    if settings.forward_axis[-1] == settings.up_axis[-1]:
-        return AXES_NOT_ACROSS
-    if not (motion.is_finite(settings.influence) and np.isfinite(context.member_data).all()):
+    problem = context.kept("problem", None, lambda: _problem(settings))
+    if problem:
+        return problem
+    if not np.isfinite(context.member_data).all():
         return motion.NOT_FINITE
     try:
         path = curves.read(settings.curve, splines, context.depsgraph, int(numbers["spline"]), matrix)
@@ -40,11 +41,20 @@ def solve(context, matrix, splines, deformed, **numbers):
     if isinstance(moving, Problem):
         return moving
     offsets = context.member_data + (numbers["offset"] + moving.offset)
+    options = context.kept("options", None, lambda: follow_options(settings, numbers, None))
+    if "tilt" in options:
+        options["tilt"] = path.tilt
     native.module.follow(
-        path.curve, moving.timing, moving.time, offsets, locations=context.locations, rotations=context.rotations,
-        **follow_options(settings, numbers, path.tilt))
-    _write_outputs(context.outputs, path.curve, moving, numbers["offset"], settings.extend)
+        path.curve, moving.timing, moving.time, offsets, locations=context.locations, rotations=context.rotations, **options)
+    _write_outputs(context.outputs, path.curve, moving, numbers["offset"], options["extend"])
     return moving.problem
+
+
+def _problem(settings):
+    """What is wrong with the settings, whatever the curve; None if nothing is."""
+    if settings.forward_axis[-1] == settings.up_axis[-1]:
+        return AXES_NOT_ACROSS
+    return None if motion.is_finite(settings.influence) else motion.NOT_FINITE
 
 
 def follow_options(settings, numbers, tilt):
@@ -91,10 +101,10 @@ def _write_outputs(outputs, curve, moving, offset, extend):
 
 def _within(distance, length, extend):
     """The distance as seen on the path: stopped, wrapped or beyond its ends."""
-    if 0.0 <= distance <= length or extend == 'EXTRAPOLATE' or length == 0.0:
+    if 0.0 <= distance <= length or extend == 'extrapolate' or length == 0.0:
         return distance
-    if extend == 'CLAMP':
+    if extend == 'clamp':
         return min(max(distance, 0.0), length)
-    if extend == 'LOOP':
+    if extend == 'loop':
         return distance % length
     return length - abs(distance % (2.0 * length) - length)

@@ -17,14 +17,13 @@ def build(chains=2, stretch=0.3, system=toy_bone_system.SYSTEM, **settings):
     """A keyed rig whose chains bend towards a moving target."""
     rig = toy_bone_system.animate(toy_bone_system.new_rig(chains=chains))
     target = toy_system.new_target()
-    getattr(rig.motus, system.name).use_direct_drivers = settings.pop("use_direct_drivers", False)
     toy_bone_system.bend(rig, {f"{toy_bone_system.chain_name(chain)}.0": target for chain in range(chains)},
                          system=system, stretch=stretch, **settings)
     return rig
 
 
 def build_few():
-    """The rig carries solver and sinks itself."""
+    """Two chains of two bones."""
     return build()
 
 
@@ -34,12 +33,12 @@ def build_without_stretch():
 
 
 def build_many():
-    """So many bones that an attribute drives them, where Blender has the constraint for it."""
+    """Many bones."""
     return build(chains=14)
 
 
 def build_driven_setting():
-    """One setting is driven, which only a hub can wait for."""
+    """One setting is driven, which the solver has to wait for."""
     rig = build()
     drive(rig, 'motus.bend.entries["A.0"].weight', "1.0+0.5*sin(frame)")
     wiring.refresh(toy_bone_system.SYSTEM, rig)
@@ -73,15 +72,10 @@ def without_attribute(kind):
     return build_old
 
 
-def build_direct():
-    """The sinks compute for themselves."""
-    return build(chains=1, use_direct_drivers=True)
-
-
-_HUBS = (build_many, build_driven_setting, build_driven_channels, build_all_driven)
-KINDS = (build_few, build_without_stretch, *_HUBS, *map(without_attribute, _HUBS), build_direct)
-LASTING_KINDS = (build_few, build_without_stretch, *_HUBS, build_direct)
+LASTING_KINDS = (
+    build_few, build_without_stretch, build_many, build_driven_setting, build_driven_channels, build_all_driven)
 """Those that stay what they are when the rig is wired again."""
+KINDS = (*LASTING_KINDS, *map(without_attribute, LASTING_KINDS))
 each_kind = each_of(KINDS)
 each_lasting_kind = each_of(LASTING_KINDS)
 

@@ -49,17 +49,11 @@ def _course():
     return link("Course", data)
 
 
-def follower(**settings):
+def follower():
     _course()
     owner = link("Owner", None, (1.0, 2.0, 3.0))
     bpy.ops.motus.path_follow_add(object="Owner", curve="Course", duration=4.0)
-    for name, value in settings.items():
-        setattr(owner.motus.path, name, value)
     return owner
-
-
-def direct_follower():
-    return follower(use_direct_drivers=True)
 
 
 def train():
@@ -87,7 +81,7 @@ def _snake(count):
 
 
 def chain(count=4, stretch=0.5):
-    """Of so few bones that the rig carries its solver itself, with scales and a bone that is kept from the stretch."""
+    """With scales and a bone that is kept from the stretch."""
     rig = _snake(count)
     link("Target", None, (0.7 * count, 1.0, 1.5))
     bpy.ops.motus.ik_add(object="Owner", bone=f"Bone {count - 1}", target="Target", chain_length=count - 1)
@@ -95,19 +89,12 @@ def chain(count=4, stretch=0.5):
     return rig
 
 
-def direct_chain():
-    rig = chain()
-    rig.motus.ik.use_direct_drivers = True
-    return rig
-
-
 def long_chain():
-    """Of so many that a hub carries the solver, in Blender 5 with an attribute."""
     return chain(30)
 
 
 def driven_chain():
-    """With a driven setting, for which a hub has to wait."""
+    """With a driven setting."""
     rig = chain()
     rig.motus.ik.entries[0].driver_add("position_weight").driver.expression = "0.5 + 0.01 * frame"
     bpy.context.view_layer.update()
@@ -142,8 +129,8 @@ def _operators(system):
 
 
 CASES = [Case(system, build, *_operators(system)) for system, build in (
-    ("path", follower), ("path", direct_follower), ("path", train), ("ik", chain), ("ik", direct_chain),
-    ("ik", long_chain), ("ik", driven_chain), ("look_at", head), ("pull", pinned))]
+    ("path", follower), ("path", train), ("ik", chain), ("ik", long_chain), ("ik", driven_chain), ("look_at", head),
+    ("pull", pinned))]
 
 
 # --- What is seen of them ----------------------------------------------------------------------------------------

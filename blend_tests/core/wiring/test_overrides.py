@@ -17,7 +17,9 @@ status = support.addon("ik.status")
 
 
 def overrides(kind):
-    return [obj for obj in bpy.data.objects if obj.type == kind and obj.override_library and not obj.library]
+    """All local ones of a type, but for what the wiring hides."""
+    return [obj for obj in bpy.data.objects
+            if obj.type == kind and obj.override_library and not obj.library and not obj.name.startswith("Motus")]
 
 
 class OverrideTestCase(RigTestCase):
@@ -75,7 +77,7 @@ class TestInverseKinematics(OverrideTestCase):
 
     @staticmethod
     def count(rig):
-        return len(rig.animation_data.drivers), [[one.name for one in bone.constraints] for bone in rig.pose.bones]
+        return len(rig.animation_data.drivers) if rig.animation_data else 0, [[one.name for one in bone.constraints] for bone in rig.pose.bones]
 
     def new_goal(self, place=PLACE):
         toy_system.new_object("Goal").location = place

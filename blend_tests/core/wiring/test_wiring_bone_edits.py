@@ -334,8 +334,8 @@ class DetachTest(BoneTestCase):
         output = wiring.output_path(SYSTEM, "A.0.angle", rig)
         driver = bone.constraints["Mine"].driver_add("influence").driver
         driver.type = 'SUM'
-        driver.variables.new().targets[0].id = rig
-        driver.variables[0].targets[0].data_path = output
+        target = driver.variables.new().targets[0]
+        target.id_type, target.id, target.data_path = 'MESH', rig.motus.bend.hub.data, output
         frame_set(4)
         wiring.refresh(SYSTEM, rig)
         self.assertEqual(bone.constraints[-1].name, "Mine")

@@ -81,9 +81,8 @@ class FileTest(BoneTestCase):
             build()
             live = rows()
             wanted[self.save(build.__name__)] = live
-        without_scripts = [path for path in wanted if "direct" not in path]
-        for use_scripts, paths in ((True, list(wanted)), (False, without_scripts)):
-            for path, found in zip(paths, self.in_fresh_blender(paths, use_scripts)):
+        for use_scripts in (True, False):
+            for path, found in zip(wanted, self.in_fresh_blender(list(wanted), use_scripts)):
                 with self.subTest(path, use_scripts=use_scripts):
                     self.assert_same(found, wanted[path])
 

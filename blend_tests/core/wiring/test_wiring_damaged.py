@@ -185,6 +185,7 @@ class DamagedTest(support.SceneTestCase):
         second.motus.ik.entries[0].chain_length = 2
         live = evaluated()
         for obj in (first, second):
-            obj["motus_ik_info"] = {"digest": "zz", "text": obj["motus_ik_info"]["text"]}
-            obj.update_tag()
+            mesh = obj.motus.ik.hub.data
+            mesh["motus_ik_info"] = {"digest": "zz", "text": mesh["motus_ik_info"]["text"]}
+            mesh.update_tag()
         self.assertTrue(are_same(evaluated(), live))

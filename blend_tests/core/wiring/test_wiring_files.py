@@ -159,7 +159,7 @@ class FileTest(WiringTestCase):
                 for one in wanted.objects:
                     bpy.context.scene.collection.objects.link(one)
                 owner = bpy.data.objects[name].override_create(remap_local_usages=True)
-                if not owner.motus.orbit.hub:
+                if all(one == name for one, _ in addresses):
                     owner.motus.orbit.radius = 6.0
                     addresses = [[owner.name, bone] for _, bone in addresses]
                 for frame in FRAMES:
@@ -176,7 +176,7 @@ class FileTest(WiringTestCase):
 
 
 class RenderTest(WiringTestCase):
-    """Pictures of two squares, seen from above, that move along X by 2 a frame: one by an outbox, one by a hub."""
+    """Pictures of two squares, seen from above, that move along X by 2 a frame: one alone, one with others."""
 
     SIZE, WIDTH = 80, 20.0
 

@@ -11,7 +11,7 @@ capabilities = support.addon("core.capabilities")
 
 
 def build_object(target, **settings):
-    """One object that carries solver and sinks itself."""
+    """One object that drives itself."""
     owner = toy_system.new_object("Owner", (7.0, 8.0, 9.0))
     owner.rotation_euler = (0.5, 0.6, 0.7)
     owner.scale = (1.0, 2.0, 3.0)
@@ -36,23 +36,12 @@ def build_followers(target, count=5, **settings):
 
 
 def build_followers_without_attribute(target, **settings):
-    """The same by Limit constraints, as files from older Blenders have it."""
+    """The same by Transformation constraints, as files from older Blenders have it."""
     with mock.patch.object(capabilities, "has_geometry_attribute_constraint", return_value=False):
         return build_followers(target, **settings)
 
 
-def build_direct_object(target, **settings):
-    """One object whose sinks compute for themselves."""
-    return build_object(target, use_direct_drivers=True, **settings)
-
-
-def build_direct_bone(target, **settings):
-    """A bone whose sinks compute for themselves."""
-    return build_bone(target, use_direct_drivers=True, **settings)
-
-
-KINDS = (build_object, build_bone, build_followers, build_followers_without_attribute,
-         build_direct_object, build_direct_bone)
+KINDS = (build_object, build_bone, build_followers, build_followers_without_attribute)
 
 
 def each_of(kinds):

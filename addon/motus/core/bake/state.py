@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..system import of_owner
+from ..system import System, of_owner
 
 
 def owner_of(system, obj):
@@ -12,7 +12,7 @@ def owner_of(system, obj):
 
 def is_baked(system, obj):
     """Whether the system's motion of an object stands in keyframes."""
-    return of_owner(system, owner_of(system, obj)).is_baked
+    return isinstance(system, System) and of_owner(system, owner_of(system, obj)).is_baked
 
 
 def frames(system, obj):

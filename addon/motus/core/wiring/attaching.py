@@ -3,15 +3,15 @@
 import bpy
 
 from .. import actions, copies
-from ..system import drop_dead_copy, groups_of, of_owner, registered
+from ..system import drop_dead_copy, groups_of, of_owner, systems
 from . import (
-    anchor, attribute_sink, carriers, drivers, geometry_sink, limit_sink, order, outbox, override_drivers,
-    overrides, proxy_sink, readers, solver_driver)
+    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, proxy_sink, readers,
+    solver_driver, transform_sink)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
 
 def attach(system, owner):
-    """Wire `system` on `owner`: solvers, outboxes, and sinks on all members. What was wired before is replaced."""
+    """Wire `system` on `owner`: hubs with solvers and outboxes, and sinks on all members. What was wired before is replaced."""
     _attach(system, owner)
     refresh_others(system, owner)
 
@@ -23,51 +23,43 @@ def _attach(system, owner):
     settings.is_active = True
     settings.is_released = False
     settings.order_proxy = order.proxy_for(system, settings)
+    copies.prepare(owner)
+    copies.mark(*solver_driver.curves_for(system, owner))
     groups = groups_of(system, owner)
-    for group, kind in zip(groups, carriers.kinds(system, owner, groups)):
-        _wire(system, owner, group, kind)
+    for group in groups:
+        _wire(system, owner, group)
     readers.point(system, owner, followers)
     settings.wired = carriers.signature(system, owner, groups)
     overrides.mark(system, owner, groups)
-    if owner.type == 'ARMATURE':
-        copies.prepare(owner)
     _tag(system, owner)
 
 
-def _wire(system, owner, group, kind):
-    carrier = owner if kind == carriers.OWN else carriers.make_hub(system, owner, group)
-    uses_attribute = kind == carriers.ATTRIBUTE
+def _wire(system, owner, group):
+    hub = carriers.make_hub(system, owner, group)
+    uses_attribute = carriers.uses_attribute() and not system.moves_points
     if uses_attribute:
-        attribute_sink.prepare(carrier, group)
-    elif kind == carriers.POINTS:
-        geometry_sink.prepare(carrier)
-    outbox.create(system, carrier, group, uses_attribute)
-    solver_driver.add(system, owner, group, carrier)
-    if kind == carriers.POINTS:
-        geometry_sink.add(system, owner, outbox.hub_of(system, owner, group.key))
+        attribute_sink.prepare(hub.data, owner, group)
+    elif system.moves_points:
+        geometry_sink.prepare(hub.data)
+    outbox.create(system, hub.data, group, uses_attribute)
+    if carriers.has_outlet(system, owner):
+        outbox.create_outlet(system, owner, hub.data)
+    solver_driver.add(system, owner, group, hub)
+    if system.moves_points:
+        geometry_sink.add(system, owner, hub)
         return
-    settings = of_owner(system, owner)
-    direct = solver_driver.direct(system, owner, group) if carrier == owner else None
-    hub = outbox.hub_of(system, owner, group.key)
-    target = hub
-    if hub is None and any(member.is_relative for member in group.members):
-        target = anchor.of(settings)
-    driven = drivers.driven_bones(owner) if system.groups is not None and not direct else ()
+    driven = drivers.driven_bones(owner)
     for index, member in enumerate(group.members):
         active = member.thing.constraints.active
         if uses_attribute:
             attribute_sink.add(system, group, index, hub)
-        elif _needs_proxy(member, driven):
-            anchor.keep(settings, member.thing.name, proxy_sink.add(system, group, index, carrier))
+        elif member.is_relative and member.thing.name in driven:
+            proxy_sink.add(system, of_owner(system, owner), group, index, hub)
         else:
-            limit_sink.add(system, group, index, carrier, target, direct)
+            transform_sink.add(system, group, index, hub)
         member.thing.constraints.active = active
         if member.thing.id_data != owner:
             of_owner(system, member.thing.id_data).leader = owner
-
-
-def _needs_proxy(member, driven):
-    return member.is_relative and member.thing.name in driven
 
 
 def detach(system, owner):
@@ -91,18 +83,23 @@ def _detach(system, owner):
         of_owner(system, other).leader = None
         overrides.unmark(system, other)
     own = [hub.data for _, hub in outbox.hubs(system, owner) if outbox.is_own_hub(hub, owner)]
+    read = set()
     for mesh in own + outbox.lost_hubs(system, owner):
+        read.update(solver_driver.curves_of(mesh))
         bpy.data.meshes.remove(mesh)
+    for curve in read:
+        if not any(curve in solver_driver.curves_of(mesh) for mesh in bpy.data.meshes if outbox.OWNER_KEY in mesh):
+            copies.unmark(curve)
     settings.hub = None
     settings.more_hubs.clear()
-    anchor.release(settings)
+    proxy_sink.release(settings)
     drivers.remove_where(owner, lambda path: path.startswith(f'["{outbox.out_key(system)}'))
     outbox.remove(system, owner)
     overrides.unmark(system, owner)
     order.release(settings)
     settings.is_active = False
     settings.wired = ""
-    if not any(of_owner(one, owner).is_active for one in registered.values()):
+    if not any(of_owner(one, owner).is_active for one in systems()):
         copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
@@ -133,7 +130,7 @@ def refresh_others(system, owner):
     """Wire the owner's other systems again whose groups depend on what has changed in this one."""
     if system.entries is None:
         return
-    for other in registered.values():
+    for other in systems():
         if other is not system and other.entries is not None and is_attached(other, owner):
             refresh_changed(other, owner)
 

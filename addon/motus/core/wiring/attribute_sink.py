@@ -4,7 +4,8 @@ The solver writes one 4x4 matrix a member into an attribute of the evaluated hub
 driver on each constraint's influence would cost more than the constraint. So two kinds of members have none. A relative
 member's row is the identity where nothing is to happen. For a member that *stands still* by itself (no parent, keys,
 drivers or constraints of its own) the solver blends its row with the member's own transform, which it may read at any time
-because nothing moves it. The original mesh holds the own transforms and identities too, for Blenders without the add-on.
+because nothing moves it; the owner itself has a driver all the same. The original mesh holds the own transforms and
+identities too, for Blenders without the add-on.
 """
 
 from contextlib import suppress
@@ -15,8 +16,8 @@ from bpy.app.handlers import persistent
 from .. import native, stored
 from ..lazy import numpy as np
 from ..stored import Damaged
-from ..system import Variable, groups_of, registered
-from . import attributes, drivers, limit_sink, outbox
+from ..system import Variable, groups_of, systems
+from . import attributes, drivers, marks, outbox
 from .scratch import scratch
 
 ATTRIBUTE = "motus_transform"
@@ -25,11 +26,11 @@ STILL_KEY = "motus_still"
 MOVES, STILL, RELATIVE = 0, 1, 2
 
 
-def prepare(mesh, group):
+def prepare(mesh, owner, group):
     """Give a hub's mesh one point and one matrix a member. Called before the members have sinks."""
     mesh.vertices.add(len(group.members))
     mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
-    mesh[STILL_KEY] = [_kind(member) for member in group.members]
+    mesh[STILL_KEY] = [_kind(member, owner) for member in group.members]
     _store(mesh, *own_poses(group.members))
 
 
@@ -37,7 +38,8 @@ def add(system, group, index, hub):
     """Drive member `index` of the group by its row of the hub's attribute."""
     member = group.members[index]
     constraint = member.thing.constraints.new('GEOMETRY_ATTRIBUTE')
-    constraint.name = _name(system)
+    constraint.name = marks.name(system)
+    marks.put(constraint, hub, index)
     constraint.target = hub
     constraint.attribute_name = ATTRIBUTE
     constraint.data_type = 'FLOAT4X4'
@@ -52,39 +54,6 @@ def add(system, group, index, hub):
     elif hub.data[STILL_KEY][index] == MOVES:
         weight = Variable('MESH', hub.data, outbox.out_path(system, outbox.WEIGHT, group.key))
         drivers.copy_value(constraint, "influence", weight)
-
-
-def undriven_key(system, constraint):
-    """Key of the system's group whose sink without a driver this is; None where it is none. Others have drivers."""
-    return outbox.key_on_hub(system, constraint.target.data) if _kind_of(system, constraint) in {STILL, RELATIVE} else None
-
-
-def needs_driver(system, constraint):
-    """Whether this is a sink of the system that has a driver, or should have."""
-    return _kind_of(system, constraint) == MOVES and outbox.key_on_hub(system, constraint.target.data) is not None
-
-
-def is_bereft(system, constraint):
-    """Whether a constraint is called and made like one of these, but has lost its hub."""
-    return (constraint.type == 'GEOMETRY_ATTRIBUTE' and constraint.target is None
-            and constraint.attribute_name == ATTRIBUTE and limit_sink.is_called(constraint, _name(system)))
-
-
-def _name(system):
-    return f"Motus {system.label}"
-
-
-def _kind_of(system, constraint):
-    """Of the member whose sink this is; None where it is none."""
-    if constraint.type != 'GEOMETRY_ATTRIBUTE' or constraint.target is None or constraint.target.type != 'MESH':
-        return None
-    mesh, index = constraint.target.data, constraint.sample_index
-    kinds = _kinds(mesh)
-    if kinds is not None and 0 <= index < len(kinds):
-        return kinds[index]
-    # What the file says of the members is missing or damaged: the sinks are theirs all the same.
-    is_ours = constraint.attribute_name == ATTRIBUTE and limit_sink.is_called(constraint, _name(system))
-    return STILL if is_ours else None
 
 
 def _kinds(mesh):
@@ -140,11 +109,12 @@ def own_poses(members):
     return locations, rotations, scales
 
 
-def _kind(member):
+def _kind(member, owner):
     if member.is_relative:
         return RELATIVE
     thing = member.thing
-    stands = isinstance(thing, bpy.types.Object) and not (thing.parent or thing.constraints or thing.animation_data)
+    stands = isinstance(thing, bpy.types.Object) and thing != owner and not (
+        thing.parent or thing.constraints or thing.animation_data)
     return STILL if stands else MOVES
 
 
@@ -175,7 +145,7 @@ def store_own_poses(*_):
     for mesh in bpy.data.meshes:
         if mesh.library or STILL not in (_kinds(mesh) or ()):
             continue
-        for system in registered.values():
+        for system in systems():
             with suppress(Damaged):
                 _store_own_poses(system, outbox.owner_of(system, mesh), mesh)
 

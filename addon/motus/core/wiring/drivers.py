@@ -73,10 +73,3 @@ def driven_bones(obj):
     animation = obj.animation_data
     matches = (actions.OWN_CHANNEL.match(curve.data_path) for curve in (animation.drivers if animation else ()))
     return {bpy.utils.unescape_identifier(match["bone"]) for match in matches if match and match["bone"]}
-
-
-def has_driven_settings(owner, settings):
-    """Whether a driver of the owner sets one of the settings."""
-    prefix = settings.path_from_id() + "."
-    animation = owner.animation_data
-    return animation is not None and any(curve.data_path.startswith(prefix) for curve in animation.drivers)

@@ -1,6 +1,7 @@
 """Wires owners again where somebody has changed what Motus cannot be told of.
 
-- Settings, or channels of driven bones, have become driven: an outbox on its owner cannot wait for them (see carriers).
+- An older version has wired it, which is done when a file is loaded.
+- Settings have become animated, which the owner's outlet cannot wait for, or channels of driven bones driven.
 - An object was copied or overridden, and its sinks read the hubs or proxies of the first one.
 - A file was loaded, or a library again, and Blender has not kept what was wired on an override (see overrides).
 - An object was given another parent, constraint or driver, by which entries may come to wait for each other.
@@ -17,9 +18,9 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import deleted, handlers, native
-from ..system import of_owner, registered
-from . import anchor, attaching, carriers, drivers, geometry_sink, outbox, overrides, relations
+from .. import copies, deleted, handlers, native
+from ..system import of_owner, registered, systems
+from . import attaching, carriers, geometry_sink, outbox, overrides, proxy_sink, relations
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -29,10 +30,12 @@ _in_use = [False]
 """Whether any solver was called since the file was opened. Until then there is nothing of Motus in it that could need help."""
 _asked = set()
 # Owners by their names, those of this file: what is linked is wired in its own.
-_driver_counts = {}
-"""(system, owner) -> how many drivers the owner had when it was last looked through."""
+_seen = {}
+"""(system, owner) -> what check() saw of the owner when it was last looked through."""
 _object_count = [-1]
 """How many objects the file had when they were last looked through."""
+_orphans = set()
+"""Names of hubs without an owner that were seen."""
 _bone_counts = {}
 """key of an armature -> how many bones it had when the rigs with it were last looked through."""
 _watched = set()
@@ -53,10 +56,17 @@ def check(system, owner):
     if owner.library:
         return
     animation = owner.animation_data
-    place, count = (system.name, owner.name), len(animation.drivers) if animation else 0
-    if _driver_counts.get(place) != count:
-        _driver_counts[place] = count
+    place, seen = (system.name, owner.name), (len(animation.drivers) if animation else 0, copies.has_moving_settings(owner))
+    if _seen.get(place) != seen:
+        _seen[place] = seen
         _asked.add(place)
+
+
+def note_orphan(hub):
+    """Called by the solver with an evaluated hub's mesh that has no owner any more: copies of that may hang on it."""
+    if hub.name not in _orphans:
+        _orphans.add(hub.name)
+        _object_count[0] = -1
 
 
 def watch(system, owner):
@@ -84,7 +94,7 @@ def _heal(_scene=None, depsgraph=None, is_edit=True):
 
 
 def _heal_all(depsgraph, is_edit):
-    _heal_driven()
+    _heal_asked()
     # To count the objects takes 0.1 ms where there are 5000. What is new stands in a collection, or it is not evaluated.
     if is_edit or depsgraph is None or _object_count[0] < 0 or deleted.have_collections_changed(depsgraph):
         _heal_copies()
@@ -101,20 +111,11 @@ def _try(heal):
         log.exception("Motus: something that was copied, edited or loaded could not be wired again")
 
 
-def _heal_driven():
+def _heal_asked():
     while _asked:
-        name, owner_name = _asked.pop()
-        owner = bpy.data.objects.get((owner_name, None))
-        system = registered.get(name)
-        # To ask an object for its settings gives it some.
-        if not owner or not system or not owner.is_property_set("motus"):
-            continue
-        if not attaching.is_attached(system, owner):
-            continue
-        if system.groups is not None:
+        system, owner = _find(*_asked.pop())
+        if owner is not None:
             attaching.refresh_changed(system, owner)
-        elif drivers.has_driven_settings(owner, of_owner(system, owner)) and not _is_direct(owner):
-            attaching.refresh(system, owner)
 
 
 def _heal_meshes():
@@ -133,13 +134,10 @@ def _heal_meshes():
 def _find(name, owner_name):
     """The system and the owner of these names; (None, None) where they are not there or not wired in this file."""
     system, owner = registered.get(name), bpy.data.objects.get((owner_name, None))
+    # To ask an object for its settings gives it some.
     if not system or not owner or not owner.is_property_set("motus") or not of_owner(system, owner).is_active:
         return None, None
     return system, owner
-
-
-def _is_direct(owner):
-    return any(curve.driver.expression.startswith("motus_direct(") for curve in owner.animation_data.drivers)
 
 
 def _heal_copies():
@@ -160,7 +158,13 @@ def _heal_copies():
 def _attached():
     """(system, owner) of all that is wired in this file."""
     owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
-    return [(system, owner) for owner in owners for system in registered.values() if of_owner(system, owner).is_active]
+    return [(system, owner) for owner in owners for system in systems() if of_owner(system, owner).is_active]
+
+
+def _heal_old():
+    for system, owner in _attached() if native.module is not None else ():
+        if carriers.is_old(of_owner(system, owner)) and not system.moves_points:
+            attaching.refresh(system, owner)
 
 
 def _heal_overrides():
@@ -178,7 +182,7 @@ def _release_overrides():
     for obj in bpy.data.objects:
         if not obj.override_library or obj.library or not obj.is_property_set("motus"):
             continue
-        for system in registered.values():
+        for system in systems():
             settings = of_owner(system, obj)
             if settings.is_released and not settings.is_active:
                 release(system, obj)
@@ -205,7 +209,7 @@ def _heal_joined(grown):
         if obj.data not in grown or obj.library or obj.override_library:
             continue
         has_settings = obj.is_property_set("motus")
-        for system in registered.values():
+        for system in systems():
             is_wired = has_settings and of_owner(system, obj).is_active
             if system.groups is not None and not is_wired and has_sinks(system, obj):
                 joined = [rig for rig in makers(system, obj) if not rig.users_collection]
@@ -218,10 +222,10 @@ def _heal_joined(grown):
 
 def _discard(rig):
     """Remove a rig that was joined into another one, but is kept alive by its hubs and proxies, and they by it."""
-    for system in registered.values():
+    for system in systems():
         for hub in [hub for _, hub in outbox.hubs(system, rig) if outbox.is_own_hub(hub, rig)]:
             bpy.data.meshes.remove(hub.data)
-        anchor.release(of_owner(system, rig))
+        proxy_sink.release(of_owner(system, rig))
     bpy.data.objects.remove(rig)
 
 
@@ -240,7 +244,8 @@ def _armatures(system, owner):
 def _forget(*_):
     _in_use[0] = False
     _asked.clear()
-    _driver_counts.clear()
+    _seen.clear()
+    _orphans.clear()
     _bone_counts.clear()
     _watched.clear()
     _unsettled.clear()
@@ -254,7 +259,7 @@ def _forget(*_):
 def loaded(*_):
     """Before the first evaluation of a file."""
     _forget()
-    _try(lambda: (overrides.complete_references(), _heal_overrides()))
+    _try(lambda: (overrides.complete_references(), _heal_old(), _heal_overrides()))
 
 
 @persistent

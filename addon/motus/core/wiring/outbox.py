@@ -2,7 +2,7 @@
 
     [status, weight, outputs..., x, y, z, rx, ry, rz of member 0, of member 1, ..., sx, sy, sz of member 0, ...]
 
-Scales are there where a member of the group has the channel. The solver driver sits on the first slot, status: to
+Scales are there where a member of the group has the channel. It lies on a hub's mesh. The solver driver sits on the first slot, status: to
 Blender's dependency graph the array is one property, so whoever reads any slot of it waits for the solver. status is 0 or
 the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation); weight is the
 influence of the sinks, and 0 where they may not act. On the original the weight stays zero and the scales one for ever:
@@ -10,6 +10,8 @@ without the add-on nothing acts.
 
 A system with several groups has an outbox a group. Beside it lies, for such a system, what the group needs to know: the
 names of its outputs and of its members, and Group.data; as text, which is parsed only once.
+
+An owner that an older version has wired may carry solver and outbox itself; one that is linked stays so.
 
 All of that may have been changed by whoever had the file: opened() and owner_of() check it, and raise Damaged.
 """
@@ -26,7 +28,8 @@ import bpy
 
 from .. import stored
 from ..stored import Damaged, Newer
-from ..system import Problem, groups_of, of_owner
+from ..system import Problem, Variable, groups_of, of_owner
+from . import drivers
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
 POSE_SIZE = 6
@@ -170,6 +173,31 @@ def create(system, carrier, group, uses_attribute):
         carrier[info_key(system, group.key)] = {"version": VERSION, "text": json.dumps(list(vars(noted).values()))}
 
 
+def create_outlet(system, owner, mesh):
+    """Let scripts and users' own drivers read the outputs, as far as System.outputs names them, from the owner itself.
+
+    Only where no setting is animated: the solver would have to wait for the settings, which to Blender are one with this.
+    """
+    owner[out_key(system)] = [float(SILENT)] + [0.0] * (FIRST_OUTPUT + len(system.outputs) - 1)
+    drivers.copy_value(owner, out_path(system), Variable('MESH', mesh, out_path(system, STATUS)), index=STATUS)
+
+
+def has_outlet(system, owner):
+    """Whether an owner, original or evaluated, has an outlet and no outbox of its own."""
+    return bool(system.outputs) and _size(owner.get(out_key(system))) == FIRST_OUTPUT + len(system.outputs)
+
+
+def _size(value):
+    return len(value) if hasattr(value, "typecode") else 0
+
+
+def let_out(system, owner, box):
+    """Let an evaluated owner's outlet, if it has one, hold what its solver has found."""
+    if has_outlet(system, owner):
+        slots = stored.doubles(owner[out_key(system)])
+        slots[:] = box.slots[:len(slots)]
+
+
 def remove(system, carrier):
     """Take the outboxes of all groups away."""
     for key in [key for key in carrier.keys() if _is_ours(system, key)]:
@@ -181,7 +209,7 @@ def _is_ours(system, key):
 
 
 def hub_of(system, owner, group=""):
-    """The hub object of a group; None where the owner carries it itself."""
+    """The hub object of a group; None where that is gone, or the owner carries the outbox itself."""
     return dict(hubs(system, owner)).get(group)
 
 
@@ -192,6 +220,11 @@ def hubs(system, owner):
     return [(key, hub) for key, hub in pointers if hub and hub.type == 'MESH']
 
 
+def hub_meshes(system, owner):
+    """Meshes of all hubs of the owner, those whose object is gone too."""
+    return [hub.data for _, hub in hubs(system, owner)] + lost_hubs(system, owner)
+
+
 def lost_hubs(system, owner):
     """Meshes of hubs of the owner whose object somebody has deleted: drivers keep them alive."""
     known = {hub.data for _, hub in hubs(system, owner)}
@@ -200,8 +233,8 @@ def lost_hubs(system, owner):
 
 
 def carriers(system, owner):
-    """(group's key, carrier) of everything that is wired: the owner itself or a hub's mesh."""
-    return [(key, hub.data) for key, hub in hubs(system, owner)] + _on(system, owner)
+    """(group's key, carrier) of everything that is wired: a hub's mesh, or the owner itself."""
+    return [(key, hub.data) for key, hub in hubs(system, owner)] + ([] if has_outlet(system, owner) else _on(system, owner))
 
 
 def _on(system, carrier):
@@ -211,14 +244,17 @@ def _on(system, carrier):
 
 
 def carrier_of(system, owner, group=""):
-    """The datablock that carries a group's solver and outbox: the owner, or its hub's mesh."""
+    """The datablock that carries a group's solver and outbox: its hub's mesh, or the owner."""
     hub = hub_of(system, owner, group)
     return hub.data if hub else owner
 
 
 def is_own_hub(hub, owner):
-    """Whether a hub computes for this owner; a copy shares the hubs of the object it was copied from."""
-    return hub.data.get(OWNER_KEY) == owner
+    """Whether a hub computes for this owner; a copy shares the hubs of the object it was copied from.
+
+    Blender may override the hub along with its owner, but saves only the library's owner with it.
+    """
+    return hub.data.get(OWNER_KEY) == owner and not hub.data.override_library
 
 
 def has_strange_hubs(system, owner):

@@ -4,43 +4,59 @@ To Blender's dependency graph a bone's channels and the values of its constraint
 solver's result to a constraint would have to come before the bone's own drivers, and after the solver, which needs what
 those say. So the result takes a way round: a hidden empty, the *proxy*, is turned and scaled by drivers, and the bone
 copies its transform on top of its own.
+
+A constraint does not count as a user of its target, so the rig's settings point to the proxies too.
 """
 
 import bpy
 
 from ..system import Variable
-from . import drivers, outbox
-
-KEY = "motus_proxy"
-"""Custom property of a proxy: the object whose bone copies it."""
+from . import drivers, marks, outbox
 
 
-def add(system, group, index, carrier):
-    """Drive relative member `index` of the group by its slots of the carrier's outbox; returns the proxy."""
+def add(system, settings, group, index, hub):
+    """Drive relative member `index` of the group by its slots of the hub's outbox. settings: keep the proxy alive."""
     member = group.members[index]
     bone = member.thing
-    proxy = bpy.data.objects.new(f"Motus {system.label} {bone.name}", None)
-    proxy[KEY] = bone.id_data
+    proxy = bpy.data.objects.new(f"{marks.name(system)} {bone.name}", None)
+    proxy[marks.PROXY_KEY] = bone.id_data
     slots = {"rotation": ("rotation_euler", outbox.pose_slot(group, index) + 3),
              "scale": ("scale", outbox.scale_slot(group, index))}
-    id_type = 'OBJECT' if isinstance(carrier, bpy.types.Object) else 'MESH'
     for channel in sorted(member.channels):
         path, first = slots[channel]
         for axis in range(3):
-            slot = Variable(id_type, carrier, outbox.out_path(system, first + axis, group.key))
-            drivers.copy_value(proxy, path, slot, axis)
+            drivers.copy_value(proxy, path, Variable('MESH', hub.data, outbox.out_path(system, first + axis, group.key)), axis)
     constraint = bone.constraints.new('COPY_TRANSFORMS')
-    constraint.name = f"Motus {system.label}"
+    constraint.name = marks.name(system)
+    marks.put(constraint, hub, index)
     constraint.target = proxy
     constraint.owner_space = 'LOCAL'
     constraint.target_space = 'WORLD'
     constraint.mix_mode = 'AFTER_SPLIT'
-    return proxy
+    _keep(settings, bone.name, proxy)
+
+
+def _keep(settings, name, proxy):
+    # By the bone's name overrides know the entry.
+    entry = settings.targets.add()
+    entry.name, entry.object = name, proxy
+    if settings.id_data.override_library:
+        # What an override points to from here, Blender does not save.
+        proxy.use_fake_user = True
+
+
+def release(settings):
+    """Let go of the hidden objects; the last one to do so removes them."""
+    kept = {entry.object for entry in settings.targets if entry.object}
+    settings.targets.clear()
+    for one in kept:
+        if one.users == int(one.use_fake_user) and one.library is None:
+            bpy.data.objects.remove(one)
 
 
 def proxy_of(constraint):
     """The proxy that a constraint copies; None for any other constraint."""
-    if constraint.type != 'COPY_TRANSFORMS' or constraint.target is None or KEY not in constraint.target:
+    if constraint.type != 'COPY_TRANSFORMS' or constraint.target is None or marks.PROXY_KEY not in constraint.target:
         return None
     return constraint.target
 
@@ -48,4 +64,4 @@ def proxy_of(constraint):
 def has_strange_proxies(obj):
     """Whether a rig was copied from another one and still hangs on its proxies."""
     proxies = (proxy_of(constraint) for bone in (obj.pose.bones if obj.pose else ()) for constraint in bone.constraints)
-    return any(proxy.get(KEY) != obj for proxy in proxies if proxy)
+    return any(proxy.get(marks.PROXY_KEY) != obj for proxy in proxies if proxy)

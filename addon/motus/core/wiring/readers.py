@@ -25,7 +25,7 @@ class Reader(NamedTuple):
 
 def of(system, owner):
     """The Readers of what an owner's system computes, as it is wired now or was last."""
-    carriers = outbox.carriers(system, owner)
+    carriers = _carriers(system, owner)
     names = {(carrier, key): outbox.output_names(system, carrier, key) for key, carrier in carriers}
     read = {owner, *(carrier for _, carrier in carriers)}
     slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
@@ -37,6 +37,12 @@ def of(system, owner):
         if output is not None:
             found.append(Reader(holder, curve.data_path, curve.array_index, variable.name, index, output))
     return found
+
+
+def _carriers(system, owner):
+    """What outputs can be read from, by the groups' keys: the owner's outlet before the hub."""
+    outlet = [("", owner)] if outbox.has_outlet(system, owner) else []
+    return outlet + outbox.carriers(system, owner)
 
 
 def targets_on(read):
@@ -73,7 +79,7 @@ def _output(names, carrier, slot):
 def point(system, owner, readers):
     """Let drivers read their outputs where these are now."""
     places = {}
-    for key, carrier in outbox.carriers(system, owner):
+    for key, carrier in _carriers(system, owner):
         for name in outbox.output_names(system, carrier, key):
             places.setdefault(name, (carrier, outbox.output_path(system, name, owner, key)))
     for reader in readers:

@@ -1,24 +1,21 @@
 """The function every solver driver calls, and its place in the driver namespace."""
 
 import logging
-from array import array
 from contextlib import suppress
 
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import handlers, native, stored
+from .. import copies, handlers, native, stored
 from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
 from ..stored import Damaged, Newer
-from ..system import Context, Vertices, groups_of, of_owner, registered
+from ..system import Context, Setting, Vertices, groups_of, of_owner, registered
 from . import attribute_sink, geometry_sink, healing, outbox, revival
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
 log = logging.getLogger(__name__)
-
-_Object = bpy.types.Object  # to look it up there costs more than the question
 
 
 def motus_solve(self, name, frame, depsgraph, *values):
@@ -34,9 +31,10 @@ def motus_solve(self, name, frame, depsgraph, *values):
         box = outbox.opened(system, self, key)
         owner = outbox.owner_of(system, self)
         _solve(system, key, self, owner, box, frame, depsgraph, values)
+        outbox.let_out(system, owner, box)
         if system.moves_points:
             healing.watch(system, owner)
-        elif system.groups is not None or isinstance(self, _Object):
+        else:
             healing.check(system, owner)
     except Exception as error:
         return _fail(self, name, error)
@@ -57,24 +55,6 @@ class _Points:
         return motus_solve(carrier, name, 0.0, None, *values)
 
 
-def motus_direct(self, name, slot, frame, depsgraph, *values):
-    """Value of one outbox slot, for sinks that are driven without an outbox. Never raises."""
-    box = None
-    try:
-        keep_state()
-        healing.note_use()
-        system, key = _called(name)
-        carrier = self.id_data
-        found = outbox.opened(system, carrier, key)
-        box = found._replace(slots=memoryview(array('d', found.slots)))
-        _solve(system, key, carrier, outbox.owner_of(system, carrier), box, frame, depsgraph, values)
-        return box.slots[slot]
-    except Exception as error:
-        _log(self, name, error)
-        # Only a scale is not 0 where it does nothing; what nobody can read has the influence 0.
-        return float(box is not None and isinstance(slot, int) and slot >= box.layout.base + outbox.POSE_SIZE * box.layout.members)
-
-
 def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
     layout, info = found.layout, found.info
     box = np.frombuffer(found.slots)
@@ -90,8 +70,9 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
     context = Context(
         settings=settings, owner=owner, frame=frame, depsgraph=depsgraph, locations=poses.locations,
         rotations=poses.rotations, scales=poses.scales, outputs=box[outbox.FIRST_OUTPUT:layout.base],
-        member_data=_member_data(system, carrier, owner, count), group=key, data={} if info is None else info.data)
-    inputs = {declared.name: declared.read(value, settings) for declared, value in zip(system.inputs, values)}
+        member_data=_member_data(system, carrier, owner, count), group=key, data={} if info is None else info.data,
+        memo=_memo(system, owner, key))
+    inputs = _inputs(system, context, values)
     offsets = _room(system, carrier, inputs, context) if system.moves_points else None
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
@@ -113,6 +94,27 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
             context.scales if layout.has_scales else None, weight)
     elif weight > 0.0 or layout.is_relative:
         _pack(box, layout, context)
+
+
+def _memo(system, owner, key):
+    """What is kept of the settings for as long as Blender keeps this copy of the owner; None where they are animated."""
+    if system.groups is not None:  # these keep what they read by themselves
+        return None
+    copy = copies.of(owner)
+    if copy is None or copy.has_animated_settings(owner):
+        return None
+    return copy.found.setdefault((system.name, key), {})
+
+
+def _inputs(system, context, values):
+    """The arguments of solve by their names."""
+    settings = context.settings
+    found = context.kept("settings", None, lambda: {
+        declared.name: declared.read(0.0, settings) for declared in system.inputs if isinstance(declared, Setting)}).copy()
+    for declared, value in zip(system.inputs, values):
+        if declared.name not in found:
+            found[declared.name] = declared.read(value, settings)
+    return found
 
 
 def _room(system, carrier, inputs, context):
@@ -187,6 +189,8 @@ def _member_data(system, carrier, owner, count):
 def _fail(carrier, name, error):
     """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
     _log(carrier, name, error)
+    if isinstance(carrier, bpy.types.Mesh) and carrier.get(outbox.OWNER_KEY) is None:
+        healing.note_orphan(carrier)
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):
             rest(*_called(name), carrier)
@@ -219,7 +223,7 @@ def _rest_attribute(system, key, carrier):
         attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 
 
-_FUNCTIONS = {"motus_solve": motus_solve, "motus_direct": motus_direct, "motus_points": _Points()}
+_FUNCTIONS = {"motus_solve": motus_solve, "motus_points": _Points()}
 
 
 @persistent

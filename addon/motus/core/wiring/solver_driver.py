@@ -2,29 +2,33 @@
 
 import bpy
 
-from ..system import BonesOwn, Setting, Transform, Variable, input_variables, of_owner
+from .. import copies
+from ..system import BonesOwn, Transform, Variable, input_variables, of_owner
 from . import drivers, outbox, waiting
 
 
-def add(system, owner, group, carrier):
-    """Give the carrier the driver on its outbox."""
-    hub = None if carrier == owner else outbox.hub_of(system, owner, group.key)
+def add(system, owner, group, hub):
+    """Give the hub's mesh the driver on its outbox."""
     expression, variables = _call(system, owner, group, hub)
     call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
     if system.moves_points:
         # Blender takes any expression with a call or the frame in it for one that changes with time. Where it does not,
         # meshes are not evaluated anew on every frame; nothing but a subscript is neither.
         call = f'motus_points[self,"{_name(system, group)}"{expression}]'
-    drivers.add(carrier, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
+    drivers.add(hub.data, outbox.out_path(system, group=group.key), call, variables, index=outbox.STATUS, use_self=True)
 
 
-def direct(system, owner, group):
-    """(expression with {slot}, variables) where the sinks of an owner are to compute for themselves; else None."""
-    settings = of_owner(system, owner)
-    if not settings.use_direct_drivers and (system.groups or not drivers.has_driven_settings(owner, settings)):
-        return None
-    expression, variables = _call(system, owner, group, with_settings=True)
-    return f'motus_direct(self,"{_name(system, group)}",{{slot}},frame,depsgraph{expression})', variables
+def curves_for(system, owner):
+    """The data of the curves that a system reads for an owner."""
+    variables = (variable for _, variable in input_variables(system, owner))
+    return [variable.id for variable in variables if variable and variable.id_type == 'CURVE']
+
+
+def curves_of(mesh):
+    """The data of the curves that the solver of a hub's mesh reads."""
+    animation = mesh.animation_data
+    return {target.id for curve in (animation.drivers if animation else ()) for variable in curve.driver.variables
+            for target in variable.targets if target.id_type == 'CURVE' and target.id}
 
 
 def waits(system, owner, key):
@@ -72,30 +76,29 @@ def _name(system, group):
     return f"{system.name}.{group.key}" if group.key else system.name
 
 
-def _call(system, owner, group, hub=None, with_settings=False):
+def _call(system, owner, group, hub):
     """Further arguments of a solver call, with its driver variables; what has no variable is passed as 0.
 
-    hub: the object that carries the solver, which then waits for the owner's settings, as it does `with_settings`. A driver
-    on the owner's own custom property cannot: to Blender's dependency graph all of an object's plain properties are one
-    node, which waits for that driver in turn. It still sees keyed and edited settings, for an object's animation comes
-    before its drivers. Where a setting is driven, a hub carries the solver, which can wait, or the sinks compute for
-    themselves, since drivers of constraints can wait.
+    The solver reads the settings of the evaluated owner. To Blender's dependency graph all plain properties of an object are
+    one node, which comes after their animation and drivers, and after the owner's outlet, which waits for the solver. So an
+    owner without an outlet is waited for by one of its settings, and one that has it, whose settings do not change in time, by
+    a custom property that nothing writes.
     """
-    with_settings = with_settings or hub is not None
     arguments, variables = [""], {}
     for index, (declared, variable) in enumerate(input_variables(system, owner)):
-        if variable is None or (isinstance(declared, Setting) and not with_settings):
+        if variable is None:
             arguments.append("0")
             continue
         arguments.append(f"v{index}")
         variables[f"v{index}"] = variable
     awaited = list(dict.fromkeys(_awaited(group)))
-    if hub and group.inputs:
+    if group.inputs:
         awaited = [one for one in awaited if not isinstance(one, Transform)]
         variables["waits"] = waiting.wait_for(hub, group.reads)
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
-    if with_settings:
-        # Read by the solver itself; declared so that it comes first.
-        variables["influence"] = Variable('OBJECT', owner, f"{of_owner(system, owner).path_from_id()}.influence")
+    path = f"{of_owner(system, owner).path_from_id()}.influence"
+    if outbox.has_outlet(system, owner):
+        path = f'["{copies.KEY}"][0]'
+    variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables

@@ -14,9 +14,6 @@ INTERFACE = {
         "Objeto oculto que hace evaluar antes la deformación de la curva",
     "Leader": "Guía",
     "Object whose settings drive this one": "Objeto cuyos ajustes mueven este",
-    "Direct Drivers": "Controladores directos",
-    "Compute in every driver by itself instead of once: slower, but without an outbox":
-        "Calcular en cada controlador por separado en vez de una sola vez: más lento, pero sin buzón de salida",
     "Copy the message to the clipboard": "Copiar el mensaje al portapapeles",
     "Select an object": "Selecciona un objeto",
     "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale":

@@ -1,0 +1,57 @@
+"""How a sink is known again, whatever the user calls it: by the hub that it names, and by which member of it it drives.
+
+Both stand in the constraint's custom space, which Blender keeps with it, copies with it and reads for no other space. What
+a file holds there is checked: a sink is a constraint of one of our kinds that names a mesh with an outbox of the system.
+Where the hub is gone the name and the kind are all that is left, as with the sinks of older versions that had none.
+"""
+
+import re
+
+from . import outbox
+
+OLD_KINDS = {'LIMIT_LOCATION', 'LIMIT_ROTATION', 'LIMIT_SCALE', 'TRANSFORM'}
+"""Kinds that drivers bring the values to, or did in an older version."""
+KINDS = OLD_KINDS | {'GEOMETRY_ATTRIBUTE', 'COPY_TRANSFORMS'}
+CHANNELS = ("location", "rotation", "scale")
+PROXY_KEY = "motus_proxy"
+"""Custom property of a proxy: the object whose bone copies it."""
+
+
+def name(system, channel=""):
+    """What the sinks of a system are called."""
+    return " ".join(filter(None, ("Motus", system.label, channel.title())))
+
+
+def put(constraint, hub, index):
+    """Note on a sink which member of which hub it drives."""
+    constraint.space_object = hub
+    constraint.space_subtarget = str(index)
+
+
+def read(system, constraint):
+    """(hub's mesh, key of its group) of a sink of the system; None for any other constraint."""
+    if constraint.type not in KINDS:
+        return None
+    for hub in (constraint.space_object, getattr(constraint, "target", None)):  # an older version has noted the target alone
+        key = outbox.key_on_hub(system, hub.data) if hub and hub.type == 'MESH' else None
+        if key is not None:
+            return hub.data, key
+    return None
+
+
+def index_of(constraint):
+    """Which member a sink drives; None where that is not noted."""
+    if constraint.type == 'GEOMETRY_ATTRIBUTE':
+        return constraint.sample_index
+    noted = constraint.space_subtarget
+    return int(noted) if re.fullmatch(r"\d{1,9}", noted) else None
+
+
+def is_bereft(system, constraint):
+    """Whether a constraint is called and made like a sink of the system, but names no hub."""
+    if constraint.type not in KINDS or read(system, constraint) is not None:
+        return False
+    if constraint.type == 'COPY_TRANSFORMS' and constraint.target and PROXY_KEY not in constraint.target:
+        return False
+    names = (name(system), *(name(system, channel) for channel in CHANNELS))
+    return re.sub(r"\.\d{3,}$", "", constraint.name) in names
