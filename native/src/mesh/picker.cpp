@@ -118,16 +118,22 @@ Picker::~Picker() = default;
 Picker::Picker(Picker&&) noexcept = default;
 Picker& Picker::operator=(Picker&&) noexcept = default;
 
+const Picker::Tree& Picker::tree() const noexcept {
+    static const Tree& of_nothing = *new Tree;  // never destroyed: threads may ask while the process ends
+    return tree_ ? *tree_ : of_nothing;
+}
+
 std::size_t Picker::vertex_count() const noexcept {
-    return tree_->order.size();
+    return tree().order.size();
 }
 std::size_t Picker::triangle_count() const noexcept {
-    return tree_->names.size();
+    return tree().names.size();
 }
 
 void Picker::refit(std::span<const glm::vec3> positions) {
     if (positions.size() != vertex_count())
         throw std::invalid_argument("A refit needs the positions of all vertices of the mesh");
+    if (positions.empty()) return;
     std::atomic<bool> all_finite{true};
     const auto take_over = [&](std::size_t first, std::size_t last) {
         bool finite = true;
@@ -147,6 +153,7 @@ void Picker::refit(std::span<const glm::vec3> positions, std::span<const std::ui
         throw std::invalid_argument("A refit needs the positions of all vertices of the mesh");
     if (std::any_of(moved.begin(), moved.end(), [&](std::uint32_t v) { return v >= positions.size(); }))
         throw std::invalid_argument("A vertex that moved is not one of the mesh");
+    if (positions.empty()) return;
 
     // A leaf that has to change touches the place where a vertex was. Vertices that follow each other along
     // the curve are near each other and have one box in common; other regions that moved have theirs.

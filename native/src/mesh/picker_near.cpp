@@ -221,16 +221,16 @@ std::vector<std::uint32_t> collected(const Tree& tree, const glm::vec3& point, c
 }  // namespace
 
 std::optional<std::uint32_t> Picker::nearest(const glm::vec3& point) const {
-    Search search(*tree_, point);
-    if (!tree_->around_vertices.empty() && is_finite(point)) search.descend(tree_->around_vertices.top(), 0);
+    Search search(tree(), point);
+    if (!tree().around_vertices.empty() && is_finite(point)) search.descend(tree().around_vertices.top(), 0);
     return search.found();
 }
 
 std::vector<std::uint32_t> Picker::within(const glm::vec3& point, float radius,
                                           const glm::mat3& metric) const {
     std::vector<std::uint32_t> found = metric == glm::mat3(1.0f)
-                                           ? collected(*tree_, point, Straight(point), radius)
-                                           : collected(*tree_, point, Metric(point, metric), radius);
+                                           ? collected(tree(), point, Straight(point), radius)
+                                           : collected(tree(), point, Metric(point, metric), radius);
     sort_indices(found);
     return found;
 }

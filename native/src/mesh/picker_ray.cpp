@@ -184,8 +184,8 @@ std::optional<Hit> first_met(const Tree& tree, const Points& points, const glm::
 }  // namespace
 
 std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction) const {
-    const auto points = [this](std::size_t place) { return position(tree_->points[place]); };
-    return first_met(*tree_, points, origin, direction, 0.0);
+    const auto points = [this](std::size_t place) { return position(tree().points[place]); };
+    return first_met(tree(), points, origin, direction, 0.0);
 }
 
 std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -193,8 +193,8 @@ std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direc
     if (positions.size() != vertex_count())
         throw std::invalid_argument("positions: there must be one for each vertex of the mesh");
     require(slack >= 0.0f && std::isfinite(slack), "slack: must be finite and >= 0");
-    const auto points = [&](std::size_t place) { return glm::dvec3(positions[tree_->order[place]]); };
-    return first_met(*tree_, points, origin, direction, static_cast<double>(slack));
+    const auto points = [&](std::size_t place) { return glm::dvec3(positions[tree().order[place]]); };
+    return first_met(tree(), points, origin, direction, static_cast<double>(slack));
 }
 
 }  // namespace motus::mesh

@@ -192,10 +192,10 @@ std::uint32_t Picker::nearest_seen(const Hit& hit, const glm::dvec3& direction,
                                    std::span<const std::uint8_t> hidden, const glm::mat3& metric) const {
     check_hidden(hidden, vertex_count());
     const auto points = [this](std::uint32_t vertex) {
-        const PickerPoint& point = tree_->points[tree_->places[vertex]];
+        const PickerPoint& point = tree().points[tree().places[vertex]];
         return glm::dvec3(point[0], point[1], point[2]);
     };
-    return Walk(*tree_, points, hit, direction, hidden, glm::dmat3(metric), 0.0)
+    return Walk(tree(), points, hit, direction, hidden, glm::dmat3(metric), 0.0)
         .run(hit.triangle, hit.corners);
 }
 
@@ -206,7 +206,7 @@ std::uint32_t Picker::nearest_seen(const Hit& hit, const glm::dvec3& direction,
     if (positions.size() != vertex_count())
         throw std::invalid_argument("positions: there must be one for each vertex of the mesh");
     const auto points = [&](std::uint32_t vertex) { return glm::dvec3(positions[vertex]); };
-    return Walk(*tree_, points, hit, direction, hidden, glm::dmat3(metric), static_cast<double>(slack))
+    return Walk(tree(), points, hit, direction, hidden, glm::dmat3(metric), static_cast<double>(slack))
         .run(hit.triangle, hit.corners);
 }
 

@@ -377,6 +377,14 @@ TEST_CASE("the number of threads changes nothing", "[picker]") {
 TEST_CASE("a picker can be moved", "[picker]") {
     const Mesh mesh = blob();
     Picker first = picker_of(mesh), second = std::move(first);
+    CHECK(first.vertex_count() == 0);
+    CHECK(first.triangle_count() == 0);
+    CHECK(!first.ray({0, 0, 9}, {0, 0, -1}));
+    CHECK(!first.nearest({0, 0, 0}));
+    CHECK(first.within({0, 0, 0}, 9.0f).empty());
+    first.refit({});
+    first.refit({}, {});
+    CHECK_THROWS_AS(first.refit(mesh.positions), std::invalid_argument);
     first = picker_of(sheet(3));
     CHECK(first.vertex_count() == 9);
     check_same(mesh, second, picker_of(mesh), 120);

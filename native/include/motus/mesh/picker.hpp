@@ -38,6 +38,7 @@ class Picker {
     Picker(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
            std::size_t threads = thread_count());
     ~Picker();
+    // What is moved from is a picker of no mesh.
     Picker(Picker&& other) noexcept;
     Picker& operator=(Picker&& other) noexcept;
     Picker(const Picker&) = delete;
@@ -95,6 +96,9 @@ class Picker {
 
   private:
     struct Tree;
+    /// The one to ask: of nothing, where tree_ has been moved away.
+    [[nodiscard]] const Tree& tree() const noexcept;
+
     std::unique_ptr<Tree> tree_;
 };
 
