@@ -182,9 +182,14 @@ DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const 
                        const py::object& eyes_forward, const py::object& rotations) {
     const std::size_t count = plan.size();
     const std::size_t bones = plan.parents().size();
-    bones::RigView rig = rig_at_rest(plan.parents(), rest, inheritance);
-    rig.poses = elements<float>(poses, "poses", {bones, 16});
-    rig.basis = elements<float>(basis, "basis", {bones, 16});
+    // Copies: another thread may write into the arrays while the interpreter's lock is given away, and what
+    // is found finite is read again.
+    const bones::RigView given = rig_at_rest(plan.parents(), rest, inheritance);
+    const std::vector<float> rest_rows = copied(given.rest);
+    const std::vector<float> pose_rows = copied(elements<float>(poses, "poses", {bones, 16}));
+    const std::vector<float> basis_rows = copied(elements<float>(basis, "basis", {bones, 16}));
+    const std::vector<int> inheritance_rows = copied(given.inheritance);
+    const bones::RigView rig{plan.parents(), rest_rows, pose_rows, basis_rows, {}, inheritance_rows};
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
     const std::span<const double> setting_rows =
         elements<double>(settings, "settings", {count, column_count});
