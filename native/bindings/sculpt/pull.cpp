@@ -23,7 +23,6 @@ namespace {
 using namespace pybind11::literals;
 
 constexpr double vertex_cost = 0.5;     // ns, rough, where all are looked at
-constexpr double reached_cost = 5.0;    // ns, rough, where each has to be fetched
 constexpr double surface_cost = 300.0;  // ns, rough, neighbours and distances
 
 // Beyond this share of the mesh's extent, and below this number of vertices, it takes less time to look at
