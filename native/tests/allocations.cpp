@@ -2,19 +2,19 @@
 
 #include <cstdlib>
 
-namespace motus::checks {
+namespace motus::test {
 
 thread_local int allocations_left = -1;
 thread_local std::size_t allocated_bytes = 0;
 
-}  // namespace motus::checks
+}  // namespace motus::test
 
 // The test program's own, so that they can fail and are counted.
 void* operator new(std::size_t size) {
-    using motus::checks::allocations_left;
+    using motus::test::allocations_left;
     if (allocations_left == 0) throw std::bad_alloc();
     if (allocations_left > 0) --allocations_left;
-    motus::checks::allocated_bytes += size;
+    motus::test::allocated_bytes += size;
     if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
     throw std::bad_alloc();
 }

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <new>
 
-namespace motus::checks {
+namespace motus::test {
 
 /// Of this thread. allocations_left: until one fails; below 0 none does.
 extern thread_local int allocations_left;
@@ -31,4 +31,4 @@ template <class Work>
     return allocated_bytes - before;
 }
 
-}  // namespace motus::checks
+}  // namespace motus::test

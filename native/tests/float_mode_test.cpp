@@ -8,15 +8,18 @@
 #include <cstdint>
 #include <vector>
 
-#include "motus/falloff.hpp"
-#include "motus/lattice.hpp"
-#include "motus/neighbours.hpp"
-#include "motus/pull.hpp"
-#include "motus/surface_distance.hpp"
-#include "pull_checks.hpp"
+#include "motus/lattice/lattice.hpp"
+#include "motus/mesh/neighbours.hpp"
+#include "motus/mesh/surface_distance.hpp"
+#include "motus/sculpt/falloff.hpp"
+#include "motus/sculpt/pull.hpp"
+#include "sculpt/checks.hpp"
 
 using namespace motus;
-using namespace motus::checks;
+using namespace motus::lattice;
+using namespace motus::mesh;
+using namespace motus::sculpt;
+using namespace motus::sculpt::checks;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "areas.hpp"
-#include "arrays.hpp"
+#include "core/arrays.hpp"
 #include "motus/dynamics/double_pendulum.hpp"
 
 namespace motus::bindings {

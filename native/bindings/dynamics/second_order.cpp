@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "areas.hpp"
-#include "arguments.hpp"
-#include "arrays.hpp"
+#include "core/arguments.hpp"
+#include "core/arrays.hpp"
+#include "core/rotations.hpp"
 #include "motus/dynamics/track.hpp"
-#include "rotations.hpp"
 
 namespace motus::bindings {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ieee_floats.hpp"
 #include "motion_cache.hpp"
+#include "motus/core/ieee_floats.hpp"
 #include "units.hpp"
 
 namespace motus::dynamics {
@@ -35,8 +35,7 @@ void require_valid(const DoublePendulumState& start) {
 }
 
 void require_valid(std::span<const double> times) {
-    require(std::ranges::all_of(times, [](double time) { return std::isfinite(time); }),
-            "times must be finite");
+    require(are_finite(times), "times must be finite");
 }
 
 [[nodiscard]] bool has_limits(const DoublePendulum& pendulum) {

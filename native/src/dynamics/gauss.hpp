@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-#include "wide.hpp"
+#include "motus/core/wide.hpp"
 
 namespace motus::dynamics {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gauss.hpp"
-#include "motus/cache.hpp"
+#include "motus/core/cache.hpp"
 #include "sine.hpp"
 
 namespace motus::dynamics {

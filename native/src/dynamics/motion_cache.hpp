@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "motion_table.hpp"
-#include "motus/cache.hpp"
+#include "motus/core/cache.hpp"
 
 namespace motus::dynamics {
 

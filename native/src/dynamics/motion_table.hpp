@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "motion.hpp"
+#include "motus/core/numeric.hpp"
 
 namespace motus::dynamics {
 
@@ -129,9 +130,7 @@ class MotionTable {
         }
 
         void take(const GaussStep<System>& step) {
-            const bool is_finite =
-                std::ranges::all_of(state_, [](double value) { return std::isfinite(value); });
-            if (!step.converged || !is_finite || step.tail > table_.largest_tail_) {
+            if (!step.converged || !are_finite(state_) || step.tail > table_.largest_tail_) {
                 if (level_ == highest_level)
                     throw std::domain_error("times must not reach where the motion leaves all bounds");
                 ++level_;

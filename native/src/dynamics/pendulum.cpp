@@ -20,8 +20,7 @@ void require_valid(const Pendulum& pendulum, const PendulumState& start, std::sp
     require(is_not_negative(pendulum.damping), "damping must be at least 0 and finite");
     require(std::isfinite(start.angle), "angle must be finite");
     require(std::isfinite(start.velocity), "velocity must be finite");
-    require(std::ranges::all_of(times, [](double time) { return std::isfinite(time); }),
-            "times must be finite");
+    require(are_finite(times), "times must be finite");
     require(times.size() == out.size(), "out must have a state for each time");
 }
 
@@ -76,8 +75,7 @@ void pivot_accelerations(double step, std::span<const double> positions, std::sp
     require(is_positive(step), "step must be greater than 0 and finite");
     require(positions.size() % 2 == 0, "positions must be pairs of x and z");
     require(positions.size() == out.size(), "out must have the size of positions");
-    require(std::ranges::all_of(positions, [](double value) { return std::isfinite(value); }),
-            "positions must be finite");
+    require(are_finite(positions), "positions must be finite");
     std::ranges::fill(out, 0.0);
     const std::size_t count = positions.size() / 2;
     if (count < 3) return;

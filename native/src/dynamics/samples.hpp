@@ -5,20 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <span>
-#include <stdexcept>
 
+#include "motus/core/numeric.hpp"
 #include "motus/dynamics/second_order.hpp"
 #include "motus/dynamics/track.hpp"
 
 namespace motus::dynamics {
-
-inline void require(bool holds, const char* problem) {
-    if (!holds) throw std::invalid_argument(problem);
-}
-
-[[nodiscard]] inline bool are_finite(std::span<const double> values) {
-    return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
-}
 
 inline void require_times(std::span<const double> times) {
     require(!times.empty(), "times must have at least one sample");

@@ -7,14 +7,12 @@
 #include <stdexcept>
 #include <string>
 
+#include "motus/core/numeric.hpp"
+
 namespace motus::dynamics {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
-
-void require(bool holds, const char* problem) {
-    if (!holds) throw std::invalid_argument(problem);
-}
 
 /// exp(-damping w h) times cos and sin(wd h) / wd, or their hyperbolic likes above critical damping; at
 /// critical damping both forms end in h.

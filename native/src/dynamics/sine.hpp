@@ -2,9 +2,9 @@
 #pragma once
 #include <cstdint>
 
-#include "wide.hpp"
+#include "motus/core/wide.hpp"
 
-namespace motus {
+namespace motus::dynamics {
 
 template <class Real>
 struct SineCosine {
@@ -55,4 +55,4 @@ template <int n>
             Real(__builtin_bit_cast(Numbers, ((s & odd) | (c & ~odd)) ^ cosine_sign))};
 }
 
-}  // namespace motus
+}  // namespace motus::dynamics

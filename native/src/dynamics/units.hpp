@@ -3,16 +3,12 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "motion_table.hpp"
+#include "motus/core/numeric.hpp"
 #include "motus/dynamics/pendulum.hpp"
 
 namespace motus::dynamics {
-
-inline void require(bool holds, const char* problem) {
-    if (!holds) throw std::invalid_argument(problem);
-}
 
 [[nodiscard]] inline bool is_positive(double value) {
     return std::isfinite(value) && value > 0.0;

@@ -1,4 +1,4 @@
-#include "dynamics/gauss.hpp"
+#include "gauss.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <numbers>
 
-#include "dynamics/motion.hpp"
+#include "motion.hpp"
 
 using namespace motus;
 using namespace motus::dynamics;

@@ -31,7 +31,6 @@ class Track {
           std::size_t dimensions, std::span<const std::size_t> resets = {}, Start start = Start::at_rest);
 
     [[nodiscard]] std::size_t dimensions() const noexcept { return dimensions_; }
-    [[nodiscard]] std::size_t sample_count() const noexcept { return times_.size(); }
 
     /// Output at a time, dimensions() values. After the last sample the input rests there, unless it loops.
     void evaluate(double time, std::span<double> out) const;

@@ -1,0 +1,309 @@
+// Look-at: the shares of a turn, and the bones of rigs.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "areas.hpp"
+#include "bones/rig_arrays.hpp"
+#include "core/arguments.hpp"
+#include "core/arrays.hpp"
+#include "core/rotations.hpp"
+#include "motus/bones/look_at/gaze.hpp"
+#include "motus/bones/look_at/plan.hpp"
+
+namespace motus::bindings {
+namespace {
+
+namespace look_at = bones::look_at;
+
+using namespace pybind11::literals;
+using std::numbers::pi;
+
+constexpr double turn_cost = 300.0;    // ns, rough
+constexpr double entry_cost = 1500.0;  // ns, rough
+
+// --- look_at ---------------------------------------------------------------------------------------------
+
+[[nodiscard]] double fraction(const py::object& object, const char* name) {
+    const double value = number(object, name);
+    if (value < 0.0 || value > 1.0) value_error(name, "must lie in [0, 1]");
+    return value;
+}
+
+[[nodiscard]] double limit(const py::object& object, const char* name) {
+    const double value = number(object, name);
+    if (value < 0.0) value_error(name, "must be >= 0");
+    return value;
+}
+
+[[nodiscard]] glm::dvec3 unit(const glm::dvec3& v, const char* name) {
+    const double largest = std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+    if (largest == 0.0) value_error(name, "must have a length");
+    return v / (largest * glm::length(v / largest));
+}
+
+/// What Python gets: of one target values, of many arrays.
+struct Turns {
+    DoubleArray body, head, eyes;
+    py::object residual, reason;
+};
+
+Turns look_at_targets(const py::object& reason_type, const py::object& forward, const py::object& targets,
+                      const py::object& chest, const py::object& up, const py::object& weight,
+                      const py::object& body_weight, const py::object& head_weight,
+                      const py::object& eyes_weight, const py::object& clamp, const py::object& body_limit,
+                      const py::object& head_limit, const py::object& eyes_limit) {
+    const glm::dvec3 animated = unit(vector(forward, "forward"), "forward");
+    const glm::dvec3 ahead = chest.is_none() ? animated : unit(vector(chest, "chest"), "chest");
+    const glm::dvec3 above = unit(vector(up, "up"), "up");
+    constexpr double least_sine = 1e-6;
+    if (glm::length(glm::cross(above, ahead)) < least_sine)
+        value_error("up", std::string("must not lie along ") + (chest.is_none() ? "forward" : "chest"));
+    const look_at::Settings settings{fraction(weight, "weight"),
+                                     fraction(body_weight, "body_weight"),
+                                     fraction(head_weight, "head_weight"),
+                                     fraction(eyes_weight, "eyes_weight"),
+                                     fraction(clamp, "clamp"),
+                                     limit(body_limit, "body_limit"),
+                                     limit(head_limit, "head_limit"),
+                                     limit(eyes_limit, "eyes_limit")};
+    const DoubleArray given = doubles(targets, "targets");
+    const bool is_single = given.ndim() == 1;
+    if (given.ndim() < 1 || given.ndim() > 2 || given.shape(given.ndim() - 1) != 3)
+        value_error("targets", "must have the shape (m, 3) or (3,), not " + shape_of(given));
+    const std::size_t count = is_single ? 1 : static_cast<std::size_t>(given.shape(0));
+    std::vector<glm::dvec3> directions;
+    directions.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const double* row = given.data() + 3 * i;
+        directions.push_back(unit({row[0], row[1], row[2]}, "targets"));
+    }
+
+    const auto rows = [&] { return is_single ? new_array({4}) : new_array({count, 4}); };
+    DoubleArray body = rows(), head = rows(), eyes = rows();
+    DoubleArray residual = new_array({count});
+    py::array_t<std::int64_t> reason(static_cast<py::ssize_t>(count));
+    const std::span<double> residuals = values_of(residual);
+    std::int64_t* const reasons = reason.mutable_data();
+    const std::span<glm::dquat> body_out = quaternions_in(body.mutable_data(), count);
+    const std::span<glm::dquat> head_out = quaternions_in(head.mutable_data(), count);
+    const std::span<glm::dquat> eyes_out = quaternions_in(eyes.mutable_data(), count);
+    {
+        const ReleaseGil released(count, turn_cost);
+        const look_at::GazeChart chart(ahead, above, look_at::level_for(settings));
+        for (std::size_t i = 0; i < count; ++i) {
+            const look_at::Turns turns = turns_to(chart, animated, directions[i], settings);
+            body_out[i] = turns.body;
+            head_out[i] = turns.head;
+            eyes_out[i] = turns.eyes;
+            residuals[i] = turns.residual;
+            reasons[i] = static_cast<std::int64_t>(turns.reason);
+        }
+        rows_from_quaternions(body_out);
+        rows_from_quaternions(head_out);
+        rows_from_quaternions(eyes_out);
+    }
+    if (!is_single) return {body, head, eyes, residual, reason};
+    return {body, head, eyes, py::float_(residuals[0]), reason_type(static_cast<int>(reasons[0]))};
+}
+
+// --- Plan ------------------------------------------------------------------------------------------
+
+enum Column : std::size_t {
+    weight,
+    body_weight,
+    head_weight,
+    eyes_weight,
+    clamp_column,
+    body_limit,
+    head_limit,
+    eyes_limit,
+    is_on,
+    column_count
+};
+constexpr std::size_t report_count = 4;
+
+[[nodiscard]] py::tuple setting_names() {
+    return py::make_tuple("weight", "body_weight", "head_weight", "eyes_weight", "clamp", "body_limit",
+                          "head_limit", "eyes_limit", "is_on");
+}
+
+[[nodiscard]] py::tuple report_names() {
+    return py::make_tuple("angle", "reason", "yaw", "pitch");
+}
+
+[[nodiscard]] std::vector<std::vector<int>> bone_lists(const py::object& lists, const char* name) {
+    if (PySequence_Check(lists.ptr()) == 0) wrong_type(lists, name, "a list of lists of bones");
+    std::vector<std::vector<int>> result;
+    for (const py::handle list : lists) result.push_back(whole_numbers(list, name));
+    return result;
+}
+
+[[nodiscard]] look_at::Plan make_plan(const py::object& parents, const py::object& bodies,
+                                      const py::object& heads, const py::object& eyes) {
+    const std::vector<int> parent_of = whole_numbers(parents, "parents");
+    std::vector<std::vector<int>> body_bones = bone_lists(bodies, "bodies");
+    const std::vector<int> head_bones = whole_numbers(heads, "heads");
+    std::vector<std::vector<int>> eye_bones = bone_lists(eyes, "eyes");
+    if (body_bones.size() != head_bones.size()) value_error("bodies", "must have as many rows as heads");
+    if (eye_bones.size() != head_bones.size()) value_error("eyes", "must have as many rows as heads");
+    std::vector<look_at::Bones> entries;
+    entries.reserve(head_bones.size());
+    for (std::size_t i = 0; i < head_bones.size(); ++i)
+        entries.push_back({std::move(body_bones[i]), head_bones[i], std::move(eye_bones[i])});
+    return {parent_of, entries};
+}
+
+[[nodiscard]] look_at::Input input_at(std::size_t entry, std::span<const double> settings,
+                                      std::span<const double> targets, std::span<const double> head_forward,
+                                      std::span<const double> eyes_forward) {
+    const std::span<const double> row = settings.subspan(entry * column_count, column_count);
+    const auto vector_at = [entry](std::span<const double> rows) {
+        return glm::dvec3(rows[3 * entry], rows[3 * entry + 1], rows[3 * entry + 2]);
+    };
+    look_at::Input input;
+    input.settings = {row[weight],       row[body_weight], row[head_weight], row[eyes_weight],
+                      row[clamp_column], row[body_limit],  row[head_limit],  row[eyes_limit]};
+    input.target = vector_at(targets);
+    input.head_forward = vector_at(head_forward);
+    input.eyes_forward = vector_at(eyes_forward);
+    input.is_on = row[is_on] != 0.0;
+    return input;
+}
+
+DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const py::object& poses,
+                       const py::object& basis, const py::object& inheritance, const py::object& world,
+                       const py::object& settings, const py::object& targets, const py::object& head_forward,
+                       const py::object& eyes_forward, const py::object& rotations) {
+    const std::size_t count = plan.size();
+    const std::size_t bones = plan.parents().size();
+    // Copies: another thread may write into the arrays while the interpreter's lock is given away, and what
+    // is found finite is read again.
+    const bones::RigView given = rig_at_rest(plan.parents(), rest, inheritance);
+    const std::vector<float> rest_rows = copied(given.rest);
+    const std::vector<float> pose_rows = copied(elements<float>(poses, "poses", {bones, 16}));
+    const std::vector<float> basis_rows = copied(elements<float>(basis, "basis", {bones, 16}));
+    const std::vector<int> inheritance_rows = copied(given.inheritance);
+    const bones::RigView rig{plan.parents(), rest_rows, pose_rows, basis_rows, {}, inheritance_rows};
+    const glm::dmat4 to_world = matrix_of_columns(world, "world");
+    const std::span<const double> setting_rows =
+        elements<double>(settings, "settings", {count, column_count});
+    const std::span<const double> target_rows = elements<double>(targets, "targets", {count, 3});
+    const std::span<const double> head_axes = elements<double>(head_forward, "head_forward", {count, 3});
+    const std::span<const double> eyes_axes = elements<double>(eyes_forward, "eyes_forward", {count, 3});
+    const std::size_t row_count = plan.rows().size();
+    auto rows = output<double>(rotations, "rotations", {static_cast<py::ssize_t>(row_count), 4});
+    const std::span<double> row_values = values_of(rows);
+    require_apart(setting_rows, "settings", row_values, "rotations");
+    require_apart(target_rows, "targets", row_values, "rotations");
+    require_apart(head_axes, "head_forward", row_values, "rotations");
+    require_apart(eyes_axes, "eyes_forward", row_values, "rotations");
+
+    DoubleArray report = new_array({count, report_count});
+    const std::span<double> report_values = values_of(report);
+    const std::span<glm::dquat> out = quaternions_in(rows.mutable_data(), row_count);
+    std::vector<look_at::Input> inputs;
+    inputs.reserve(count);
+    for (std::size_t i = 0; i < count; ++i)
+        inputs.push_back(input_at(i, setting_rows, target_rows, head_axes, eyes_axes));
+    {
+        const ReleaseGil released(count, entry_cost);
+        std::vector<look_at::Report> reports(count);
+        plan.solve(rig, to_world, inputs, out, reports);
+        rows_from_quaternions(out);
+        for (std::size_t i = 0; i < count; ++i) {
+            const look_at::Report& one = reports[i];
+            const std::span<double> row = report_values.subspan(i * report_count, report_count);
+            row[0] = one.angle;
+            row[1] = one.reason ? static_cast<double>(*one.reason) : -1.0;
+            row[2] = one.yaw;
+            row[3] = one.pitch;
+        }
+    }
+    return report;
+}
+
+void bind_turns(py::module_& m) {
+    py::class_<Turns>(m, "LookAtTurns", py::module_local(), R"(
+How a gaze turns to its target, from look_at(): of one target values, of m targets arrays with m rows.
+
+body, head and eyes are quaternions (m, 4) or (4,), w, x, y, z; each comes on top of the one before: eyes * head * body.)")
+        .def_readonly("body", &Turns::body, "(4,) or (m, 4).")
+        .def_readonly("head", &Turns::head, "(4,) or (m, 4).")
+        .def_readonly("eyes", &Turns::eyes, "(4,) or (m, 4).")
+        .def_readonly("residual", &Turns::residual,
+                      "A float or (m,): angle between the turned gaze and the target, rad.")
+        .def_readonly("reason", &Turns::reason, R"(
+A Reason or (m,) int64 of their codes: LIMIT where the clamp or a limit keeps the gaze off; REACHED where nothing but the
+weights does.)");
+}
+
+}  // namespace
+
+void bind_look_at(py::module_& m) {
+    bind_turns(m);
+    m.def(
+        "look_at",
+        [reason_type = py::object(m.attr("Reason"))](
+            const py::object& forward, const py::object& targets, const py::object& chest,
+            const py::object& up, const py::object& weight, const py::object& body_weight,
+            const py::object& head_weight, const py::object& eyes_weight, const py::object& clamp,
+            const py::object& body_limit, const py::object& head_limit, const py::object& eyes_limit) {
+            return look_at_targets(reason_type, forward, targets, chest, up, weight, body_weight, head_weight,
+                                   eyes_weight, clamp, body_limit, head_limit, eyes_limit);
+        },
+        "forward"_a, "targets"_a, "chest"_a = py::none(), "up"_a = py::make_tuple(0.0, 0.0, 1.0),
+        "weight"_a = 1.0, "body_weight"_a = 0.3, "head_weight"_a = 1.0, "eyes_weight"_a = 0.0,
+        "clamp"_a = 0.5, "body_limit"_a = pi, "head_limit"_a = pi, "eyes_limit"_a = pi,
+        R"(
+How body, head and eyes share the turn of a gaze to a target far away.
+
+forward: (3,), where the head looks before.  targets: (m, 3) or (3,), directions to look in.  chest: (3,), where the chest
+faces; forward where None.  up: (3,), the chest's up; what is across chest counts.  All in one space, of any length but 0.
+weight: of the whole turn.  body_weight: share of the turn.  head_weight: share of what the body leaves.  eyes_weight:
+share of what the head leaves.  clamp: 0 free, 0.5 90 degrees to each side, 1 no turn.  All in [0, 1].
+body_limit, head_limit, eyes_limit: greatest turn of the gaze by each, rad, >= 0; from pi on none.
+A turn adds no roll where both gazes lie within 37 degrees of the horizon (and, unless clamp is 0 and head_limit pi, within
+73 degrees of chest).  With a clamp >= 0.5, or limits for all that turn, the result is a continuous function of the target;
+else it changes sides where the target passes straight behind the chest.
+Returns a LookAtTurns.
+Raises ValueError or TypeError that names the argument.)");
+
+    py::class_<look_at::Plan> plan(m, "LookAtPlan", py::module_local(), R"(
+Bones of one rig that look at targets, checked once.
+
+parents: (B,), index of each bone's parent, -1 for none.  bodies: for each entry (n,) bones from the lowest up, below the
+head; may be empty.  heads: (C,) bones.  eyes: for each entry (k,) bones above the head; may be empty.
+rows: the bones of the result's rows: body, head, eyes of each entry.  SETTINGS, REPORT: names of columns.
+Raises ValueError or TypeError that names the argument.)");
+    plan.def(py::init(&make_plan), "parents"_a, "bodies"_a, "heads"_a, "eyes"_a);
+    plan.def_property_readonly("rows", [](const look_at::Plan& self) {
+        const std::span<const int> rows = self.rows();
+        py::tuple result(rows.size());
+        for (std::size_t i = 0; i < rows.size(); ++i) result[i] = rows[i];
+        return result;
+    });
+    plan.attr("SETTINGS") = setting_names();
+    plan.attr("REPORT") = report_names();
+    plan.def("solve", &solve_plan, "rest"_a, "poses"_a, "basis"_a, "inheritance"_a, "world"_a, "settings"_a,
+             "targets"_a, "head_forward"_a, "eyes_forward"_a, "rotations"_a = py::none(), R"(
+Rotations that turn body, head and eyes of each entry to its target.
+
+rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBone.matrix_basis, column by column; of poses
+only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
+| 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
+settings: (C, 9), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward, eyes_forward: (C, 3), axes of
+the bones that point where head and eyes look, of any length but 0.
+rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
+report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity where nothing turns.
+Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 where an input is not
+finite or a bone that looks has no size); yaw (positive to the left) and pitch (positive up) of the target, rad.
+Raises ValueError or TypeError that names the argument; numbers that are not finite do not raise.)");
+}
+
+}  // namespace motus::bindings

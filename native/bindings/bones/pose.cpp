@@ -1,0 +1,77 @@
+// Poses in the forms that Blender takes.
+#include "motus/bones/pose.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <optional>
+#include <span>
+
+#include "areas.hpp"
+#include "core/arrays.hpp"
+#include "core/rotations.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+
+constexpr double euler_cost = 60.0;  // ns, rough
+constexpr double matrix_cost = 20.0;
+
+py::object euler_rows(const py::object& rotations, const py::object& out) {
+    const Rotations in(rotations, "rotations");
+    const std::span<const glm::dquat> quaternions = in.values();
+    std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(quaternions.size()), 3};
+    if (in.is_single()) shape.erase(shape.begin());
+    DoubleArray rows = output<double>(out, "out", shape);
+    const std::span<glm::dvec3> angles = points_of(rows);
+    {
+        const ReleaseGil released(quaternions.size(), euler_cost);
+        for (std::size_t i = 0; i < quaternions.size(); ++i) angles[i] = bones::euler_xyz(quaternions[i]);
+    }
+    return rows;
+}
+
+py::object matrix_rows(const py::object& locations, const py::object& rotations, const py::object& out,
+                       const py::object& scales) {
+    const Points points(locations, "locations");
+    const Rotations quaternions(rotations, "rotations");
+    const std::size_t count = points.values().size();
+    if (quaternions.is_single() || quaternions.values().size() != count)
+        value_error("rotations", "must have as many rows as locations");
+    std::optional<Points> sizes;
+    if (!scales.is_none()) {
+        sizes.emplace(scales, "scales");
+        if (sizes->values().size() != count) value_error("scales", "must have as many rows as locations");
+    }
+    const std::span<const glm::dvec3> scale_rows = sizes ? sizes->values() : std::span<const glm::dvec3>();
+    auto matrices = output<float>(out, "out", {static_cast<py::ssize_t>(count), 16});
+    const std::span<float> floats(matrices.mutable_data(), static_cast<std::size_t>(matrices.size()));
+    require_apart(memory_of(locations), "locations", floats, "out");
+    require_apart(memory_of(scales), "scales", floats, "out");
+    {
+        const ReleaseGil released(count, matrix_cost);
+        bones::pack_matrices(points.values(), quaternions.values(), floats, scale_rows);
+    }
+    return matrices;
+}
+
+}  // namespace
+
+void bind_pose(py::module_& m) {
+    m.def("euler_xyz", &euler_rows, "rotations"_a, "out"_a = py::none(), R"(
+Euler angles of quaternions in Blender's order XYZ, as mathutils' Quaternion.to_euler('XYZ') gives them.
+
+rotations: (m, 4) or (4,), w, x, y, z, of any length but 0.  out: a C-contiguous float64 array (m, 3) or (3,) to write
+into.  Returns (m, 3) or (3,), rad.  Raises ValueError or TypeError that names the argument.)");
+    m.def("pack_matrices", &matrix_rows, "locations"_a, "rotations"_a, "out"_a = py::none(),
+          "scales"_a = py::none(),
+          R"(
+Locations, rotations and scales as 4 x 4 matrices, column by column, as Blender's FLOAT4X4 attributes take them.
+
+locations: (m, 3).  rotations: (m, 4), w, x, y, z.  out: a C-contiguous float32 array (m, 16) to write into, which shares
+no memory with locations and scales.  scales: (m, 3) along the rotated axes; None: 1.
+Returns (m, 16) float32.  Raises ValueError or TypeError that names the argument.)");
+}
+
+}  // namespace motus::bindings

@@ -1,0 +1,87 @@
+// A rig's arrays as Blender's foreach_get fills them, taken as they are: what runs at every frame neither
+// copies nor looks through them. Shape, type and layout are checked; values are not.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "core/arrays.hpp"
+#include "motus/bones/rig.hpp"
+
+namespace motus::bindings {
+
+static_assert(sizeof(int) == 4, "int32 arrays are read as ints");
+
+template <class T>
+[[nodiscard]] constexpr std::string_view dtype_name() {
+    if constexpr (std::is_same_v<T, float>) return "float32";
+    if constexpr (std::is_same_v<T, double>) return "float64";
+    if constexpr (std::is_same_v<T, int>) return "int32";
+}
+
+/// The elements of an aligned, C-contiguous array of T with that shape, which the caller keeps alive.
+/// TypeError for another type or layout, ValueError for another shape.
+template <class T>
+[[nodiscard]] std::span<const T> elements(py::handle object, std::string_view name,
+                                          std::initializer_list<std::size_t> shape) {
+    using Array = py::array_t<T, py::array::c_style>;
+    if (!py::isinstance<Array>(object) || !is_aligned(py::reinterpret_borrow<py::array>(object)))
+        type_error(name, "must be an aligned, C-contiguous array of " + std::string(dtype_name<T>()));
+    const Array array = py::reinterpret_borrow<Array>(object);
+    const std::vector<py::ssize_t> wanted_shape(shape.begin(), shape.end());
+    const bool fits =
+        std::equal(wanted_shape.begin(), wanted_shape.end(), array.shape(), array.shape() + array.ndim());
+    if (!fits) {
+        std::string wanted;
+        for (const std::size_t size : shape) wanted += (wanted.empty() ? "(" : ", ") + std::to_string(size);
+        value_error(name, "must have the shape " + wanted + (shape.size() == 1 ? ",)" : ")") + ", not " +
+                              shape_of(array));
+    }
+    return {array.data(), static_cast<std::size_t>(array.size())};
+}
+
+/// (16,) float64, column by column, as it is.
+[[nodiscard]] inline glm::dmat4 matrix_of_columns(py::handle object, std::string_view name) {
+    const std::span<const double> values = elements<double>(object, name, {16});
+    glm::dmat4 matrix;
+    for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = values[static_cast<std::size_t>(i)];
+    return matrix;
+}
+
+/// All bones of a rig with those parents, without what not every solver reads: poses, basis, lengths.
+[[nodiscard]] inline bones::RigView rig_at_rest(std::span<const int> parents, py::handle rest,
+                                                py::handle inheritance) {
+    const std::size_t count = parents.size();
+    bones::RigView rig;
+    rig.parents = parents;
+    rig.rest = elements<float>(rest, "rest", {count, 16});
+    rig.inheritance = elements<int>(inheritance, "inheritance", {count});
+    return rig;
+}
+
+/// (n,) whole numbers of any integer type, such as indices of bones: copied. TypeError for others, ValueError
+/// where one is no int.
+[[nodiscard]] inline std::vector<int> whole_numbers(py::handle object, std::string_view name) {
+    const py::array array = py::array::ensure(object);
+    if (!array) value_error(name, "must be an array of whole numbers");
+    if (array.ndim() != 1) value_error(name, "must have the shape (n,), not " + shape_of(array));
+    if (array.size() == 0) return {};  // NumPy makes an empty list one of float64
+    const char kind = array.dtype().kind();
+    if (kind != 'i' && kind != 'u') type_error(name, "must hold whole numbers");
+    const auto wide = py::array_t<long long, py::array::c_style | py::array::forcecast>::ensure(array);
+    std::vector<int> result;
+    result.reserve(static_cast<std::size_t>(wide.size()));
+    for (py::ssize_t i = 0; i < wide.size(); ++i) {
+        if (!std::in_range<int>(wide.data()[i])) value_error(name, "a number is too large");
+        result.push_back(static_cast<int>(wide.data()[i]));
+    }
+    return result;
+}
+
+}  // namespace motus::bindings

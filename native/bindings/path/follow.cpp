@@ -1,0 +1,97 @@
+// Followers on curves.
+#include "motus/path/follow.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <utility>
+
+#include "areas.hpp"
+#include "core/arguments.hpp"
+#include "core/arrays.hpp"
+#include "core/rotations.hpp"
+#include "curve/curve.hpp"
+#include "options.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+
+constexpr double follower_cost = 300.0;  // ns, rough
+
+[[nodiscard]] glm::dvec3 axis_option(const py::object& axis, const char* name) {
+    return choice<glm::dvec3>(axis, name,
+                              {{"X", {1, 0, 0}},
+                               {"Y", {0, 1, 0}},
+                               {"Z", {0, 0, 1}},
+                               {"-X", {-1, 0, 0}},
+                               {"-Y", {0, -1, 0}},
+                               {"-Z", {0, 0, -1}}});
+}
+
+[[nodiscard]] path::LagBy lag_option(const py::object& lag_by) {
+    return choice<path::LagBy>(
+        lag_by, "lag_by",
+        {{"acceleration", path::LagBy::acceleration}, {"curvature", path::LagBy::curvature}});
+}
+
+py::tuple follow_curve(const py::object& curve, const py::object& timing, const py::object& time,
+                       const py::object& offsets, const py::object& mode, const py::object& extend,
+                       const py::object& forward, const py::object& up, const py::object& rotate,
+                       const py::object& lag_rate, const py::object& lag_by, const py::object& locations,
+                       const py::object& rotations, const py::kwargs& options) {
+    const BoundCurve& path = curve_argument(curve);
+    const path::Timing& motion = instance<path::Timing>(timing, "timing", "a Timing");
+    const Numbers along(offsets, "offsets");
+    const double at = number(time, "time");
+    path::FollowSettings settings;
+    settings.extend = extend_option(extend);
+    settings.axes = path::follower_axes(axis_option(forward, "forward"), axis_option(up, "up"));
+    settings.rotate = flag(rotate, "rotate");
+    settings.lag_rate = number(lag_rate, "lag_rate");
+    settings.lag_by = lag_option(lag_by);
+    path::FrameSettings frame = frame_settings(mode, options, false);
+    if (!settings.rotate) frame = path::FrameSettings{};  // its tables are the cheapest, and not looked at
+
+    const std::size_t count = along.values().size();
+    const auto rows = static_cast<py::ssize_t>(count);
+    auto location_rows = output<double>(locations, "locations", {rows, 3});
+    auto rotation_rows = output<double>(rotations, "rotations", {rows, 4});
+    require_apart(memory_of(offsets), "offsets", values_of(location_rows), "locations");
+    require_apart(memory_of(offsets), "offsets", values_of(rotation_rows), "rotations");
+    require_apart(values_of(location_rows), "locations", values_of(rotation_rows), "rotations");
+    const std::span<glm::dvec3> location_out = points_of(location_rows);
+    const std::span<glm::dquat> rotation_out = quaternions_in(rotation_rows.mutable_data(), count);
+    const path::Frames frames = frames_on(path, std::move(frame));
+    {
+        const ReleaseGil released(count, settings.lag_rate > 0.0 ? 1e3 * follower_cost : follower_cost);
+        follow(frames, motion, at, along.values(), settings, location_out, rotation_out);
+        rows_from_quaternions(rotation_out);
+    }
+    return py::make_tuple(location_rows, rotation_rows);
+}
+
+}  // namespace
+
+void bind_follow(py::module_& m) {
+    m.attr("LAG_MEMORY") = path::lag_memory;  // s
+    m.def("follow", &follow_curve, "curve"_a, "timing"_a, "time"_a, "offsets"_a, "mode"_a,
+          "extend"_a = "clamp", "forward"_a = "Y", "up"_a = "Z", "rotate"_a = true, "lag_rate"_a = 0.0,
+          "lag_by"_a = "acceleration", "locations"_a = py::none(), "rotations"_a = py::none(), R"(
+Poses of followers on a curve at one time. A function of its arguments alone: times may come in any order.
+
+timing: a Timing.  time: s.  offsets: a number or (n,), how far each follower is ahead (+) or behind (-) along the curve.
+mode and its options: as in frames(), but for speed, which is the timing's.
+extend: what lies beyond the ends: 'clamp'; 'extrapolate' straight on along the tangent with the end's frame; 'loop';
+'ping_pong'.  forward, up: the follower's own axes that go along the curve and up: 'X', '-X', 'Y', '-Y', 'Z', '-Z', across
+each other.  rotate: False leaves every rotation the identity.
+lag_rate: > 0 lets the orientation trail its target at lag_rate times the bend of the curve per second, from time 0 on
+and with LAG_MEMORY = 120 s of memory, in at most 2300 steps: 1/120 s each for the last 10 s, and up to 1/300 of their age before. That
+costs 1e-4 rad; 0.01 rad after a jump of the target, 0.3 rad where it ran more than half a turn ahead.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
+locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into, which share no memory with each other
+or offsets; new ones where None.
+Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.
+Raises ValueError or TypeError that names the argument.)");
+}
+
+}  // namespace motus::bindings

@@ -1,0 +1,32 @@
+// Names and options that several functions on paths have in common.
+#pragma once
+#include <pybind11/pybind11.h>
+
+#include "core/arguments.hpp"
+#include "curve/curve.hpp"
+#include "motus/curve/extend.hpp"
+#include "motus/path/frames.hpp"
+
+namespace motus::bindings {
+
+[[nodiscard]] inline curve::Extend extend_option(const py::object& extend) {
+    return choice<curve::Extend>(extend, "extend",
+                                 {{"clamp", curve::Extend::clamp},
+                                  {"extrapolate", curve::Extend::extrapolate},
+                                  {"loop", curve::Extend::loop},
+                                  {"ping_pong", curve::Extend::ping_pong}});
+}
+
+[[nodiscard]] inline const BoundCurve& curve_argument(const py::object& curve) {
+    return instance<BoundCurve>(curve, "curve", "a Curve");
+}
+
+/// Settings of a mode by its name and its options; TypeError for an option that the mode does not read.
+/// `speed` is left to the caller where `reads_speed`.
+[[nodiscard]] path::FrameSettings frame_settings(const py::object& mode, const py::kwargs& options,
+                                                 bool reads_speed);
+
+/// Frames of a curve, from the cache or built, without the interpreter's lock meanwhile.
+[[nodiscard]] path::Frames frames_on(const BoundCurve& curve, path::FrameSettings settings);
+
+}  // namespace motus::bindings

@@ -1,0 +1,129 @@
+// The plane that a chain bends in. For the topics of the library alone.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/vec3.hpp>
+
+#include "motus/bones/chains/two_bone.hpp"
+#include "motus/core/numeric.hpp"
+#include "motus/core/wide.hpp"
+
+namespace motus::bones::chains {
+
+// Vectors that only rare branches look at go by value: one whose address is taken lives in memory on the
+// frequent branch too, which costs more than all the arithmetic there.
+
+/// A unit normal across the unit vector `along`: `plane`'s, or where that is zero or along it, one that
+/// depends on `along` alone and jumps at one odd direction only.
+[[nodiscard]] glm::dvec3 normal_across(const glm::dvec3& along, const glm::dvec3& plane);
+
+/// From the unit normal `from` (weight 0) to the unit normal `to` (1), about `along`. All unit, both normals
+/// across `along`; so is the result. `to` alike `from`: that. A pole that goes once round the line takes
+/// its normal once round too, so that no way of fading it out is free of a jump; this one jumps at one single
+/// direction and weight, and opposite normals, which mirrored poles lead to, are not that.
+[[nodiscard]] glm::dvec3 blended_normal(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& along,
+                                        double weight);
+
+/// How sure the plane is that a pose bends in, by the sine of its bend: 0 up to 1 degree, 1 from 8 degrees
+/// on.
+[[nodiscard]] inline double certainty_of_bend(double sine) {
+    constexpr double sine_of_1 = 0.01745240643728351;
+    constexpr double sine_of_8 = 0.13917310096006544;
+    return smooth_step((sine - sine_of_1) / (sine_of_8 - sine_of_1));
+}
+
+/// What the elbow's side depends on. Real: double, or several at once.
+template <class Real>
+struct BendSide {
+    glm::vec<3, Real> along;  ///< unit, root to target
+    glm::vec<3, Real> pole;   ///< from the root
+    glm::vec<3, Real> plane;  ///< as in TwoBone
+    Real near;                ///< a pole nearer to the root counts as this far away
+    Real band;                ///< sine of the pole's angle to the line from which on it decides alone
+    Real bend;                ///< 1 or -1
+};
+
+/// One of several.
+template <class Real>
+[[nodiscard, gnu::always_inline]] inline BendSide<double> side_of(const BendSide<Real>& side, int index) {
+    return {lane(side.along, index), lane(side.pole, index), lane(side.plane, index),
+            lane(side.near, index),  lane(side.band, index), lane(side.bend, index)};
+}
+
+/// faded_normal() without a plane that decides by itself, and of lengths whose squares do not keep their
+/// digits.
+[[nodiscard]] glm::dvec3 faded_slowly(const BendSide<double>& side);
+
+// Between which squares of lengths keep their digits, and between which their squares do too.
+inline constexpr double least_square = 1e-200, largest_square = 1e200;
+inline constexpr double least_to_square = 1e-100, largest_to_square = 1e100;
+
+/// A normal of any length, across the unit vector `along`.
+template <class Real>
+struct Start {
+    glm::vec<3, Real> normal;
+    Real length;
+    glm::vec<3, Real> along;
+};
+
+/// blended_normal() of normals that need not be divided by their lengths first. share: the weight over the
+/// length of `to`.
+template <class Real>
+inline glm::vec<3, Real> blended(const Start<Real>& from, const glm::vec<3, Real>& to, Real share,
+                                 Real weight) {
+    using std::sqrt;
+    // Of unit vectors: rest from + weight to + rest weight (1 - from . to) along x from. Here times length^2.
+    const Real rest = Real(1.0) - weight;
+    const Real detour = rest * (from.length * weight - share * glm::dot(from.normal, to));
+    const Real scale = from.length * from.length;
+    const glm::vec<3, Real> sum = from.normal * (rest * from.length) +
+                                  glm::cross(from.along, from.normal) * detour + to * (scale * share);
+    const Real square = glm::dot(sum, sum);
+    const auto is_long = square > Real(1e-20) * (scale * scale);
+    return select(is_long, sum, from.normal) * (Real(1.0) / select(is_long, sqrt(square), from.length));
+}
+
+/// bend_normal() where the pole is near the line and fades out. Not inlined, for the sake of the frequent
+/// branch there.
+template <class Real>
+[[gnu::noinline]] glm::vec<3, Real> faded_normal(BendSide<Real> side) {
+    using std::max, std::sqrt;
+    using Vector = glm::vec<3, Real>;
+    const Vector across = glm::cross(side.along, side.pole);
+    const Real square = glm::dot(across, across);
+    const Real far_square = max(glm::dot(side.pole, side.pole), side.near * side.near);
+    const Real size = glm::dot(side.plane, side.plane);
+    const Vector plane = side.plane - side.along * glm::dot(side.plane, side.along);
+    const Real plane_square = glm::dot(plane, plane);
+
+    const Real inverse = Real(1.0) / (side.band * sqrt(far_square));
+    const Real x = sqrt(square) * inverse;
+    const Real slope =
+        x * (Real(3.0) - Real(2.0) * x);  // smooth_step(x) / x: on the line `across` has no direction
+    Vector normal = blended<Real>({plane, sqrt(plane_square), side.along}, across,
+                                  side.bend * inverse * slope, x * slope);
+
+    const auto is_slow = !((square > Real(least_square)) & (far_square < Real(largest_square)) &
+                           (size > Real(least_to_square)) & (size < Real(largest_to_square)) &
+                           (plane_square >= Real(pole_band * pole_band) * size));
+    for (int i = 0; any(is_slow) && i < lane_count<Real>; ++i)
+        if (lane(is_slow, i)) set_lane(normal, i, faded_slowly(side_of(side, i)));
+    return normal;
+}
+
+/// The unit normal n for which n x along points to the elbow's side; see TwoBone::plane. The pole within
+/// 1e100.
+template <class Real>
+[[nodiscard]] inline glm::vec<3, Real> bend_normal(const BendSide<Real>& side) {
+    using std::max, std::sqrt;
+    const Real vanished = 1e-290;  // squared: below it digits are lost
+    const glm::vec<3, Real> across = glm::cross(side.along, side.pole);
+    const Real square = glm::dot(across, across);
+    const Real far_square = max(glm::dot(side.pole, side.pole), side.near * side.near);
+    const auto is_clear = (square > vanished) & (square >= side.band * side.band * far_square);
+    const glm::vec<3, Real> clear = across * (side.bend / sqrt(square));
+    return all(is_clear) ? clear : select(is_clear, clear, faded_normal(side));
+}
+
+}  // namespace motus::bones::chains

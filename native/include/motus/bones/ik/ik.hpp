@@ -1,0 +1,199 @@
+// Inverse kinematics of many chains of one rig, beside their animated (FK) pose.
+//
+// A chain starts from its FK pose: the evaluated pose of the first bone's parent and the bones' own
+// transforms. Its bones are turned so that the tip comes to the target; what comes out is relative to the
+// bones' own rotations, so that nothing (the identity) means the FK pose. Bones point along their +Y. Pose
+// space is the armature's.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "motus/bones/chains/limited.hpp"
+#include "motus/bones/rig.hpp"
+
+namespace motus::bones::ik {
+
+/// Bones from root to tip. The effector is the last of them: the chain's tip is its tail, and it is turned to
+/// the target as far as its place allows; or it is a child of the last one: the tip is its head, and it turns
+/// freely.
+struct ChainBones {
+    std::vector<int> bones;
+    int effector = -1;
+};
+
+/// A bone outside a chain whose parent is one of the chain's bones, to be kept from the chain's stretch.
+struct Guard {
+    int bone = -1;
+    int chain = -1;
+};
+
+/// One chain's settings; a row of numbers, as Python's table of settings has them.
+struct Settings {
+    double position_weight = 1.0;  ///< 0 to 1, of the solution over the FK rotations
+    double rotation_weight = 0.0;  ///< 0 to 1, of the target's orientation over the effector's
+    double softness = 0.0;         ///< see soft_reach(); fraction of the chain's length
+    double stretch = 0.0;          ///< 0 to 1, of what lacks between the chain's reach and the target
+    double pole_angle = 0.0;       ///< rad, about the line from root to target
+    double bend = 1.0;             ///< >= 0: towards the pole; < 0: away from it
+    double hinge_angle = 0.0;      ///< rad; the axis that a straight chain bends about is the first bone's X,
+                               ///< turned by this about its Y. Two bones whose FK pose bends otherwise, by
+                               ///< less than 8 degrees, keep to that bend while they are as straight, even
+                               ///< with a pole: so match() is exact. With three times the bend they are on
+                               ///< the pole's side
+    double tolerance = 1e-6;    ///< residual that counts as reached, as a fraction of the chain's length
+    double iterations = 100.0;  ///< of chains::solve()
+    double use_limits = 0.0;    ///< not 0: within the limits given
+    double is_on = 1.0;         ///< 0: the chain stands in its FK pose
+    double left_out = 0.0;      ///< how many of the chain's first bones stay in their FK pose; one is left
+};
+
+/// What a chain came to; a row of numbers. Residual, reason, distance, reach and tip are those of the
+/// solution with all its weight on the position, whatever position_weight.
+struct Report {
+    double residual = 0.0;  ///< |tip - target|, world
+    double angle =
+        0.0;  ///< rad, between the effector as it is turned and the target; 0 without rotation_weight
+    double reason = 0.0;  ///< a Reason; -1: a number was not finite, or the rig has no extent
+    double iterations = 0.0;
+    double distance = 0.0;  ///< root to target, world
+    double reach = 0.0;     ///< of the straight chain, unstretched, in the target's direction, world
+    glm::dvec3 tip{0.0};    ///< world
+};
+
+/// Which bones of a rig are chains, and where the results of each bone go. Immutable. A copy is the same
+/// plan; one made anew is another, even of the same bones.
+class Plan {
+  public:
+    /// std::invalid_argument, with the argument's name, for bones that do not exist or do not hang together.
+    Plan(std::vector<int> parents, std::vector<ChainBones> chains, const std::vector<Guard>& guards);
+
+    /// Bone of each result row: the chains' bones, chain by chain; effectors that are no chain bones; guards.
+    [[nodiscard]] std::span<const int> rows() const noexcept { return rows_; }
+    /// Whether a row is the bone's rotation and scale in pose space, rather than what comes on top of its
+    /// own: so it is with guards, and with effectors that are no chain bones where their chain has a guard
+    /// (the effector itself may be listed as one: it has one row all the same).
+    [[nodiscard]] std::span<const unsigned char> is_absolute() const noexcept { return is_absolute_; }
+    [[nodiscard]] std::span<const int> parents() const noexcept { return parents_; }
+    [[nodiscard]] std::size_t chain_count() const noexcept { return chains_.size(); }
+    /// Bones of all chains together: the first rows.
+    [[nodiscard]] std::size_t chain_bone_count() const noexcept { return chain_bone_count_; }
+    [[nodiscard]] std::size_t longest_chain() const noexcept { return longest_chain_; }
+    /// What the plan and its copies have in common, and no other plan has.
+    [[nodiscard]] const std::shared_ptr<const void>& identity() const noexcept { return identity_; }
+
+    /// A bone that hangs on a chain, and where its result goes.
+    struct Hanging {
+        std::size_t bone = 0;
+        std::size_t on = 0;  ///< place of its parent in the chain, with what is left out of it
+        std::size_t row = 0;
+    };
+    struct Chain {
+        std::span<const int> bones;
+        int parent = -1;           ///< of the first bone of all, -1 for none
+        std::size_t left_out = 0;  ///< bones before these that only carry the chain
+        std::size_t first_row = 0;
+        bool has_free_effector = false;  ///< no chain bone
+        bool is_effector_absolute = false;
+        Hanging effector;                 ///< read only where it is free
+        std::span<const Hanging> guards;  ///< without the effector
+    };
+    /// left_out: as in Settings, whatever it is.
+    [[nodiscard]] Chain chain(std::size_t index, double left_out = 0.0) const;
+
+  private:
+    struct Entry {
+        bool has_free_effector = false;
+        bool is_effector_absolute = false;
+        std::size_t first_row = 0;
+        std::size_t first_guard = 0;
+        std::size_t guard_count = 0;
+        Hanging effector;
+    };
+    void check_chains() const;
+    void add_effectors(const std::vector<Guard>& guards);
+    void add_guards(const std::vector<Guard>& guards);
+
+    std::vector<int> parents_;
+    std::vector<ChainBones> chains_;
+    std::vector<Entry> entries_;
+    std::vector<Hanging> guards_;  // chain by chain
+    std::vector<int> rows_;
+    std::vector<unsigned char> is_absolute_;
+    std::size_t chain_bone_count_ = 0;
+    std::size_t longest_chain_ = 0;
+    std::shared_ptr<const void> identity_ = std::make_shared<const char>();
+};
+
+struct RestBone;
+struct AnimatedBone;
+
+/// The bones of a plan's rows at rest, each beside its parent. An immutable value, right until the armature
+/// is edited; copies share it.
+class Rest {
+  public:
+    Rest() = default;  // of no plan
+    /// Reads neither poses nor basis. Numbers that are not finite are allowed. std::invalid_argument where
+    /// the rig's parents are not the plan's, or its arrays do not have as many bones.
+    Rest(const Plan& plan, const RigView& rig);
+
+    /// In the order of the plan's rows.
+    [[nodiscard]] std::span<const RestBone> rows() const noexcept;
+    [[nodiscard]] bool is_of(const Plan& plan) const noexcept { return plan_ == plan.identity(); }
+
+  private:
+    std::shared_ptr<const void> plan_;  ///< its identity
+    std::shared_ptr<const std::vector<RestBone>> rows_;
+};
+
+/// The same bones as they are animated (FK): all that a solve reads of them but where their chain's parent
+/// stands. An immutable value, right until a bone's own transform changes; copies share it.
+class Bones {
+  public:
+    Bones() = default;  // of no plan
+    /// basis: as in RigView, of all bones. std::invalid_argument where `rest` or `basis` are not the plan's.
+    Bones(const Plan& plan, Rest rest, std::span<const float> basis);
+
+    /// In the order of the plan's rows.
+    [[nodiscard]] std::span<const AnimatedBone> rows() const noexcept;
+    [[nodiscard]] bool is_of(const Plan& plan) const noexcept { return rest_.is_of(plan); }
+
+  private:
+    Rest rest_;
+    std::shared_ptr<const std::vector<AnimatedBone>> rows_;
+};
+
+/// What a solve reads. Sizes are checked by solve(); numbers that are not finite are allowed.
+struct Input {
+    Bones bones;                                  ///< of the plan
+    std::span<const float> poses;                 ///< as in RigView; read for the parents of chains
+    glm::dmat4 world{1.0};                        ///< the rig's matrix_world
+    std::span<const Settings> settings;           ///< one per chain
+    std::span<const glm::dmat4> targets;          ///< one per chain, world
+    std::span<const glm::dvec3> poles;            ///< one per chain, world; a NaN in it: none
+    std::span<const chains::JointLimits> limits;  ///< one per chain bone, chain by chain; or empty: no limits
+};
+
+/// What a solve writes.
+struct Output {
+    std::span<glm::dquat> rotations;  ///< one per row
+    std::span<glm::dvec3> scales;     ///< one per row
+    std::span<Report> report;         ///< one per chain
+};
+
+/// Solves every chain by itself. std::invalid_argument where sizes do not fit. Always finite; rows of a chain
+/// that is off are neutral (identity and 1; the FK pose where they are absolute), and so are those of one
+/// with numbers that are not finite (identity and 1 everywhere).
+void solve(const Plan& plan, const Input& input, const Output& output);
+
+/// Targets (rigid matrices) and poles, world, for which the solution of each chain is the FK pose. With
+/// stretch and softness both, an FK pose almost straight has no such target: the tip is right, the bones are
+/// a little longer. Reads no targets, poles and limits; a chain with numbers that are not finite gets the
+/// identity and a pole of NaN.
+void match(const Plan& plan, const Input& input, std::span<glm::dmat4> targets, std::span<glm::dvec3> poles);
+
+}  // namespace motus::bones::ik

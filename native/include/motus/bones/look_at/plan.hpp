@@ -1,0 +1,98 @@
+// Look-at on the bones of one rig: many heads, each with the spine below it and eyes.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "motus/bones/look_at/gaze.hpp"
+#include "motus/bones/reason.hpp"
+#include "motus/bones/rig.hpp"
+
+namespace motus::bones::look_at {
+
+/// Indices of the bones that turn to one target.
+struct Bones {
+    std::vector<int> body;  ///< from the lowest up, each above the one before, below the head; may be empty
+    int head = 0;
+    std::vector<int> eyes;  ///< above the head, in any order; may be empty
+};
+
+/// What one head looks at.
+struct Input {
+    Settings settings;
+    glm::dvec3 target{0.0};  ///< world space
+    glm::dvec3 head_forward{0.0, 0.0,
+                            1.0};  ///< axis of the head bone that points where the face does; not zero
+    glm::dvec3 eyes_forward{0.0, 1.0, 0.0};  ///< the same of each eye
+    bool is_on = true;
+};
+
+/// What came of it. Angles in the rig's space, rad.
+struct Report {
+    double angle =
+        0.0;  ///< between gaze and target: of the eyes (the worse) where they have weight, else of the head
+    std::optional<Reason> reason =
+        Reason::reached;  ///< limit: clamp or a limit keeps the gaze off; reached: nothing but
+                          ///< weights does. None: input not finite, or a bone of no size
+    double yaw = 0.0;  ///< of the target seen from the head beside the chest's forward, positive to the left
+    double pitch = 0.0;  ///< positive up
+};
+
+/// Bones of a rig that look at targets, checked once.
+///
+/// The chest is what the head stands in: its forward is the head's where the head has no rotation of its own,
+/// its up is the rig's Z as the animated chest has carried it from rest (where the face looks along Z at
+/// rest: the head bone's own Y or Z). Every gaze starts at its bone's own place; no bone moves the place it
+/// turns about, so that what the head has to turn is known once the body stands, and what the eyes have to
+/// once the head does. A head (or eye) of weight 1 and no limit therefore meets its target exactly, near ones
+/// too, whatever its parents' scales: the direction wanted is taken through the inverse of the space that the
+/// bone stands in. The body's share is that of the turn seen from the animated head.
+class Plan {
+  public:
+    /// parents: index of each bone's parent, -1 for none, in any order. Throws
+    /// std::invalid_argument where an index is none of a bone's, or the bones are not above each other as
+    /// Bones says.
+    Plan(std::span<const int> parents, std::span<const Bones> entries);
+
+    /// Bones of the result's rows: body, head, eyes of each entry.
+    [[nodiscard]] std::span<const int> rows() const noexcept { return rows_; }
+    [[nodiscard]] std::span<const int> parents() const noexcept { return parents_; }
+    [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
+
+    /// One input, and one report, an entry; one rotation a row: of the bone's own rotation, on top of the
+    /// animated one (rotation of PoseBone.matrix_basis * result), w >= 0. Without a turn (weight 0, off,
+    /// target at the head itself, input not finite) exactly the identity. world: the rig's matrix_world.
+    /// RigView::lengths is not read. Allocates nothing; every result is finite. Throws std::invalid_argument
+    /// where a span has another size, or the rig's parents are not the plan's.
+    void solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
+               std::span<glm::dquat> rotations, std::span<Report> reports) const;
+
+  private:
+    /// A bone on the way up, and where its result goes; none where it only carries the next one.
+    struct Link {
+        std::size_t bone = 0;
+        std::optional<std::size_t> row;
+    };
+    struct Entry {
+        std::vector<Link> body;   ///< up to, not with, the head
+        std::size_t turning = 0;  ///< how many of them have a row
+        Link head;
+        std::vector<std::vector<Link>> eyes;  ///< each from above the head up to the eye
+        std::size_t first_row = 0;
+        std::size_t row_count = 0;
+    };
+    class Solver;
+
+    [[nodiscard]] std::vector<Link> way(int from, int above, const char* what) const;
+    void add(const Bones& bones);
+
+    std::vector<int> parents_;
+    std::vector<int> rows_;
+    std::vector<Entry> entries_;
+};
+
+}  // namespace motus::bones::look_at

@@ -1,0 +1,15 @@
+// Why a chain ends where it ends.
+#pragma once
+
+namespace motus::bones {
+
+/// What kept the end of a chain from its target. The codes are part of the Python interface.
+enum class Reason : int {
+    reached = 0,     ///< the end is on the target, within the tolerance
+    too_far = 1,     ///< the target is farther than the chain reaches (or than softness lets it)
+    too_near = 2,    ///< the target is nearer to the root than the chain can fold
+    limit = 3,       ///< a joint limit is in the way
+    iterations = 4,  ///< the iterations allowed were used up
+};
+
+}  // namespace motus::bones

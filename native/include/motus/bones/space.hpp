@@ -1,0 +1,72 @@
+// The linear part of a bone's parent space: what rotates and scales it, whatever its location.
+#pragma once
+#include <glm/geometric.hpp>
+#include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
+#include "motus/bones/bone.hpp"
+
+namespace motus::bones {
+
+/// A bone at rest beside its parent.
+struct Offset {
+    glm::dmat3 turn{1.0};         ///< axes in the parent's at rest; in armature space without a parent
+    glm::dvec3 head{0.0};         ///< place in the parent's at rest; in armature space without a parent
+    glm::dmat3 parent_turn{1.0};  ///< axes of the parent at rest, armature space
+    bool has_parent = false;
+    bool inherit_rotation = true;
+    bool local_location = true;
+    InheritScale inherit_scale = InheritScale::full;
+};
+
+[[nodiscard]] Offset offset_of(const Rest& bone);
+
+/// rotation_scale and post_scale of ParentSpace without locations.
+struct LinearSpace {
+    glm::dmat3 axes{1.0};
+    glm::dvec3 post_scale{1.0};
+};
+
+/// Whether the space is parent_pose * turn and nothing else.
+[[nodiscard]] inline bool is_plain(const Offset& bone) {
+    return bone.inherit_rotation && bone.inherit_scale == InheritScale::full;
+}
+
+/// The rules for a bone that is_plain() does not hold for and that has a parent.
+[[nodiscard]] LinearSpace special_space(const Offset& bone, const glm::dmat3& parent_pose);
+
+/// Space of a bone whose parent's pose has these axes (armature space; not read without a parent).
+[[nodiscard]] inline LinearSpace linear_space(const Offset& bone, const glm::dmat3& parent_pose) {
+    if (!bone.has_parent) return {bone.turn, glm::dvec3(1.0)};
+    if (is_plain(bone)) return {parent_pose * bone.turn, glm::dvec3(1.0)};
+    return special_space(bone, parent_pose);
+}
+
+/// Axes scaled one by one.
+[[nodiscard]] inline glm::dmat3 scaled(const glm::dmat3& axes, const glm::dvec3& scale) {
+    return {scale.x * axes[0], scale.y * axes[1], scale.z * axes[2]};
+}
+
+/// Blender's removal of shear with Y as the axis that keeps its direction: X and Z lose what they have along
+/// it, then share the turn that makes them perpendicular; the volume stays, or with `unit` every axis becomes
+/// one long.
+[[nodiscard]] glm::dmat3 without_shear(const glm::dmat3& axes, bool unit);
+
+/// Inverse of axes that lie in a plane, or nearly: one without length is taken as one long and across the
+/// others; one that the others span, as perpendicular to them.
+[[nodiscard]] glm::dmat3 inverse_of_flat(const glm::dmat3& axes);
+
+/// Inverse of a bone's axes, finite whatever they are.
+[[nodiscard]] inline glm::dmat3 inverse_axes(const glm::dmat3& axes) {
+    const glm::dvec3 yz = glm::cross(axes[1], axes[2]);
+    const double volume = glm::dot(axes[0], yz);
+    const double box = glm::dot(axes[0], axes[0]) * glm::dot(axes[1], axes[1]) * glm::dot(axes[2], axes[2]);
+    constexpr double flat = 1e-28;  // squared
+    if (!(volume * volume > flat * box) || box < 1e-250) return inverse_of_flat(axes);
+    const double scale = 1.0 / volume;
+    return glm::transpose(
+        glm::dmat3(scale * yz, scale * glm::cross(axes[2], axes[0]), scale * glm::cross(axes[0], axes[1])));
+}
+
+}  // namespace motus::bones

@@ -1,0 +1,51 @@
+// Arithmetic as IEEE 754 has it, whatever mode the program has set. For the topics of the library alone.
+#pragma once
+#if defined(__x86_64__)
+#include <xmmintrin.h>
+#endif
+
+namespace motus {
+
+/// The thread's floating-point mode for a scope: rounds to nearest, and keeps numbers too small for a full
+/// mantissa. Programs let threads take such numbers for 0 (FTZ and DAZ).
+class IeeeFloats {
+  public:
+#if defined(__x86_64__)
+    IeeeFloats() : was_(_mm_getcsr()), is_other_((was_ & ~flags) != standard) {
+        if (is_other_) _mm_setcsr(standard);
+    }
+    ~IeeeFloats() {
+        if (is_other_) _mm_setcsr(was_);
+    }
+#else
+    IeeeFloats() = default;
+    ~IeeeFloats() = default;
+#endif
+    IeeeFloats(const IeeeFloats&) = delete;
+    IeeeFloats& operator=(const IeeeFloats&) = delete;
+    IeeeFloats(IeeeFloats&&) = delete;
+    IeeeFloats& operator=(IeeeFloats&&) = delete;
+
+#if defined(__x86_64__)
+  private:
+    static constexpr unsigned standard = 0x1f80;  // no traps, to nearest, neither FTZ nor DAZ
+    static constexpr unsigned flags = 0x3f;       // what has happened so far
+    unsigned was_;
+    bool is_other_;
+#endif
+};
+
+/// A call that compilers move no arithmetic into or out of: to them the mode is no input of it.
+template <class Work>
+[[gnu::noinline]] auto call_apart(const Work& work) {
+    return work();
+}
+
+/// Calls work() in that mode. Threads that it starts have it too: theirs is their starter's, or the standard.
+template <class Work>
+auto in_ieee_floats(const Work& work) {
+    const IeeeFloats mode;
+    return call_apart(work);
+}
+
+}  // namespace motus

@@ -1,0 +1,93 @@
+// Arc length of a curve and its inverse, to 1e-10 of the length and better.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <span>
+
+#include "motus/core/cache.hpp"
+#include "motus/curve/curve.hpp"
+
+namespace motus::curve {
+
+class SpeedTable;
+class InverseTable;
+
+/// Arc length tables of one curve: immutable to the eye, safe to share between threads; what it answers
+/// depends on the curve and the argument alone.
+///
+/// Forward: the speed |C'(t)| as Chebyshev series over adaptive pieces of t (cusps included), integrated term
+/// by term: adaptive Clenshaw-Curtis quadrature whose running integral is a polynomial, too. Inverse: t(s) as
+/// polynomials over adaptive intervals of s, refined until the distance error, measured against the forward
+/// table, is <= 1e-12 of the length; a uniform bucket index makes the look-up O(1). Built on first use.
+class ArcLength {
+  public:
+    explicit ArcLength(Curve curve);
+    ~ArcLength();
+    ArcLength(const ArcLength&) = delete;
+    ArcLength& operator=(const ArcLength&) = delete;
+    ArcLength(ArcLength&&) = delete;
+    ArcLength& operator=(ArcLength&&) = delete;
+
+    [[nodiscard]] const Curve& curve() const noexcept { return curve_; }
+    /// Total length in the curve's unit; gaps between segments do not count. 0 for a degenerate curve.
+    [[nodiscard]] double length() const noexcept { return length_; }
+    /// Distance along the curve at parameter t (clamped). Error <= 1e-12 of the length.
+    [[nodiscard]] double length_at(double t) const;
+    /// Parameter at distance s (clamped). Error <= 1e-10 of the length in s. Where the curve rests (a segment
+    /// of zero length), one of its parameters; 0 on a curve of zero length.
+    [[nodiscard]] double t_at_length(double s) const;
+    /// Distance at which segment i begins; i = segment_count() gives the length.
+    [[nodiscard]] double segment_start(std::size_t index) const;
+
+    /// Evaluations of the curve that building took, and intervals of the inverse (builds it): what a test can
+    /// count where milliseconds would depend on the machine.
+    [[nodiscard]] std::size_t evaluation_count() const noexcept;
+    [[nodiscard]] std::size_t interval_count() const;
+    /// What it takes now; more once the inverse is built.
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    [[nodiscard]] const InverseTable& inverse() const;
+
+    Curve curve_;
+    std::unique_ptr<const SpeedTable> speed_;
+    double length_ = 0.0;
+    mutable std::mutex building_;
+    mutable std::unique_ptr<const InverseTable> inverse_owner_;
+    mutable std::atomic<const InverseTable*> inverse_{nullptr};
+};
+
+/// Distance s at which position_at_length(path, s, extend) is position(curve, t, extend): inside [0, length]
+/// as ArcLength::length_at; outside, whole lengths are added (loop, ping_pong), or the speed at that end
+/// times the parameter beyond it (extrapolate).
+[[nodiscard]] double length_at(const ArcLength& path, double t, Extend extend);
+
+/// Parameter at distance s, and the distance left beyond that end of the curve (extrapolate only; < 0 before
+/// the start).
+[[nodiscard]] Extended t_at_length(const ArcLength& path, double s, Extend extend);
+
+/// Position at distance s; outside [0, length] as `extend` says, extrapolated along the unit tangent of that
+/// end.
+[[nodiscard]] glm::dvec3 position_at_length(const ArcLength& path, double s, Extend extend = Extend::clamp);
+
+/// The same for many distances. Allocates nothing. Throws std::invalid_argument where the sizes differ.
+void positions_at_length(const ArcLength& path, std::span<const double> s, Extend extend,
+                         std::span<glm::dvec3> out);
+
+struct Hash {
+    [[nodiscard]] std::size_t operator()(const Curve& curve) const noexcept;
+};
+struct ArcLengthBytes {
+    [[nodiscard]] std::size_t operator()(const Curve& curve, const ArcLength& path) const noexcept;
+};
+using ArcLengthCache = Cache<Curve, ArcLength, Hash, ArcLengthBytes>;
+
+/// The process's cache of arc length tables.
+[[nodiscard]] ArcLengthCache& arc_length_cache();
+
+/// Tables of a curve, from the cache or built.
+[[nodiscard]] std::shared_ptr<const ArcLength> shared_arc_length(const Curve& curve);
+
+}  // namespace motus::curve

@@ -1,0 +1,113 @@
+// Free-form deformation by a lattice, and lattices that are pulled by points of what they deform.
+// Sederberg, Parry, "Free-Form Deformation of Solid Geometric Models" (1986); the bases of Blender's Lattice
+// modifier; Hsu, Hughes, Kaufman, "Direct Manipulation of Free-Form Deformations" (1992).
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/mat3x3.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace motus::lattice {
+
+/// How far each lattice point is heard along one axis. With n points at equal steps:
+///   bernstein           all of them, the polynomials of degree n - 1 over the whole axis
+///   linear              the two around a place
+///   bspline             the four around it, uniform cubic; the surface does not pass through the points
+///   catmull_rom         the four around it, through the points; tangents half of the way between the
+///   neighbours cardinal            the same with tangents 0.71 of that way
+/// Beyond the ends the last point takes the place of those that are missing, as in Blender.
+enum class Basis { bernstein, linear, cardinal, catmull_rom, bspline };
+
+inline constexpr int max_resolution = 64;  ///< points along an axis, Blender's own limit
+
+/// Pulls at once, on lattices of which they move as many points: the work grows with the cube of the smaller
+/// of both numbers.
+inline constexpr std::size_t max_pulls = 1000;
+
+/// A lattice at rest: a grid of points in a parallelepiped. Any space, any unit of length. Points are counted
+/// with u fastest, then v, then w.
+struct Lattice {
+    glm::dvec3 origin{0.0};  ///< of the first point
+    glm::dmat3 axes{1.0};    ///< columns: from the first to the last point along u, v and w; independent
+    std::array<int, 3> resolution{2, 2,
+                                  2};  ///< points along u, v, w: 1 to max_resolution; 1: no change along it
+    std::array<Basis, 3> basis{Basis::bspline, Basis::bspline, Basis::bspline};
+};
+
+[[nodiscard]] std::size_t point_count(const Lattice& lattice);
+
+/// Where the points are at rest, point_count() of them. This and what follows throws std::invalid_argument
+/// where the resolution is out of its domain, or the axes are not finite or not independent.
+[[nodiscard]] std::vector<glm::dvec3> rest_points(const Lattice& lattice);
+
+/// How much each lattice point moves a place: the place moves by the sum of weight * displacement of the
+/// point. The weights' sum is 1 (to 1e-15; none is negative but for cardinal and catmull_rom).
+struct Weights {
+    std::vector<std::uint32_t> points;  ///< ascending, each once
+    std::vector<double> weights;
+};
+
+[[nodiscard]] Weights weights_at(const Lattice& lattice, const glm::dvec3& place);
+
+/// What a lattice does to positions beyond its points; empty spans mean 1 everywhere.
+struct Influence {
+    std::span<const float>
+        positions;  ///< factor of each position: the modifier's strength times the vertex's weight
+    std::span<const float> points;  ///< weight of each lattice point (Blender's vertex group of the lattice)
+};
+
+/// out[i] = positions[i] + f (sum of weight * displacement), f the influence. `displacements` are those of
+/// the lattice points from rest, in the space of the positions. With weights of lattice points w the change
+/// is faded once more by f (sum of weight * w), as in Blender. `out` may be `positions`. Positions where f is
+/// 0 keep their bits. Computed in single precision on several threads; the bits do not depend on their
+/// number. Throws std::invalid_argument where sizes differ.
+void deform(const Lattice& lattice, std::span<const glm::vec3> displacements, const Influence& influence,
+            std::span<const glm::vec3> positions, std::span<glm::vec3> out);
+
+/// Part of a point that is pulled: `share` of a place, which the lattice moves with that influence. A point
+/// on a triangle has three parts, whose shares are its barycentric coordinates.
+struct Part {
+    std::size_t pull = 0;   ///< index of the pull
+    glm::dvec3 place{0.0};  ///< before the lattice deforms it
+    double share = 1.0;
+    double influence = 1.0;  ///< as Influence::positions
+};
+
+struct PullOptions {
+    /// Bound, > 0: the lattice points together (root of the sum of squares) move no more than so many times
+    /// as much as the pulls by themselves, each at full influence, would need. What asks for more (opposite
+    /// pulls on neighbours, a vertex of nearly no weight) stays behind, continuously.
+    double max_gain = 32.0;
+    /// Only points of the outside move by themselves, and those inside follow as with Blender's "Outside".
+    bool outside_only = false;
+    std::span<const float> point_weights;  ///< Influence::points
+};
+
+/// The smallest displacements (by the sum of squares) of the lattice points, additional to any they have, by
+/// which each pull's point moves by displacements[pull], or where that is not possible as nearly as can be
+/// (least squares). Returns what is left, displacement - reached, for each pull. out: point_count() values.
+/// Throws std::invalid_argument where sizes differ, a part names no pull, a value is not finite, both the
+/// pulls and the lattice points that they move are more than max_pulls, or the weights of all pulls'
+/// points, which are kept, are more than 16 million (in no basis of Blender's).
+std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const Part> parts,
+                                     std::span<const glm::dvec3> displacements, const PullOptions& options,
+                                     std::span<glm::dvec3> out);
+
+/// A box of any orientation.
+struct OrientedBox {
+    glm::dvec3 center{0.0};
+    glm::dmat3 axes{1.0};  ///< columns: orthonormal and right-handed
+    glm::dvec3 size{0.0};  ///< whole lengths along them, >= 0
+};
+
+/// The box along given orthonormal axes around all points; at the origin and of no size where there are none.
+[[nodiscard]] OrientedBox box_along(std::span<const glm::vec3> points, const glm::dmat3& axes);
+
+/// A small box around all points: none along one of its own axes and turned about it is smaller, nor is the
+/// box along the given axes. Its axes are named and signed to be near those.
+[[nodiscard]] OrientedBox small_box(std::span<const glm::vec3> points, const glm::dmat3& axes);
+
+}  // namespace motus::lattice

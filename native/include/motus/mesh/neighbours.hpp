@@ -1,0 +1,46 @@
+// Which triangles and edges meet at each vertex of a mesh.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace motus::mesh {
+
+/// What lies around each vertex, packed one vertex after the other. Reads only the connections: it holds
+/// whatever the positions are.
+class Neighbours {
+  public:
+    Neighbours() = default;
+
+    /// `edges` are the mesh's own: triangles of a mesh of quads have diagonals that are no edges. Edges
+    /// without a triangle (wires) count as surface of no width. Triangles and edges with the same vertex
+    /// twice are left out. Throws std::invalid_argument where an index is not of [0, vertex_count).
+    Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles,
+               std::span<const glm::ivec2> edges);
+    /// Every side of a triangle is an edge.
+    Neighbours(std::size_t vertex_count, std::span<const glm::ivec3> triangles);
+
+    [[nodiscard]] std::size_t vertex_count() const noexcept {
+        return fan_starts_.empty() ? 0 : fan_starts_.size() - 1;
+    }
+    /// The other two vertices of each triangle at `vertex`, in the triangles' order; then, twice the same,
+    /// the far end of each wire.
+    [[nodiscard]] std::span<const glm::uvec2> fan(std::uint32_t vertex) const noexcept {
+        return std::span(fans_).subspan(fan_starts_[vertex], fan_starts_[vertex + 1] - fan_starts_[vertex]);
+    }
+    /// The far end of each edge at `vertex`, in the edges' order (sides of triangles: ascending).
+    [[nodiscard]] std::span<const std::uint32_t> edge_ends(std::uint32_t vertex) const noexcept {
+        return std::span(ends_).subspan(end_starts_[vertex], end_starts_[vertex + 1] - end_starts_[vertex]);
+    }
+
+  private:
+    std::vector<std::uint32_t> fan_starts_;  ///< vertex_count + 1
+    std::vector<glm::uvec2> fans_;
+    std::vector<std::uint32_t> end_starts_;  ///< vertex_count + 1
+    std::vector<std::uint32_t> ends_;
+};
+
+}  // namespace motus::mesh

@@ -1,0 +1,15 @@
+// The vertices within reach of a root, and how far away they are.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace motus::mesh {
+
+/// Vertices, ascending and each once, with one distance each. What the distance is (straight, along the
+/// surface, in edges) is said where it is measured.
+struct Reach {
+    std::vector<std::uint32_t> vertices;
+    std::vector<float> distances;  ///< >= 0, finite
+};
+
+}  // namespace motus::mesh

@@ -1,0 +1,51 @@
+// Followers on a curve: positions and orientations of many objects at one time.
+#pragma once
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "motus/curve/extend.hpp"
+#include "motus/path/frames.hpp"
+#include "motus/path/timing.hpp"
+
+namespace motus::path {
+
+/// What the rate of a lagging orientation grows with.
+enum class LagBy {
+    acceleration,  ///< |C''(t)|, the second derivative by the curve's parameter (the original's measure of
+                   ///< the bend)
+    curvature,     ///< 1 / length unit
+};
+
+/// How distances become poses.
+struct FollowSettings {
+    curve::Extend extend = curve::Extend::clamp;  ///< extrapolate keeps the end's frame
+    glm::dquat axes{1.0, 0.0, 0.0, 0.0};  ///< turns the follower's own forward and up axes to +Y and +Z
+    bool rotate = true;                   ///< off: all rotations are the identity
+    double lag_rate = 0.0;  ///< > 0: orientation trails the target at lag_rate * bend per second
+    LagBy lag_by = LagBy::acceleration;
+};
+
+/// How far back a lagging orientation remembers, s.
+inline constexpr double lag_memory = 120.0;
+
+/// Poses at `time` seconds of followers that are `offsets` ahead (+) or behind (-) along the arc.
+/// Writes offsets.size() locations and rotations, allocates nothing (lag apart). A function of its arguments
+/// alone.
+///
+/// With lag the orientation starts on its target at time 0, or lag_memory seconds ago where that is later,
+/// and moves towards it along the shortest arc at the rate stated; before time 0 it is on its target.
+/// Its steps are 1/120 s, and longer if they are more than 10 s old, up to 1/300 of their age: at most 2300
+/// steps for one follower. The long steps move the orientation by less than 1e-4 rad; by less than 0.01 rad
+/// if the target has jumped meanwhile; by less than 0.3 rad if the target has run more than half a turn
+/// ahead, so that the shortest arc turned over. By as little may it jump as time goes on, and else it is
+/// continuous. Throws std::invalid_argument where a span's size differs, time, an offset, or the timing's
+/// distance or speed at that time is not finite, or lag_rate is not >= 0.
+void follow(const Frames& frames, const Timing& timing, double time, std::span<const double> offsets,
+            const FollowSettings& settings, std::span<glm::dvec3> locations, std::span<glm::dquat> rotations);
+
+/// The rotation that takes a follower's `forward` axis to +Y and its `up` axis to +Z (both one of +-X, +-Y,
+/// +-Z, and across each other, else std::invalid_argument).
+[[nodiscard]] glm::dquat follower_axes(const glm::dvec3& forward, const glm::dvec3& up);
+
+}  // namespace motus::path

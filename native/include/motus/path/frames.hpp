@@ -1,0 +1,99 @@
+// Orientation along a curve: which way is up at every distance.
+// Quaternions turn +Y to the tangent and +Z to up.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <vector>
+
+#include "motus/core/cache.hpp"
+#include "motus/curve/arc_length.hpp"
+
+namespace motus::path {
+
+enum class FrameMode {
+    world_up,   ///< world up across the tangent; led through smoothly where the tangent nears the vertical
+    minimal,    ///< rotation-minimising from world up at the start; closes without a seam on a cyclic curve
+    banking,    ///< along the apparent gravity g z + k a, a = speed^2 * curvature towards the centre of the
+                ///< bend
+    curvature,  ///< towards the centre of the first bend; its axis is carried on through inflexions without a
+                ///< flip
+    tilt,       ///< world up, turned about the tangent (right-handed) by tilt values at the curve's points
+};
+
+/// What the modes need beyond the curve; a mode reads only its own fields.
+struct FrameSettings {
+    FrameMode mode = FrameMode::minimal;
+    bool outward = false;   ///< curvature: up away from the centre of the bend instead of towards it
+    double gravity = 9.81;  ///< banking: length unit / s^2, > 0
+    double strength = 1.0;  ///< banking: k; 1 is the turn an aircraft would fly, < 0 leans outward
+    double limit = 3.2;     ///< banking: largest roll away from world up, rad, >= 0; >= pi means none.
+                            ///< Approached smoothly over its last fifth; upside down counts as no roll
+    double smoothing =
+        0.0;  ///< banking, curvature: width of the symmetric filter along the arc, length unit, >= 0
+    std::vector<double> tilt;  ///< tilt: rad, one per point of the curve (segment_count() + 1, or
+                               ///< segment_count() if cyclic), linear in t between
+};
+
+/// A place and an orientation.
+struct Pose {
+    glm::dvec3 location{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+};
+
+class FrameTables;
+
+/// Frames of one curve under one set of settings: a table of rotation-minimising frames (double reflection:
+/// Wang, Juettler, Zheng, Liu, "Computation of Rotation Minimizing Frames", ACM TOG 27 (2008)) and, for the
+/// modes that need it, of the way past the places where the mode shows no direction. Immutable, safe to share
+/// between threads; a copy shares the tables. Continuous in s for every mode wherever the tangent is; at a
+/// corner the frame turns by the least rotation that takes one tangent to the other, at a reversal about up.
+/// The identity on a curve of zero length.
+class Frames {
+  public:
+    /// Builds the tables. Throws std::invalid_argument where a setting that the mode reads is outside its
+    /// domain.
+    Frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
+
+    /// Orientation at distance s (clamped), moving at `speed` (length unit / s; only banking reads it).
+    [[nodiscard]] glm::dquat at(double s, double speed) const;
+    /// The same with the position.
+    [[nodiscard]] Pose pose(double s, double speed) const;
+    [[nodiscard]] const curve::ArcLength& path() const noexcept;
+    /// Frames in the table; no more than 2 degrees of turning lie between neighbours, corners and cusps
+    /// apart.
+    [[nodiscard]] std::size_t station_count() const noexcept;
+
+  private:
+    friend Frames shared_frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
+    Frames(std::shared_ptr<const FrameTables> tables, FrameSettings settings);
+
+    std::shared_ptr<const FrameTables> tables_;
+    FrameSettings settings_;
+};
+
+/// The same, with the tables from the process's cache or built for it. They depend on the curve, the mode and
+/// the smoothing alone, so that the other settings may change from frame to frame.
+[[nodiscard]] Frames shared_frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
+
+/// What frame tables are made from.
+struct FrameTablesKey {
+    curve::Curve curve;
+    FrameMode mode = FrameMode::minimal;
+    double smoothing = 0.0;
+    [[nodiscard]] bool operator==(const FrameTablesKey&) const = default;
+};
+
+struct FrameTablesHash {
+    [[nodiscard]] std::size_t operator()(const FrameTablesKey& key) const noexcept;
+};
+struct FrameTablesBytes {
+    [[nodiscard]] std::size_t operator()(const FrameTablesKey& key, const FrameTables& tables) const noexcept;
+};
+using FrameTablesCache = Cache<FrameTablesKey, FrameTables, FrameTablesHash, FrameTablesBytes>;
+
+/// The process's cache of frame tables.
+[[nodiscard]] FrameTablesCache& frame_tables_cache();
+
+}  // namespace motus::path

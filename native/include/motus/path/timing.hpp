@@ -1,0 +1,91 @@
+// Where on the way at which time: ease, constant speed, and profiles through samples.
+#pragma once
+#include <cstddef>
+#include <span>
+#include <variant>
+#include <vector>
+
+namespace motus::path {
+
+/// Fraction of the way at fraction u of the time (clamped to [0, 1]): constant acceleration up to ease_in,
+/// constant deceleration from 1 - ease_out. Throws std::invalid_argument where a fraction is outside [0, 1],
+/// their sum is above 1 (by more than rounding), or a value is not finite.
+[[nodiscard]] double ease(double u, double ease_in, double ease_out);
+
+/// d ease / d u; 0 at the ends where there is ease, and outside [0, 1].
+[[nodiscard]] double ease_derivative(double u, double ease_in, double ease_out);
+
+/// What comes after an eased way. rest: the end is held. go_on: its last speed is held. repeat: the way
+/// begins again, each time from where it ended, so that the distance keeps growing.
+enum class AfterEase { rest, go_on, repeat };
+
+/// Distance as a function of time: seconds from the start, and the curve's unit of length. Value type,
+/// immutable.
+///
+/// Every factory throws std::invalid_argument where a value is not finite or outside the stated domain,
+/// or a speed or a time that follows from the values overflows.
+class Timing {
+  public:
+    /// `length` in `duration` seconds (> 0) with ease; before 0 it rests, later than `duration` it does as
+    /// `after` says.
+    [[nodiscard]] static Timing eased(double duration, double length, double ease_in, double ease_out,
+                                      AfterEase after = AfterEase::rest);
+    /// distance = speed * time, for all times.
+    [[nodiscard]] static Timing constant(double speed);
+    /// Monotone cubic through (time, distance) pins, times strictly increasing, >= 1 pin; rests outside.
+    /// Between pins of equal distance it stands still. Fritsch and Carlson, "Monotone Piecewise Cubic
+    /// Interpolation", SIAM J. Numer. Anal. 17 (1980); slopes by Fritsch and Butland's harmonic mean, SIAM J.
+    /// Sci. Stat. Comput. 5 (1984).
+    [[nodiscard]] static Timing pins(std::span<const double> times, std::span<const double> distances);
+    /// Exact integral of a speed given at strictly increasing times (linear in between, held outside), 0 at
+    /// time 0. A negative speed moves backwards.
+    [[nodiscard]] static Timing speeds(std::span<const double> times, std::span<const double> speeds);
+    /// Solution of ds/dt = v(s) for a speed > 0 given at strictly increasing distances (linear in between,
+    /// held outside), distance 0 at time 0. Exact: exponentials between the samples.
+    [[nodiscard]] static Timing speeds_by_distance(std::span<const double> distances,
+                                                   std::span<const double> speeds);
+
+    [[nodiscard]] double distance(double time) const;
+    /// d distance / d time; at a jump of the speed the one that follows.
+    [[nodiscard]] double speed(double time) const;
+
+  private:
+    struct Eased {
+        double duration, length, ease_in, ease_out;
+        AfterEase after;
+        [[nodiscard]] double distance(double time) const;
+        [[nodiscard]] double speed(double time) const;
+    };
+
+    /// distance = value + slope h + bend h^2 + twist h^3 with h the time since `time`.
+    struct Cubic {
+        double time, value, slope, bend, twist;
+    };
+    /// Piece i holds from its time to the next one's; the first also before, the last also after.
+    struct Cubics {
+        std::vector<Cubic> pieces;
+        [[nodiscard]] const Cubic& at(double time) const;
+        [[nodiscard]] double distance(double time) const;
+        [[nodiscard]] double speed(double time) const;
+    };
+    /// Throws std::invalid_argument where the numbers given were too far apart for the pieces to be finite.
+    [[nodiscard]] static Cubics checked(Cubics cubics, const char* message);
+
+    /// ds/dt = speed + growth (s - start) with s = start at `time`.
+    struct Exponential {
+        double time, start, speed, growth;
+    };
+    struct Exponentials {
+        std::vector<Exponential> pieces;
+        [[nodiscard]] const Exponential& at(double time) const;
+        [[nodiscard]] double distance(double time) const;
+        [[nodiscard]] double speed(double time) const;
+    };
+
+    using Profile = std::variant<Eased, Cubics, Exponentials>;
+    explicit Timing(Profile profile);
+
+    Profile profile_;
+};
+
+}  // namespace motus::path

@@ -1,0 +1,255 @@
+#include "limited_lead.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <numbers>
+
+#include "limited_step.hpp"
+#include "motus/bones/chains/bend_plane.hpp"
+#include "motus/bones/turns.hpp"
+#include "motus/core/numeric.hpp"
+
+namespace motus::bones::chains {
+namespace {
+
+constexpr double closed = 1e-9;  // a tip nearer to the root shows no direction
+constexpr int turn_steps = 8;    // of a root with limits, from the pose's line to the target's
+
+struct Line {
+    glm::dvec3 along{0.0, 1.0, 0.0};
+    double length = 0.0;
+};
+
+Line line_of(const LimitedPose& pose) {
+    const double length = glm::length(pose.tip());
+    const glm::dvec3 shown = unit_vector(length > closed ? pose.tip() : pose.joint(1));
+    return {shown != glm::dvec3(0.0) ? shown : glm::dvec3(0.0, 1.0, 0.0), length};
+}
+
+/// Sum of the cross products of all pairs of bones: the normal of the plane that the pose bends in.
+glm::dvec3 area_of(const LimitedPose& pose) {
+    glm::dvec3 area(0.0);
+    for (std::size_t i = 1; i < pose.count(); ++i)
+        area += glm::cross(pose.joint(i + 1) - pose.joint(i), pose.joint(i));
+    return area;
+}
+
+/// Angle between two equal bones whose ends are so far apart, as a share of their length.
+double bend_at(double distance) {
+    return std::sqrt(8.0 * std::max(0.0, 1.0 - distance));
+}
+
+bool is_free(const JointLimits& limits) {
+    return std::isinf(limits.min.x) && std::isinf(limits.max.x) && std::isinf(limits.min.z) &&
+           std::isinf(limits.max.z) && limits.max.y - limits.min.y >= 6.28;
+}
+
+/// How a joint's swing changes by a turn about `axis` (in the chain's space), about.
+glm::dvec2 swing_about(const LimitedPose& pose, std::size_t bone, const glm::dvec3& axis) {
+    const glm::dvec3 seen = glm::conjugate(pose.socket(bone)) * axis;
+    return {seen.x, seen.z};
+}
+
+/// How far the joints' limits let them turn about `axis`, up to a radian each.
+double room_about(const LimitedPose& pose, const glm::dvec3& axis) {
+    double room = 0.0;
+    for (std::size_t i = 1; i < pose.count(); ++i) {
+        const glm::dvec2 swing = pose.angles()[i].swing;
+        room += glm::distance(clamp_swing(swing + swing_about(pose, i, axis), pose.limits(i)), swing);
+    }
+    return room;
+}
+
+/// The side of a hinge that leaves it the most room.
+glm::dvec2 widest_way(const glm::dvec2& swing, const JointLimits& limits) {
+    glm::dvec2 best(0.0);
+    for (const glm::dvec2 way : {glm::dvec2(1.0, 0.0), {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}) {
+        const glm::dvec2 moved = clamp_swing(swing + way, limits) - swing;
+        if (glm::length(moved) > glm::length(best) + 1e-9) best = moved;
+    }
+    return best;
+}
+
+/// Bends a pose by `angle` in all, to the side of the normal or, where limits leave more room by far on the
+/// other, to that; hinges across the normal each as they can.
+void bend(LimitedPose& pose, const glm::dvec3& normal, double angle) {
+    constexpr double little = 0.25;  // of the other side's room
+    const double room = room_about(pose, -normal);
+    const double other_room = room_about(pose, normal);
+    const double inner = static_cast<double>(pose.count() - 1);
+    const bool is_across = std::max(room, other_room) < 0.05 * inner;
+    const glm::dvec3 axis = room < little * other_room ? normal : -normal;
+    Angles bent;
+    bent[0] = pose.angles()[0];
+    for (std::size_t i = 1; i < pose.count(); ++i) {
+        bent[i] = pose.angles()[i];
+        const glm::dvec2 way =
+            is_across ? widest_way(bent[i].swing, pose.limits(i)) : swing_about(pose, i, axis);
+        bent[i].swing = clamp_swing(bent[i].swing + angle / inner * way, pose.limits(i));
+    }
+    pose.set(bent);
+}
+
+/// Turns the root, as far as it may.
+void turn_root(LimitedPose& pose, const glm::dquat& turn) {
+    const glm::dquat& socket = pose.socket(0);
+    const glm::dquat rotation = glm::normalize(glm::conjugate(socket) * turn * pose.frame(0));
+    Angles turned;
+    std::copy_n(pose.angles().begin(), pose.count(), turned.begin());
+    turned[0] = swing_twist_of(clamp_rotation(rotation, pose.limits(0)));
+    turned[0] = {clamp_swing(turned[0].swing, pose.limits(0)), clamp_twist(turned[0].twist, pose.limits(0))};
+    pose.set(turned);
+}
+
+/// Tells when steps do not pay any more: the target is out of the limits' reach.
+class Progress {
+  public:
+    [[nodiscard]] bool ends_at(double miss) {
+        constexpr double less = 0.98;
+        constexpr int patience = 5;
+        if (miss < less * best_) {
+            best_ = miss;
+            idle_ = 0;
+        }
+        return ++idle_ > patience;
+    }
+
+  private:
+    double best_ = std::numeric_limits<double>::infinity();
+    int idle_ = 0;
+};
+
+class Lead {
+  public:
+    Lead(LimitedPose& pose, const LeadGoal& goal, int max_steps)
+        : pose_(pose),
+          goal_(goal),
+          from_(line_of(pose)),
+          distance_(glm::length(goal.target)),
+          left_(max_steps) {
+        const glm::dvec3 shown = unit_vector(goal.target);
+        to_ = shown != glm::dvec3(0.0) ? shown : from_.along;
+    }
+
+    int run() {
+        const int most = left_;
+        if (!goal_.side && is_at(goal_.target)) return 0;
+        const glm::dvec3 normal = find_normal();
+        turn_ = smallest_turn(from_.along, to_, normal);
+        const double angle = goal_.side ? angle_to_side(turn_ * normal) : 0.0;
+        start_bending();
+        stretch(std::min(most, 40));
+        const Line now = line_of(pose_);
+        back_ = smallest_turn(now.along, from_.along, normal);
+        if (is_free(pose_.limits(0))) {
+            turn_root(pose_, place(angle, 1.0));
+        } else {
+            turn_with_limits(angle);
+        }
+        pull(goal_.target, most);
+        return most - left_;
+    }
+
+  private:
+    [[nodiscard]] bool is_at(const glm::dvec3& place) const {
+        return glm::distance(pose_.tip(), place) <= goal_.tolerance;
+    }
+
+    /// How straight the pose is: 1 to a bend of 1 degree, 0 from 8 on.
+    [[nodiscard]] double straightness() const {
+        return 1.0 - certainty_of_bend(std::sin(std::min(bend_at(from_.length), 0.5 * std::numbers::pi)));
+    }
+
+    /// Of the plane that the pose bends in, as it will be when it is bent.
+    glm::dvec3 find_normal() {
+        straight_ = pose_.count() > 1 ? straightness() : 0.0;
+        const glm::dvec3 given = normal_across(from_.along, goal_.normal);
+        bend_normal_ = given;
+        if (straight_ >= 1.0 && !goal_.side) return given;
+        if (straight_ > 0.0) {
+            Angles before;
+            std::copy_n(pose_.angles().begin(), pose_.count(), before.begin());
+            constexpr double shown = 0.5;
+            bend(pose_, given, shown);
+            const glm::dvec3 area = area_of(pose_);
+            pose_.set(before);
+            return normal_across(from_.along, glm::mix(area_of(pose_), area, straight_));
+        }
+        return normal_across(from_.along, area_of(pose_));
+    }
+
+    /// By which the bend turns about the line to the target to come to the side wanted.
+    [[nodiscard]] double angle_to_side(const glm::dvec3& normal) const {
+        const glm::dvec3 side = glm::cross(normal, to_);
+        const glm::dvec3 wanted = blended_normal(side, *goal_.side, to_, goal_.certainty);
+        return std::atan2(glm::dot(glm::cross(side, wanted), to_), glm::dot(side, wanted));
+    }
+
+    /// A straight pose does not know where to bend.
+    void start_bending() {
+        const double missing = bend_at(distance_) - bend_at(from_.length);
+        constexpr double most = 1.0;
+        if (straight_ > 0.0 && missing > 0.0) bend(pose_, bend_normal_, straight_ * std::min(missing, most));
+    }
+
+    /// Bends the joints after the root until the tip is as far away as the target.
+    void stretch(int most) {
+        const double near = 1e-3 * goal_.tolerance;
+        Progress progress;
+        for (int i = 0; i < most && left_ > 0; ++i, --left_) {
+            const Line now = line_of(pose_);
+            const double error = distance_ - now.length;
+            const double miss = std::abs(error);
+            if (miss <= near || progress.ends_at(miss) || !step_along(pose_, now.along, error)) return;
+        }
+    }
+
+    void pull(const glm::dvec3& place, int most) {
+        const double near = 1e-3 * goal_.tolerance;
+        Progress progress;
+        for (int i = 0; i < most && left_ > 0; ++i, --left_) {
+            const glm::dvec3 error = place - pose_.tip();
+            const double miss = glm::length(error);
+            if (miss <= near || progress.ends_at(miss) || !step_towards(pose_, error)) return;
+        }
+    }
+
+    [[nodiscard]] glm::dquat place(double angle, double share) const {
+        const glm::dquat swing = share_of_turn(turn_, share);
+        const glm::dquat whole = swing * share_of_turn(back_, share);
+        if (angle == 0.0) return whole;
+        return glm::angleAxis(share * angle, swing * from_.along) * whole;
+    }
+
+    void turn_with_limits(double angle) {
+        glm::dquat before = no_turn;
+        const glm::dvec3 start = line_of(pose_).along;
+        for (int i = 1; i <= turn_steps; ++i) {
+            const glm::dquat now = place(angle, static_cast<double>(i) / turn_steps);
+            turn_root(pose_, now * glm::conjugate(before));
+            before = now;
+            pull(distance_ * (now * start), 1);
+        }
+    }
+
+    LimitedPose& pose_;
+    const LeadGoal& goal_;
+    Line from_;
+    glm::dvec3 to_{0.0};
+    double distance_;
+    int left_;
+    double straight_ = 0.0;
+    glm::dvec3 bend_normal_{0.0};
+    glm::dquat turn_ = no_turn;  // of the line, to the target
+    glm::dquat back_ = no_turn;  // of the bent pose's line, to where it was
+};
+
+}  // namespace
+
+int lead(LimitedPose& pose, const LeadGoal& goal, int max_steps) {
+    return Lead(pose, goal, max_steps).run();
+}
+
+}  // namespace motus::bones::chains

@@ -1,0 +1,51 @@
+// Rotations as swing and twist, and what limits allow of them. Private to the library.
+#pragma once
+#include <array>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat2x2.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include "motus/bones/chains/limited.hpp"
+
+namespace motus::bones::chains {
+
+/// A rotation = exp(swing) * (turn by twist about +Y); rad.
+struct SwingTwist {
+    glm::dvec2 swing;  ///< rotation vector's X and Z
+    double twist;
+};
+
+/// swing of length <= pi, twist in [-pi, pi].
+[[nodiscard]] SwingTwist swing_twist_of(const glm::dquat& rotation);
+[[nodiscard]] glm::dquat rotation_of(const SwingTwist& angles);
+
+/// Nearest within the limits, in these coordinates: of the angles as they are, which may lie beyond pi.
+[[nodiscard]] glm::dvec2 clamp_swing(const glm::dvec2& swing, const JointLimits& limits);
+/// How `kept` = clamp_swing(swing) moves with the swing.
+[[nodiscard]] glm::dmat2 slope_of_clamp(const glm::dvec2& swing, const glm::dvec2& kept,
+                                        const JointLimits& limits);
+/// The turn that is the same as `twist` and within the limits, or the nearest that is.
+[[nodiscard]] double clamp_twist(double twist, const JointLimits& limits);
+
+/// Ways that a swing may take towards `pull` without leaving its limits: 2 and the axes, 1 and the way along
+/// the edge it stands on, or 0.
+struct Ways {
+    std::size_t count = 0;
+    std::array<glm::dvec2, 2> directions{};
+    double curvature =
+        0.0;  ///< of the edge times the pull against it: what the way along it costs by its square
+};
+[[nodiscard]] Ways swing_ways(const glm::dvec2& swing, const JointLimits& limits, const glm::dvec2& pull);
+[[nodiscard]] bool may_twist(double twist, const JointLimits& limits, double pull);
+
+/// How a swing's angles turn the bone, in its socket: angular velocities of X and of Z, and their
+/// derivatives.
+struct SwingRates {
+    glm::dvec3 x, z;
+    glm::dvec3 x_by_x, x_by_z, z_by_z;  // x_by_z the mean of both orders
+};
+
+[[nodiscard]] SwingRates swing_rates(const glm::dvec2& swing);
+
+}  // namespace motus::bones::chains

@@ -1,0 +1,137 @@
+#include "motus/bones/chains/two_bone.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "motus/bones/chains/bend_plane.hpp"
+#include "motus/bones/chains/triangle.hpp"
+#include "motus/core/numeric.hpp"
+#include "two_bone_lanes.hpp"
+
+namespace motus::bones::chains {
+namespace {
+
+[[nodiscard]] glm::dvec3 within_doubles(const glm::dvec3& v) {
+    return glm::clamp(v, glm::dvec3(-largest_double), glm::dvec3(largest_double));
+}
+
+[[nodiscard]] glm::dvec3 scaled(const glm::dvec3& v, int exponent) {
+    return {std::scalbn(v.x, exponent), std::scalbn(v.y, exponent), std::scalbn(v.z, exponent)};
+}
+
+/// b - a, in units of 2^exponent: 0, or 2 where the difference of two finite points overflows.
+struct Difference {
+    glm::dvec3 value;
+    int exponent = 0;
+
+    Difference(const glm::dvec3& a, const glm::dvec3& b) : value(b - a) {
+        if (largest_of(value) <= largest_double) return;
+        value = 0.25 * b - 0.25 * a;
+        exponent = 2;
+    }
+};
+
+/// point + offset * 2^unit. Large ones in quarters, so that a sum within the doubles has summands within
+/// them.
+[[nodiscard]] glm::dvec3 moved(const glm::dvec3& point, const glm::dvec3& offset, int unit) {
+    if (unit < 1000) return within_doubles(point + scaled(offset, unit));
+    return within_doubles(scaled(0.25 * point + scaled(offset, unit - 2), 2));
+}
+
+/// Sizes far from 1, by solving the same chain in another unit of length: a power of two, so that nothing is
+/// rounded but what is too small beside the rest to matter.
+void solve_far_from_one(const TwoBone& chain, TwoBoneSolution& out) {
+    const Difference target(chain.root, chain.target);
+    const Difference pole(chain.root, chain.pole);
+    const double largest = std::max({largest_of(target.value), std::scalbn(chain.length1, -target.exponent),
+                                     std::scalbn(chain.length2, -target.exponent)});
+    if (!(largest <= largest_double) || !(largest_of(pole.value) <= largest_double)) {
+        out = {.elbow = chain.root, .tip = chain.root};  // not finite: outside the domain, but never a crash
+        return;
+    }
+    const int unit = target.exponent + (largest > 0.0 ? std::ilogb(largest) : 0);
+    TwoBone local = chain;
+    local.root = glm::dvec3(0.0);
+    local.target = scaled(target.value, target.exponent - unit);
+    local.pole = scaled(pole.value, pole.exponent - unit);
+    if (largest_of(local.pole) > 1e50) local.pole = 1e50 * unit_vector(pole.value);
+    local.length1 = std::scalbn(chain.length1, -unit);
+    local.length2 = std::scalbn(chain.length2, -unit);
+    local.softness = std::scalbn(chain.softness, -unit);
+    solve_one(local, out);
+    out.elbow = moved(chain.root, out.elbow, unit);
+    out.tip = out.tip == local.target ? chain.target : moved(chain.root, out.tip, unit);
+    out.residual = std::min(std::scalbn(out.residual, unit), largest_double);
+}
+
+#if defined(__x86_64__)
+constexpr std::array kernels{TwoBoneKernel{"pairs", &solve_in_lanes<Pair>},
+                             TwoBoneKernel{"AVX2", &solve_quads}};
+#else
+constexpr std::array kernels{TwoBoneKernel{"pairs", &solve_in_lanes<Pair>}};
+#endif
+
+[[nodiscard]] std::size_t runnable_kernels() {
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx2") ? 2 : 1;
+#else
+    return 1;
+#endif
+}
+
+}  // namespace
+
+glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec3 pole) {
+    if (target != glm::dvec3(0.0)) return unit_vector(target);
+    const glm::dvec3 to_pole = unit_vector(pole);
+    if (to_pole == glm::dvec3(0.0)) {
+        const glm::dvec3 normal = unit_vector(chain.plane);
+        return normal == glm::dvec3(0.0) ? glm::dvec3(0.0, 1.0, 0.0) : normal_across(normal, glm::dvec3(0.0));
+    }
+    const glm::dvec3 side = to_pole * static_cast<double>(chain.bend);
+    if (chain.length1 > chain.length2) return side;
+    if (chain.length1 < chain.length2) return -side;
+    return glm::cross(side, normal_across(side, chain.plane));
+}
+
+void solve_one(const TwoBone& chain, TwoBoneSolution& out) {
+    if (const Chains<double> one(&chain); one.are_plain()) {
+        solve_plain(one, &out);
+    } else {
+        solve_far_from_one(chain, out);
+    }
+}
+
+std::span<const TwoBoneKernel> two_bone_kernels() {
+    static const std::size_t count = runnable_kernels();
+    return std::span(kernels).first(count);
+}
+
+double triangle_angle(double a, double b, double c) {
+    const double largest = std::max({a, b, c});
+    const int exponent = largest > 0.0 ? std::ilogb(largest) : 0;
+    const HalfAngle<double> half =
+        half_angle(std::scalbn(a, -exponent), std::scalbn(b, -exponent), std::scalbn(c, -exponent));
+    if (half.opposite + half.adjacent == 0.0) return 0.5 * std::numbers::pi;
+    return 2.0 * std::atan2(std::sqrt(half.opposite), std::sqrt(half.adjacent));
+}
+
+double soft_reach(double distance, double reach, double softness) {
+    return softened(distance, reach, softness);
+}
+
+TwoBoneSolution solve_two_bone(const TwoBone& chain) {
+    TwoBoneSolution out;
+    solve_one(chain, out);
+    return out;
+}
+
+void solve_two_bones(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out) {
+    if (out.size() != chains.size()) throw std::invalid_argument("chains and out must have the same size");
+    two_bone_kernels().back().solve(chains, out);
+}
+
+}  // namespace motus::bones::chains

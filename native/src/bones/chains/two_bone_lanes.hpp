@@ -1,0 +1,173 @@
+// Two bones, one chain or several at once. Private to the library.
+// Included by files for different instruction sets: what is no template over Real is declared here, but
+// defined in two_bone.cpp.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "motus/bones/chains/bend_plane.hpp"
+#include "motus/bones/chains/triangle.hpp"
+#include "motus/bones/chains/two_bone.hpp"
+
+namespace motus::bones::chains {
+
+inline constexpr double largest_double = std::numeric_limits<double>::max();
+
+/// The line from the root to a target that is nearly on it: where the elbow can be towards the pole, it is.
+[[nodiscard]] glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec3 pole);
+
+/// solve_two_bone(), whatever the numbers.
+void solve_one(const TwoBone& chain, TwoBoneSolution& out);
+
+template <class Real>
+[[nodiscard]] inline Real largest_of(const glm::vec<3, Real>& v) {
+    using std::abs, std::max;
+    return max(max(abs(v.x), abs(v.y)), abs(v.z));
+}
+
+/// soft_reach() of one or several.
+template <class Real>
+[[nodiscard]] inline Real softened(Real distance, Real reach, Real softness) {
+    using std::max, std::min;
+    const Real zero = 0.0, one = 1.0, third = 1.0 / 3.0;
+    const Real soft = min(max(softness, zero), reach);
+    const Real excess = distance - (reach - soft);
+    const auto is_before = excess <= zero;
+    const auto is_straight = distance >= reach + Real(2.0) * soft;
+    const Real ends = select(is_before, distance, reach);
+    if (all(is_before | is_straight)) return ends;
+    // The power multiplied out, so that little is taken from the distance rather than much from the reach.
+    const Real t = min(excess / soft * third, one);
+    return select(is_before | is_straight, ends, min(distance - excess * t * (one - t * third), reach));
+}
+
+[[nodiscard, gnu::always_inline]] inline Reason reason_of(double distance, double end, double residual,
+                                                          double longest) {
+    if (residual <= reach_tolerance * (longest + distance)) return Reason::reached;
+    return distance > end ? Reason::too_far : Reason::too_near;
+}
+
+/// One number of as many chains as a Real holds.
+template <class Real, class Number>
+[[nodiscard, gnu::always_inline]] inline Real gathered(const TwoBone* chains, Number&& number) {
+    return [&]<int... i>(std::integer_sequence<int, i...>) {
+        return Real(number(chains[i])...);
+    }
+    (std::make_integer_sequence<int, lane_count<Real>>());
+}
+
+template <class Real, class Point>
+[[nodiscard, gnu::always_inline]] inline glm::vec<3, Real> gathered_points(const TwoBone* chains,
+                                                                           Point&& point) {
+    return {gathered<Real>(chains, [&](const TwoBone& chain) -> double { return point(chain).x; }),
+            gathered<Real>(chains, [&](const TwoBone& chain) -> double { return point(chain).y; }),
+            gathered<Real>(chains, [&](const TwoBone& chain) -> double { return point(chain).z; })};
+}
+
+/// TwoBone, one or several at once.
+template <class Real>
+struct Chains {
+    using Vector = glm::vec<3, Real>;
+
+    const TwoBone* given;
+    Vector root = gathered_points<Real>(given, [](const TwoBone& c) { return c.root; });
+    Vector goal = gathered_points<Real>(given, [](const TwoBone& c) { return c.target; });
+    Vector target = goal - root;  ///< seen from the root
+    Vector pole = gathered_points<Real>(given, [](const TwoBone& c) { return c.pole; }) - root;
+    Real length1 = gathered<Real>(given, [](const TwoBone& c) { return c.length1; });
+    Real length2 = gathered<Real>(given, [](const TwoBone& c) { return c.length2; });
+
+    explicit Chains(const TwoBone* chains) : given(chains) {}
+
+    /// Whether squares of all that counts, and products of two of them, neither overflow nor underflow.
+    [[nodiscard]] bool are_plain() const {
+        using std::max;
+        const Real largest = max(largest_of(target), max(length1, length2));
+        const Real zero = 0.0, low = 1e-100, high = 1e100;
+        return all(((largest >= low) | (largest == zero)) & (largest <= high) & (largest_of(pole) <= high));
+    }
+};
+
+/// Solves chains whose numbers are plain.
+template <class Real>
+inline void solve_plain(const Chains<Real>& chains, TwoBoneSolution* out) {
+    using std::abs, std::max, std::min, std::sqrt;
+    using Vector = glm::vec<3, Real>;
+    const Real zero = 0.0, one = 1.0;
+    const Vector& target = chains.target;
+    const Real longest = chains.length1 + chains.length2;
+    const Real shortest = abs(chains.length1 - chains.length2);
+    const Real distance = sqrt(glm::dot(target, target));
+    const Real softness = gathered<Real>(chains.given, [](const TwoBone& c) { return c.softness; });
+    const Real reach = max(softened(distance, longest, softness), shortest);
+
+    // Where the tip stands, and how long the first bone is; both grow by one factor.
+    Real end = reach;
+    Real length1 = chains.length1;
+    Real scale = one;
+    const Real stretch = gathered<Real>(chains.given, [](const TwoBone& c) { return c.stretch; });
+    const auto is_stretched = (stretch > zero) & (distance > reach) & (reach > zero);
+    if (any(is_stretched)) {
+        const Real part = reach + stretch * (distance - reach);
+        end = select(is_stretched, select(stretch < one, part, distance), reach);
+        length1 = select(is_stretched, length1 / reach * end, length1);
+        scale = select(is_stretched, min(end / reach, Real(largest_double)), one);
+    }
+
+    const Real vanished = 1e-140;  // below it squares lose digits
+    Vector along = target * (one / max(distance, vanished));
+    const auto is_coincident = distance <= vanished;
+    for (int i = 0; any(is_coincident) && i < lane_count<Real>; ++i)
+        if (lane(is_coincident, i))
+            set_lane(along, i, line_of_coincident(chains.given[i], lane(target, i), lane(chains.pole, i)));
+
+    const Vector plane = gathered_points<Real>(chains.given, [](const TwoBone& c) { return c.plane; });
+    const Real bend = gathered<Real>(chains.given, [](const TwoBone& c) -> double { return c.bend; });
+    const auto has_no_plane = (plane.x == zero) & (plane.y == zero) & (plane.z == zero);
+    const Real band = select(has_no_plane, Real(pole_band_no_plane), Real(pole_band));
+    const Vector normal = bend_normal<Real>({along, chains.pole, plane, longest, band, bend});
+    const Direction<Real> bone = shoulder(chains.length1, chains.length2, longest, shortest, reach);
+    const Vector elbow =
+        chains.root + (along * (length1 * bone.cosine) + glm::cross(normal, along) * (length1 * bone.sine));
+    const Vector tip = select(distance == end, chains.goal, chains.root + along * end);
+    const Real residual = abs(distance - end);
+    for (int i = 0; i < lane_count<Real>; ++i)
+        out[i] = {.elbow = lane(elbow, i),
+                  .tip = lane(tip, i),
+                  .normal = lane(normal, i),
+                  .scale = lane(scale, i),
+                  .residual = lane(residual, i),
+                  .reason = reason_of(lane(distance, i), lane(end, i), lane(residual, i), lane(longest, i))};
+}
+
+/// As many at once as a Real holds. chains and out of the same size.
+template <class Real>
+inline void solve_in_lanes(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out) {
+    constexpr std::size_t lanes = lane_count<Real>;
+    std::size_t i = 0;
+    for (; i + lanes <= chains.size(); i += lanes) {
+        if (const Chains<Real> some(&chains[i]); some.are_plain()) {
+            solve_plain(some, &out[i]);
+        } else {
+            for (std::size_t j = i; j < i + lanes; ++j) solve_one(chains[j], out[j]);
+        }
+    }
+    for (; i < chains.size(); ++i) solve_one(chains[i], out[i]);
+}
+
+/// A way to solve many chains; all give the same bits.
+struct TwoBoneKernel {
+    const char* name;
+    void (*solve)(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);
+};
+
+/// Those that this processor can run, the fastest last.
+[[nodiscard]] std::span<const TwoBoneKernel> two_bone_kernels();
+
+/// For processors with AVX2 only.
+void solve_quads(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);
+
+}  // namespace motus::bones::chains

@@ -1,0 +1,148 @@
+#include "motus/bones/ik/ik.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
+#include <stdexcept>
+
+#include "motus/bones/turns.hpp"
+#include "solution.hpp"
+#include "world.hpp"
+
+namespace motus::bones::ik {
+namespace {
+
+constexpr double not_finite = -1.0;  // Report::reason
+
+bool has_valid_limits(std::span<const chains::JointLimits> limits) {
+    return std::all_of(limits.begin(), limits.end(), [](const chains::JointLimits& limit) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (!(limit.min[axis] <= limit.max[axis])) return false;
+            if (limit.min[axis] == chains::JointLimits::free || limit.max[axis] == -chains::JointLimits::free)
+                return false;
+        }
+        return true;
+    });
+}
+
+/// The chain's task in pose space; nothing where a number is not finite.
+std::optional<Task> read_task(const Input& input, const RigWorld& world, std::size_t index,
+                              const Plan::Chain& chain) {
+    const glm::dmat4& target = input.targets[index];
+    const Settings& settings = input.settings[index];
+    if (!world.is_valid || !is_finite(target) || !has_finite_numbers(settings)) return {};
+    Task task;
+    task.settings = within_domains(settings);
+    task.target = world.to_pose(glm::dvec3(target[3]));
+    if (settings.rotation_weight > 0.0) task.orientation = frame_of(world.inverse * glm::dmat3(target));
+    const glm::dvec3& pole = input.poles[index];
+    if (!std::isnan(pole.x) && !std::isnan(pole.y) && !std::isnan(pole.z)) {
+        if (!is_finite(pole)) return {};
+        task.pole = world.to_pose(pole);
+    }
+    if (settings.use_limits != 0.0 && !input.limits.empty()) {
+        task.limits = input.limits.subspan(chain.first_row, chain.bones.size());
+        if (!has_valid_limits(task.limits)) return {};
+    }
+    return task;
+}
+
+/// Rows that do nothing; those in pose space stand as at rest in a rig at the origin.
+void write_neutral(const Plan::Chain& chain, const Output& output) {
+    const auto clear = [&output](std::size_t row) {
+        output.rotations[row] = no_turn;
+        output.scales[row] = glm::dvec3(1.0);
+    };
+    const std::size_t end = chain.first_row + chain.bones.size();
+    for (std::size_t row = chain.first_row - chain.left_out; row < end; ++row) clear(row);
+    if (chain.has_free_effector) clear(chain.effector.row);
+    for (const Plan::Hanging& guard : chain.guards) clear(guard.row);
+}
+
+bool is_chain_finite(const Plan::Chain& chain, const Output& output, const Report& report) {
+    const auto is_row_finite = [&output](std::size_t row) {
+        return is_finite(output.rotations[row]) && is_finite(output.scales[row]);
+    };
+    bool all = has_finite_numbers(report) && (!chain.has_free_effector || is_row_finite(chain.effector.row));
+    for (std::size_t i = 0; i < chain.bones.size(); ++i) all = all && is_row_finite(chain.first_row + i);
+    for (const Plan::Hanging& guard : chain.guards) all = all && is_row_finite(guard.row);
+    return all;
+}
+
+bool are_guards_finite(const Input& input, const Plan::Chain& chain) {
+    return std::all_of(chain.guards.begin(), chain.guards.end(), [&input](const Plan::Hanging& guard) {
+        return input.bones.rows()[guard.row].is_finite;
+    });
+}
+
+void report_solution(Report& report, const AimReport& aim, const Pose& pose, const Task& task,
+                     const RigWorld& world) {
+    const glm::dvec3 miss = task.target - pose.tip();
+    Reason reason = aim.reason;
+    if (glm::length(miss) <= task.settings.tolerance * aim.reach)
+        reason = Reason::reached;
+    else if (reason == Reason::reached)
+        reason = aim.distance > aim.end ? Reason::too_far : Reason::iterations;
+    const glm::dvec3 to_target = task.target - pose.root();
+    const glm::dvec3 along = direction_or(to_target, direction_or(pose.tip() - pose.root(), {0.0, 1.0, 0.0}));
+    report.residual = world.length(miss);
+    report.reason = static_cast<double>(reason);
+    report.iterations = aim.iterations;
+    report.distance = world.length(to_target);
+    report.reach = aim.reach * world.length(along);
+    report.tip = world.to_world(pose.tip());
+}
+
+void solve_one(const Plan& plan, const Input& input, std::size_t index, const RigWorld& world,
+               Solution& solution, const Output& output) {
+    const Plan::Chain chain = plan.chain(index, input.settings[index].left_out);
+    Report& report = output.report[index];
+    report = Report{};
+    report.reason = not_finite;
+    if (!are_guards_finite(input, chain) || !solution.read(input, chain)) {
+        write_neutral(chain, output);
+        return;
+    }
+    std::optional<Task> task = read_task(input, world, index, chain);
+    const bool is_on = task && task->settings.is_on != 0.0;
+    if (is_on) {
+        const AimReport aim = solution.solve(chain, *task);
+        report_solution(report, aim, solution.pose(), *task, world);
+    } else {
+        if (task) report.reason = static_cast<double>(Reason::reached);
+        task = Task{};
+        solution.stay();
+    }
+    if (!is_on) task->settings.position_weight = 0.0;
+    report.angle = solution.write(input.bones.rows(), chain, *task, output);
+    if (!is_chain_finite(chain, output, report)) {  // numbers so large that their products are not
+        write_neutral(chain, output);
+        report = Report{};
+        report.reason = not_finite;
+    }
+}
+
+void check_sizes(const Plan& plan, const Input& input, const Output& output) {
+    check_rig(plan, input);
+    const std::size_t chains = plan.chain_count();
+    if (input.settings.size() != chains || input.targets.size() != chains || input.poles.size() != chains ||
+        output.report.size() != chains)
+        throw std::invalid_argument("settings, targets, poles, report: one entry per chain is needed");
+    if (!input.limits.empty() && input.limits.size() != plan.chain_bone_count())
+        throw std::invalid_argument("limits: one entry per chain bone is needed");
+    if (output.rotations.size() != plan.rows().size() || output.scales.size() != plan.rows().size())
+        throw std::invalid_argument("rotations, scales: one entry per row is needed");
+}
+
+}  // namespace
+
+void solve(const Plan& plan, const Input& input, const Output& output) {
+    check_sizes(plan, input, output);
+    const RigWorld world(input.world);
+    Solution solution(plan.longest_chain());
+    for (std::size_t i = 0; i < plan.chain_count(); ++i) solve_one(plan, input, i, world, solution, output);
+}
+
+}  // namespace motus::bones::ik

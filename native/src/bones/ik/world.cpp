@@ -1,0 +1,35 @@
+#include "world.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "bones.hpp"
+
+namespace motus::bones::ik {
+
+bool has_finite_numbers(const Settings& s) {
+    return are_finite(s.position_weight, s.rotation_weight, s.softness, s.stretch, s.pole_angle, s.bend,
+                      s.hinge_angle, s.tolerance, s.iterations, s.use_limits, s.is_on, s.left_out);
+}
+
+bool has_finite_numbers(const Report& r) {
+    return are_finite(r.residual, r.angle, r.reason, r.iterations, r.distance, r.reach) && is_finite(r.tip);
+}
+
+Settings within_domains(Settings settings) {
+    settings.position_weight = std::clamp(settings.position_weight, 0.0, 1.0);
+    settings.rotation_weight = std::clamp(settings.rotation_weight, 0.0, 1.0);
+    settings.softness = std::clamp(settings.softness, 0.0, 1.0);
+    settings.stretch = std::clamp(settings.stretch, 0.0, 1.0);
+    settings.tolerance = std::clamp(settings.tolerance, 1e-15, 1.0);
+    settings.iterations = std::clamp(settings.iterations, 0.0, 1e6);
+    return settings;
+}
+
+void check_rig(const Plan& plan, const Input& input) {
+    if (!input.bones.is_of(plan)) throw std::invalid_argument("bones: must be of the same plan");
+    if (input.poses.size() != 16 * plan.parents().size())
+        throw std::invalid_argument("poses: there must be one for each bone of the plan");
+}
+
+}  // namespace motus::bones::ik

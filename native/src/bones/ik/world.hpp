@@ -1,0 +1,45 @@
+// The world that a rig stands in, and checks of what comes from it. Private to the library.
+#pragma once
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/matrix.hpp>
+#include <glm/vec3.hpp>
+
+#include "motus/bones/ik/ik.hpp"
+#include "motus/bones/space.hpp"
+#include "motus/core/numeric.hpp"
+
+namespace motus::bones::ik {
+
+/// Whether all numbers of these are finite.
+[[nodiscard]] bool has_finite_numbers(const Settings& settings);
+[[nodiscard]] bool has_finite_numbers(const Report& report);
+
+/// Between pose space and the world.
+struct RigWorld {
+    explicit RigWorld(const glm::dmat4& matrix)
+        : axes(matrix), origin(matrix[3]), is_valid(is_finite(matrix)) {
+        const double volume = glm::determinant(axes);
+        const double box = glm::length(axes[0]) * glm::length(axes[1]) * glm::length(axes[2]);
+        is_valid = is_valid && std::abs(volume) > 1e-12 * box;
+        if (is_valid) inverse = inverse_axes(axes);
+    }
+    [[nodiscard]] glm::dvec3 to_pose(const glm::dvec3& point) const { return inverse * (point - origin); }
+    [[nodiscard]] glm::dvec3 to_world(const glm::dvec3& point) const { return axes * point + origin; }
+    /// Length, in the world, of a vector of the pose.
+    [[nodiscard]] double length(const glm::dvec3& v) const { return glm::length(axes * v); }
+
+    glm::dmat3 axes;
+    glm::dvec3 origin;
+    glm::dmat3 inverse{1.0};
+    bool is_valid;
+};
+
+/// Settings in the domains that they are documented with; finite ones only.
+[[nodiscard]] Settings within_domains(Settings settings);
+
+/// std::invalid_argument where bones or poses are not those of the plan's rig.
+void check_rig(const Plan& plan, const Input& input);
+
+}  // namespace motus::bones::ik

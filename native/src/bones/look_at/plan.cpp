@@ -1,0 +1,272 @@
+#include "motus/bones/look_at/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "gaze_bone.hpp"
+#include "motus/bones/turns.hpp"
+#include "motus/core/numeric.hpp"
+
+namespace motus::bones::look_at {
+namespace {
+
+constexpr double same_place = 1e-12;  // of the distances from the origin
+constexpr double least_sine = 1e-9;   // between forward and up
+constexpr glm::dvec3 along_bone{0.0, 1.0, 0.0};
+
+double largest_part(const glm::dvec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+/// Direction from a place to the target; none where they are one.
+std::optional<glm::dvec3> towards(const glm::dvec3& place, const glm::dvec3& target) {
+    const glm::dvec3 way = target - place;
+    if (largest_part(way) <= same_place * (largest_part(place) + largest_part(target))) return std::nullopt;
+    return direction_of(way);
+}
+
+bool has_finite_numbers(const Settings& s) {
+    return are_finite(s.weight, s.body_weight, s.head_weight, s.eyes_weight, s.clamp, s.body_limit,
+                      s.head_limit, s.eyes_limit);
+}
+
+}  // namespace
+
+/// One entry at one moment.
+class Plan::Solver {
+  public:
+    /// input: its axes are unit, its target is in the rig's space.
+    Solver(const RigView& rig, const Entry& entry, const Input& input, std::span<glm::dquat> rotations)
+        : rig_(rig), entry_(entry), input_(input), settings_(input.settings), rotations_(rotations) {}
+
+    /// None where something is not finite, or a bone that looks has no size.
+    [[nodiscard]] std::optional<Report> run() {
+        const Link& first = entry_.body.empty() ? entry_.head : entry_.body.front();
+        const int parent = rig_.parents[first.bone];
+        if (parent >= 0) base_ = matrix_at(rig_.poses, static_cast<std::size_t>(parent));
+
+        const GazeBone animated(rig_, entry_.head.bone, carried(entry_.body, base_));
+        const std::optional<glm::dvec3> gaze = animated.gaze(input_.head_forward);
+        if (!animated.is_finite() || !gaze || !set_chart(animated)) return std::nullopt;
+        const glm::dvec2 from = chart_->place(*gaze);
+
+        GazeBone head = turn_body(animated, from);
+        if (!turn_head(head, from)) return std::nullopt;
+        if (settings_.eyes_weight > 0.0 && !turn_eyes(animated, head)) return std::nullopt;
+        if (report_.angle > reached_angle && is_limited_) report_.reason = Reason::limit;
+        return report_;
+    }
+
+  private:
+    /// Pose of the last of the bones as they are animated; of their parent where there are none.
+    [[nodiscard]] glm::dmat4 carried(std::span<const Link> links, glm::dmat4 pose) const {
+        for (const Link& link : links) pose = GazeBone(rig_, link.bone, pose).pose();
+        return pose;
+    }
+
+    [[nodiscard]] bool set_chart(const GazeBone& head) {
+        const std::optional<glm::dvec3> forward = head.gaze_at_rest(input_.head_forward);
+        const std::optional<glm::dvec3> up = direction_of(head.up_at_rest(input_.head_forward));
+        if (!forward || !up || glm::length(glm::cross(*up, *forward)) < least_sine) return false;
+        chart_.emplace(*forward, *up, level_for(settings_));
+        return true;
+    }
+
+    void write(const Link& link, const std::optional<glm::dquat>& turn) {
+        if (turn) rotations_[*link.row] = *turn;
+    }
+
+    /// What a bone whose animated gaze is at `animated` takes of the turn from `present` to a direction.
+    [[nodiscard]] GazeStep step(const glm::dvec3& direction, const glm::dvec2& animated,
+                                const glm::dvec2& present, double weight, double limit) {
+        const glm::dvec2 target = chart_->place(direction);
+        const GazeStep result =
+            gaze_share(present, gaze_goal(animated, target, settings_), target, weight, limit);
+        is_limited_ = is_limited_ || result.is_limited;
+        return result;
+    }
+
+    /// The head on the turned body.
+    [[nodiscard]] GazeBone turn_body(const GazeBone& animated, const glm::dvec2& from) {
+        if (entry_.turning == 0) return animated;
+        const std::optional<glm::dvec3> direction = towards(animated.place(), input_.target);
+        if (!direction) return animated;
+        const glm::dvec2 by = step(*direction, from, from, settings_.body_weight, settings_.body_limit).by;
+        if (by == glm::dvec2(0.0)) return animated;
+        glm::dmat4 pose = base_;
+        glm::dquat last = chart_->level(from);
+        double turned = 0.0;
+        for (const Link& link : entry_.body) {
+            GazeBone bone(rig_, link.bone, pose);
+            if (link.row) {
+                const double part = ++turned / static_cast<double>(entry_.turning);
+                const glm::dquat next = chart_->level(from + part * by);
+                write(link, bone.turn(next * glm::conjugate(last), along_bone));
+                last = next;
+            }
+            pose = bone.pose();
+        }
+        return {rig_, entry_.head.bone, pose};
+    }
+
+    [[nodiscard]] bool turn_head(GazeBone& head, const glm::dvec2& from) {
+        const std::optional<glm::dvec3> direction = towards(head.place(), input_.target);
+        const std::optional<glm::dvec3> gaze = head.gaze(input_.head_forward);
+        if (!head.is_finite() || !gaze) return false;
+        if (!direction) return true;
+        const glm::dvec2 seen = chart_->yaw_pitch(*direction);
+        report_.yaw = seen.x;
+        report_.pitch = seen.y;
+        report_.angle = turn(head, entry_.head, input_.head_forward, *direction, from,
+                             {settings_.head_weight, settings_.head_limit});
+        return true;
+    }
+
+    /// Each from its own place. An eye of no size stays as it is.
+    [[nodiscard]] bool turn_eyes(const GazeBone& animated_head, const GazeBone& head) {
+        std::optional<double> worst;
+        for (const std::vector<Link>& links : entry_.eyes) {
+            const Link& last = links.back();
+            const std::span<const Link> between(links.data(), links.size() - 1);
+            const GazeBone animated(rig_, last.bone, carried(between, animated_head.pose()));
+            GazeBone eye(rig_, last.bone, carried(between, head.pose()));
+            if (!animated.is_finite() || !eye.is_finite()) return false;
+            const std::optional<glm::dvec3> from = animated.gaze(input_.eyes_forward);
+            const std::optional<glm::dvec3> direction = towards(eye.place(), input_.target);
+            if (!from || !eye.gaze(input_.eyes_forward) || !direction) continue;
+            const double angle = turn(eye, last, input_.eyes_forward, *direction, chart_->place(*from),
+                                      {settings_.eyes_weight, settings_.eyes_limit});
+            worst = std::max(worst.value_or(0.0), angle);
+        }
+        report_.angle = worst.value_or(report_.angle);
+        return true;
+    }
+
+    struct Share {
+        double weight = 0.0;
+        double limit = 0.0;
+    };
+
+    /// Turns a bone that looks; the angle that is left.
+    double turn(GazeBone& bone, const Link& link, const glm::dvec3& axis, const glm::dvec3& direction,
+                const glm::dvec2& animated, const Share& share) {
+        const glm::dvec2 present = chart_->place(*bone.gaze(axis));
+        const glm::dvec2 by = step(direction, animated, present, share.weight, share.limit).by;
+        if (by != glm::dvec2(0.0)) write(link, bone.turn(chart_->turn(present, present + by), axis));
+        return angle_between(bone.gaze(axis).value_or(direction), direction);
+    }
+
+    const RigView& rig_;
+    const Entry& entry_;
+    const Input& input_;
+    const Settings& settings_;
+    std::span<glm::dquat> rotations_;
+    glm::dmat4 base_{1.0};
+    std::optional<GazeChart> chart_;
+    Report report_;
+    bool is_limited_ = false;
+};
+
+std::vector<Plan::Link> Plan::way(int from, int above, const char* what) const {
+    const auto count = static_cast<int>(parents_.size());
+    if (from < 0 || from >= count)
+        throw std::invalid_argument(std::string(what) + ": there is no bone " + std::to_string(from));
+    std::vector<Link> links;
+    for (int bone = from; bone != above; bone = parents_[static_cast<std::size_t>(bone)]) {
+        if (bone < 0 || links.size() == parents_.size())
+            throw std::invalid_argument(std::string(what) + ": bone " + std::to_string(from) +
+                                        " is not above bone " + std::to_string(above));
+        links.push_back({static_cast<std::size_t>(bone), std::nullopt});
+    }
+    std::reverse(links.begin(), links.end());
+    return links;
+}
+
+void Plan::add(const Bones& bones) {
+    Entry entry;
+    entry.first_row = rows_.size();
+    const auto give_row = [&](Link& link) {
+        link.row = rows_.size() - entry.first_row;
+        rows_.push_back(static_cast<int>(link.bone));
+    };
+    if (way(bones.head, -1, "heads").empty()) throw std::invalid_argument("heads: no bone");
+    int below = -1;
+    for (const int bone : bones.body) {
+        std::vector<Link> links = way(bone, below, "bodies");
+        if (links.empty()) throw std::invalid_argument("bodies: a bone is there twice");
+        give_row(links.back());
+        const auto first = below < 0 ? links.end() - 1 : links.begin();
+        entry.body.insert(entry.body.end(), first, links.end());
+        below = bone;
+    }
+    if (below >= 0) {
+        std::vector<Link> links = way(bones.head, below, "bodies");
+        if (links.empty()) throw std::invalid_argument("bodies: the head is one of them");
+        entry.body.insert(entry.body.end(), links.begin(), links.end() - 1);
+    }
+    entry.turning = bones.body.size();
+    entry.head.bone = static_cast<std::size_t>(bones.head);
+    give_row(entry.head);
+    for (const int eye : bones.eyes) {
+        entry.eyes.push_back(way(eye, bones.head, "eyes"));
+        if (entry.eyes.back().empty()) throw std::invalid_argument("eyes: an eye is the head");
+        give_row(entry.eyes.back().back());
+    }
+    entry.row_count = rows_.size() - entry.first_row;
+    entries_.push_back(std::move(entry));
+}
+
+Plan::Plan(std::span<const int> parents, std::span<const Bones> entries)
+    : parents_(parents.begin(), parents.end()) {
+    const auto count = static_cast<int>(parents_.size());
+    for (const int parent : parents_) {
+        if (parent < -1 || parent >= count)
+            throw std::invalid_argument("parents: there is no bone " + std::to_string(parent));
+    }
+    for (const Bones& bones : entries) add(bones);
+}
+
+void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
+                 std::span<glm::dquat> rotations, std::span<Report> reports) const {
+    if (inputs.size() != size()) throw std::invalid_argument("inputs: one per entry is needed");
+    if (reports.size() != size()) throw std::invalid_argument("reports: one per entry is needed");
+    if (rotations.size() != rows_.size()) throw std::invalid_argument("rotations: one per row is needed");
+    const std::size_t bones = parents_.size();
+    const bool has_own_parents = rig.parents.data() == parents_.data() && rig.parents.size() == bones;
+    if (!has_own_parents && !std::ranges::equal(rig.parents, parents_))
+        throw std::invalid_argument("rig: its parents must be the plan's");
+    if (rig.rest.size() != 16 * bones || rig.poses.size() != 16 * bones || rig.basis.size() != 16 * bones ||
+        rig.inheritance.size() != bones)
+        throw std::invalid_argument("rig: must have as many bones as the plan");
+
+    const glm::dmat4 to_rig = glm::inverse(world);
+    const Report meaningless{0.0, std::nullopt, 0.0, 0.0};
+    for (std::size_t i = 0; i < size(); ++i) {
+        const Entry& entry = entries_[i];
+        const std::span<glm::dquat> rows = rotations.subspan(entry.first_row, entry.row_count);
+        std::fill(rows.begin(), rows.end(), no_turn);
+        reports[i] = inputs[i].is_on ? meaningless : Report{};
+        if (!inputs[i].is_on) continue;
+
+        Input input = inputs[i];
+        const std::optional<glm::dvec3> head_forward = direction_of(input.head_forward);
+        const std::optional<glm::dvec3> eyes_forward = direction_of(input.eyes_forward);
+        input.target = glm::dvec3(to_rig * glm::dvec4(input.target, 1.0));
+        if (!has_finite_numbers(input.settings) || !is_finite(input.target) || !head_forward || !eyes_forward)
+            continue;
+        input.head_forward = *head_forward;
+        input.eyes_forward = *eyes_forward;
+        if (const std::optional<Report> report = Solver(rig, entry, input, rows).run())
+            reports[i] = *report;
+        else
+            std::fill(rows.begin(), rows.end(), no_turn);
+    }
+}
+
+}  // namespace motus::bones::look_at

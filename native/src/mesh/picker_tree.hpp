@@ -1,0 +1,63 @@
+// What a Picker is made of. Private to the library.
+//
+// The vertices lie along a Hilbert curve. Each eight that follow each other are a leaf; leaves and nodes have
+// their parents by their number alone, and the vertices below a node follow each other. A triangle belongs to
+// the leaf of one of its corners. Boxes are there twice: tight ones around the vertices, and those around the
+// triangles.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <utility>
+
+#include "motus/mesh/picker.hpp"
+#include "picker_boxes.hpp"
+#include "picker_order.hpp"
+
+namespace motus::mesh {
+
+struct Picker::Tree {
+    /// Places of a triangle's corners, in the order in which they were given.
+    using Corners = std::array<std::uint32_t, 3>;
+
+    std::size_t threads = 1;
+    bool all_finite = true;       ///< false: a vertex may be not finite
+    Array<std::uint32_t> order;   ///< vertex at each place along the curve
+    Array<std::uint32_t> places;  ///< place of each vertex
+    Array<PickerPoint> points;    ///< by place; full leaves, the last one padded with NaN
+    Array<std::uint32_t> starts;  ///< first of each leaf's triangles, and the end of the last's
+    Array<std::uint32_t> names;   ///< of the triangles, by leaf
+    Array<Corners> corners;       ///< beside them
+    PickerBoxes around_vertices;
+    PickerBoxes around_triangles;  ///< none where there are no triangles
+
+    void sort_in(std::span<const glm::ivec3> triangles);
+    /// All boxes, for the points as they are.
+    void refit();
+    /// Where vertices in the box were moved.
+    void refit_touching(const PickerBox& box);
+
+    [[nodiscard]] PickerBox vertex_box(std::size_t leaf) const noexcept {
+        PickerBox box;
+        for (std::size_t i = 0; i < fan_out; ++i) box.add(points[leaf * fan_out + i]);
+        return box;
+    }
+    [[nodiscard]] PickerBox triangle_box(std::size_t leaf) const noexcept {
+        PickerBox box;
+        for (std::size_t slot = starts[leaf]; slot < starts[leaf + 1]; ++slot)
+            for (const std::uint32_t corner : corners[slot]) box.add(points[corner]);
+        return box;
+    }
+
+    /// The vertices, by place, below a lane of a node: from the first to before the second.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> below(std::size_t level,
+                                                            std::size_t child) const noexcept {
+        const std::size_t shift = 3 * (level + 1);
+        return {std::min(order.size(), child << shift), std::min(order.size(), (child + 1) << shift)};
+    }
+};
+
+}  // namespace motus::mesh

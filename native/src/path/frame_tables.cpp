@@ -1,0 +1,63 @@
+#include "frame_tables.hpp"
+
+#include <limits>
+#include <utility>
+
+namespace motus::path {
+namespace {
+
+constexpr double upright_threshold =
+    0.2;  // sine of the angle to the vertical (11.5 degrees) that shows world up
+constexpr double bend_threshold = 0.02;  // of the mean curvature: what shows the direction of the bend
+constexpr double least_turning = 1e-6;   // rad over the whole length: below, the curve is straight
+constexpr std::size_t cached_tables = 64;
+constexpr std::size_t cached_bytes = std::size_t{320} << 20;  // of these and their paths; see arc_length.cpp
+
+DirectionTrack bend_track(const ParallelFrames& frames, const BendField& bend) {
+    const bool straight = bend.mean() * frames.length() < least_turning;
+    const double threshold =
+        straight ? std::numeric_limits<double>::infinity() : bend_threshold * bend.mean();
+    return {frames, {[&bend](const Place& place) { return bend.at(place); }, threshold, true}};
+}
+
+}  // namespace
+
+FrameTables::FrameTables(std::shared_ptr<const curve::ArcLength> path, FrameMode mode, double smoothing)
+    : frames_(std::make_shared<ParallelFrames>(std::move(path))) {
+    if (mode == FrameMode::banking || mode == FrameMode::curvature) bend_.emplace(frames_, smoothing);
+    if (mode == FrameMode::curvature) {
+        track_.emplace(bend_track(*frames_, *bend_));
+    } else if (mode != FrameMode::minimal) {
+        track_.emplace(*frames_, DirectionField{world_up, upright_threshold, false});
+    }
+    if (frames_->cyclic() && frames_->seam() == Cell::joint) closing_angle_ = std::arg(frames_->closing());
+}
+
+Across FrameTables::minimal(const Place& place) const {
+    return std::polar(1.0, closing_angle_ == 0.0 ? 0.0 : -closing_angle_ * place.s / frames_->length());
+}
+
+std::size_t FrameTables::bytes() const noexcept {
+    return sizeof *this + frames_->bytes() + (bend_ ? bend_->bytes() : 0) + (track_ ? track_->bytes() : 0);
+}
+
+std::size_t FrameTablesHash::operator()(const FrameTablesKey& key) const noexcept {
+    ContentHash hash;
+    hash.add(static_cast<std::uint64_t>(curve::Hash{}(key.curve)));
+    hash.add(static_cast<std::uint64_t>(key.mode));
+    hash.add(key.smoothing);
+    return hash.value();
+}
+
+std::size_t FrameTablesBytes::operator()(const FrameTablesKey& key,
+                                         const FrameTables& tables) const noexcept {
+    return key.curve.control_points().size_bytes() + tables.bytes();
+}
+
+FrameTablesCache& frame_tables_cache() {
+    // Never destroyed: threads may still look up tables while the program exits.
+    static FrameTablesCache& cache = *new FrameTablesCache(cached_tables, cached_bytes);
+    return cache;
+}
+
+}  // namespace motus::path

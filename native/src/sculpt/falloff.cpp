@@ -1,0 +1,73 @@
+#include "motus/sculpt/falloff.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motus/core/ieee_floats.hpp"
+#include "motus/core/numeric.hpp"
+#include "pull_kernel.hpp"
+
+namespace motus::sculpt {
+namespace {
+
+constexpr std::size_t most_samples = 65536;
+
+/// Whether a falloff is one of (d / R)^2.
+bool is_of_squares(Falloff falloff) {
+    return falloff == Falloff::sphere || falloff == Falloff::gaussian || falloff == Falloff::constant;
+}
+
+}  // namespace
+
+float reach_of(const Profile& profile, float radius) {
+    return profile.falloff == Falloff::classic ? in_ieee_floats([radius] { return std::sqrt(radius); })
+                                               : radius;
+}
+
+ForceTerms force_terms(const Profile& profile, float radius) {
+    require(radius > 0.0f && std::isfinite(radius), "radius: must be > 0 and finite");
+    ForceTerms terms;
+    terms.falloff = profile.falloff;
+    terms.limit = radius;
+    // A radius so small that its reciprocal is infinite must not make 0 / R undefined.
+    terms.scale = std::min(1.0f / radius, std::numeric_limits<float>::max());
+    if (is_of_squares(profile.falloff)) {
+        terms.of_squares = true;
+        // Nor may its square leave the root out of reach.
+        terms.limit = std::max(radius * radius, std::numeric_limits<float>::denorm_min());
+        terms.scale = std::min(1.0f / terms.limit, std::numeric_limits<float>::max());
+    }
+    if (profile.falloff == Falloff::classic) {
+        require(std::isfinite(profile.scale_factor), "scale_factor: must be finite");
+        terms.of_squares = true;
+        // The radius is the square of the reach, which may have been rounded down.
+        const float reach = reach_of(profile, radius);
+        terms.limit = std::min(radius, reach * reach);
+        terms.scale = 1.0f / (radius + 1.0f);
+        terms.exponent = 1.0f + std::abs(profile.scale_factor);
+    }
+    if (profile.falloff == Falloff::curve) {
+        require(profile.curve.size() >= 2 && profile.curve.size() <= most_samples,
+                "curve: must have 2 to 65536 samples");
+        require(are_finite(profile.curve), "curve: every sample must be finite");
+        terms.samples = profile.curve.data();
+        terms.last_sample = static_cast<int>(profile.curve.size()) - 1;
+    }
+    return terms;
+}
+
+void forces(const Profile& profile, float radius, std::span<const float> distances, std::span<float> out) {
+    require(distances.size() == out.size(), "out: must be as long as distances");
+    in_ieee_floats([&] {
+        const ForceTerms terms = force_terms(profile, radius);
+        const PullKernel& kernel = pull_kernels().back();
+        std::transform(distances.begin(), distances.end(), out.begin(), [&terms](float distance) {
+            return terms.of_squares ? distance * distance : distance;
+        });
+        for (std::size_t i = 0; i < out.size(); i += pull_block)
+            kernel.force(terms, out.data() + i, std::min(pull_block, out.size() - i));
+    });
+}
+
+}  // namespace motus::sculpt

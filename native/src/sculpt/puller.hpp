@@ -1,0 +1,75 @@
+// One dab, checked and ready to be applied to blocks of vertices. Private to the library.
+#pragma once
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+#include "motus/sculpt/pull.hpp"
+#include "pull_kernel.hpp"
+
+namespace motus::sculpt {
+
+static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "positions are read as x, y, z after each other");
+
+/// What is moved, and what distances are measured on, which may be the same.
+struct Shapes {
+    const glm::vec3* positions;
+    const glm::vec3* measured;
+
+    [[nodiscard]] bool is_one() const noexcept { return positions == measured; }
+};
+
+/// Several threads may call the const members at once.
+class Puller {
+  public:
+    /// Throws std::invalid_argument where a number is outside its domain, or sizes differ.
+    Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_count, std::size_t out_count,
+           const PullKernel& kernel = pull_kernels().back());
+
+    [[nodiscard]] std::span<const PullImage> images() const noexcept { return images_; }
+
+    /// The vertices of [first, last), from `positions` to `out`, which may be the same.
+    void act_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last,
+                   glm::vec3* out) const;
+    /// Some vertices, by straight distance. `out` holds their positions already.
+    void act_among(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
+                   glm::vec3* out) const;
+    /// The same by the distances of one Reach an image; `vertices` is a part of their union, ascending.
+    void act_along(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
+                   std::span<const mesh::Reach> reaches, glm::vec3* out) const;
+
+    /// Throws std::invalid_argument where something strange was met on the way.
+    void report() const;
+
+  private:
+    struct Gathered;
+
+    [[nodiscard]] const glm::mat3* metric() const noexcept { return is_plain_ ? nullptr : &metric_; }
+    [[nodiscard]] bool measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
+                               float* distances) const;
+    void gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
+                Gathered& block) const;
+    void look_at_positions(const glm::vec3* positions, std::size_t count) const;
+    void look_at_weights(const float* weights, std::size_t count) const;
+
+    template <class Distances>
+    [[nodiscard]] bool act(const ForceTerms& force, const glm::vec3* positions, const float* weights,
+                           std::size_t count, Distances&& distances, glm::vec3* out) const;
+
+    ForceTerms force_;  ///< of distances in the metric's unit
+    ForceTerms
+        straight_;  ///< of those that are measured here: with the metric's scale in it, where it has one
+    MoveTerms move_;
+    glm::mat3 metric_;
+    bool is_plain_;  ///< the metric need not be looked at any more
+    std::size_t vertex_count_;
+    const PullKernel& kernel_;
+    std::vector<PullImage> images_;
+    mutable std::atomic<bool> saw_strange_position_{false};
+    mutable std::atomic<bool> saw_strange_weight_{false};
+};
+
+}  // namespace motus::sculpt

@@ -1,0 +1,133 @@
+#include "motus/core/cache.hpp"
+
+#include <catch2/catch.hpp>
+#include <functional>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "allocations.hpp"
+
+using namespace motus;
+using namespace motus::test;
+
+namespace {
+
+/// A hash that tells nothing apart: what is found must be found by content.
+struct ConstantHash {
+    std::size_t operator()(const std::string&) const { return 1; }
+};
+struct WordBytes {
+    std::size_t operator()(const std::string& key, const std::string& value) const {
+        return key.size() + value.size();
+    }
+};
+using WordCache = Cache<std::string, std::string, ConstantHash, WordBytes>;
+constexpr std::size_t roomy = 1000;
+
+/// Counts how often a value is made.
+struct Maker {
+    int made = 0;
+    std::shared_ptr<const std::string> operator()(const std::string& key) {
+        ++made;
+        return std::make_shared<const std::string>(key + "!");
+    }
+};
+
+}  // namespace
+
+TEST_CASE("the cache tells keys apart by content and makes each once", "[cache]") {
+    WordCache cache(8, roomy);
+    Maker maker;
+    CHECK(*cache.get("a", std::ref(maker)) == "a!");
+    CHECK(*cache.get("b", std::ref(maker)) == "b!");
+    CHECK(*cache.get("a", std::ref(maker)) == "a!");
+    CHECK(maker.made == 2);
+    CHECK(cache.size() == 2);
+}
+
+TEST_CASE("a full cache drops what was used longest ago", "[cache]") {
+    WordCache cache(2, roomy);
+    Maker maker;
+    (void)cache.get("a", std::ref(maker));
+    (void)cache.get("b", std::ref(maker));
+    (void)cache.get("a", std::ref(maker));
+    (void)cache.get("c", std::ref(maker));
+    CHECK(maker.made == 3);
+    CHECK(cache.size() == 2);
+    (void)cache.get("a", std::ref(maker));
+    CHECK(maker.made == 3);
+    (void)cache.get("b", std::ref(maker));
+    CHECK(maker.made == 4);
+}
+
+TEST_CASE("what was handed out outlives the cache's copy", "[cache]") {
+    WordCache cache(1, roomy);
+    const auto held = cache.get("a", Maker{});
+    cache.set_capacity(0);
+    CHECK(cache.size() == 0);
+    CHECK(*held == "a!");
+}
+
+TEST_CASE("a maker that throws leaves nothing behind", "[cache]") {
+    WordCache cache(2, roomy);
+    const auto failing = [](const std::string&) -> std::shared_ptr<const std::string> { throw 1; };
+    CHECK_THROWS(cache.get("a", failing));
+    CHECK(cache.size() == 0);
+    CHECK(*cache.get("a", Maker{}) == "a!");
+}
+
+TEST_CASE("a cache whose entries weigh too much drops what was used longest ago", "[cache]") {
+    WordCache cache(100, 12);
+    Maker maker;
+    for (const char* key : {"a", "b", "c", "d"}) (void)cache.get(key, std::ref(maker));
+    CHECK(cache.bytes() == 12);
+    (void)cache.get("a", std::ref(maker));
+    (void)cache.get("long", std::ref(maker));
+    CHECK(maker.made == 5);
+    CHECK(cache.size() == 2);
+    CHECK(cache.bytes() == 12);
+    (void)cache.get("a", std::ref(maker));
+    CHECK(maker.made == 5);
+    CHECK(*cache.get("longer than the cache", std::ref(maker)) == "longer than the cache!");
+    CHECK(cache.size() == 0);
+}
+
+TEST_CASE("a cache that finds no memory is as it was", "[cache]") {
+    for (int allocations = 0;; ++allocations) {
+        WordCache cache(1, roomy);
+        (void)cache.get("a", Maker{});
+        const auto made = std::make_shared<const std::string>("b!");
+        const std::string key(100, 'b');  // too long to be kept without an allocation
+        const auto make = [&made](const std::string&) { return made; };
+        const bool succeeded = with_allocations(allocations, [&] { (void)cache.get(key, make); });
+        CAPTURE(allocations);
+        CHECK(cache.size() == 1);
+        Maker maker;
+        CHECK(*cache.get("a", std::ref(maker)) == "a!");
+        CHECK(maker.made == (succeeded ? 1 : 0));
+        CHECK(cache.get(key, make) == made);
+        CHECK(cache.size() == 1);
+        if (!succeeded) continue;
+        CHECK(allocations >= 3);  // the entry, its key and the index
+        break;
+    }
+}
+
+TEST_CASE("many threads on one cache", "[cache]") {
+    WordCache cache(3, roomy);
+    std::vector<std::thread> threads;
+    std::vector<int> wrong(4, 0);
+    for (int& count : wrong) {
+        threads.emplace_back([&cache, &count] {
+            for (int i = 0; i < 2000; ++i) {
+                const std::string key = std::to_string(i * 7 % 5);
+                if (*cache.get(key, Maker{}) != key + "!") ++count;
+            }
+        });
+    }
+    for (std::thread& thread : threads) thread.join();
+    CHECK(wrong == std::vector<int>(4, 0));
+    CHECK(cache.size() <= 3);
+}

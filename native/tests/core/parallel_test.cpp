@@ -1,0 +1,101 @@
+#include "motus/core/parallel.hpp"
+
+#include <atomic>
+#include <catch2/catch.hpp>
+#include <cstddef>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+#include <vector>
+
+using namespace motus;
+
+TEST_CASE("parts cover every element once", "[parallel]") {
+    for (const std::size_t count : {0, 1, 2, 63, 64, 65, 1000, 4096, 100003}) {
+        for (const std::size_t grain : {0, 1, 7, 64, 5000}) {
+            for (const std::size_t threads : {0, 1, 2, 3, 16}) {
+                std::vector<std::atomic<int>> calls(count);
+                in_parts(
+                    count, grain,
+                    [&](std::size_t first, std::size_t last) {
+                        for (std::size_t i = first; i < last; ++i) ++calls[i];
+                    },
+                    threads);
+                const bool once =
+                    std::all_of(calls.begin(), calls.end(), [](const auto& times) { return times == 1; });
+                CAPTURE(count, grain, threads);
+                CHECK(once);
+            }
+        }
+    }
+}
+
+TEST_CASE("parts are not smaller than the grain, but for the last, and none is empty", "[parallel]") {
+    for (const std::size_t count : {1, 99, 100, 101, 1000, 65536}) {
+        std::mutex adding;
+        std::vector<std::pair<std::size_t, std::size_t>> parts;
+        in_parts(
+            count, 100,
+            [&](std::size_t first, std::size_t last) {
+                const std::lock_guard lock(adding);
+                parts.emplace_back(first, last);
+            },
+            8);
+        for (const auto& [first, last] : parts) {
+            CAPTURE(count, first, last);
+            CHECK(first < last);
+            CHECK((last - first >= 100 || last == count));
+        }
+        if (count < 200) CHECK(parts.size() == 1);
+        if (count == 65536) CHECK(parts.size() > 8);
+    }
+}
+
+TEST_CASE("one part is the caller's, and no more threads work than were asked for", "[parallel]") {
+    std::mutex adding;
+    std::set<std::thread::id> workers;
+    const auto work = [&](std::size_t /*first*/, std::size_t /*last*/) {
+        const std::lock_guard lock(adding);
+        workers.insert(std::this_thread::get_id());
+    };
+    in_parts(1000, 1000, work, 8);
+    CHECK(workers == std::set{std::this_thread::get_id()});
+    in_parts(100000, 1, work, 1);
+    CHECK(workers.size() == 1);
+    for (int run = 0; run < 50; ++run) {
+        workers.clear();
+        in_parts(100000, 1, work, 3);
+        CHECK(workers.size() <= 3);
+    }
+}
+
+TEST_CASE("an exception of the work passes to the caller, after all threads have ended", "[parallel]") {
+    std::atomic<int> inside{0};
+    const auto work = [&](std::size_t first, std::size_t /*last*/) {
+        ++inside;
+        std::this_thread::yield();
+        --inside;
+        if (first > 0) throw std::runtime_error("no");
+    };
+    for (int run = 0; run < 50; ++run) {
+        CHECK_THROWS_AS(in_parts(10000, 1, work, 4), std::runtime_error);
+        CHECK(inside == 0);
+    }
+    CHECK_THROWS_AS(in_parts(1, 1, [](std::size_t, std::size_t) { throw std::logic_error("no"); }),
+                    std::logic_error);
+}
+
+TEST_CASE("work may be shared out again inside a part", "[parallel]") {
+    std::atomic<std::size_t> sum{0};
+    in_parts(
+        10, 1,
+        [&](std::size_t first, std::size_t last) {
+            in_parts(
+                100, 10, [&](std::size_t from, std::size_t to) { sum += (last - first) * (to - from); }, 2);
+        },
+        3);
+    CHECK(sum == 1000);
+}
