@@ -1,0 +1,142 @@
+"""The property that a driver is put on, found by its data path, and what is there already."""
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+
+from ..core.refusals import Refused
+from ..core.translations import tr
+from . import expressions
+
+_PATH = re.compile(r'(?:(?P<owner>.*)\.)?(?P<name>\w+)$|(?P<holder>.*?)(?P<key>\["(?:[^"\\]|\\.)*"\])$', re.DOTALL)
+_INDEX = re.compile(r"\[(\d{1,9})\]$")
+_NUMBERS = {'FLOAT', 'INT', 'BOOLEAN'}
+
+
+@dataclass(frozen=True)
+class Place:
+    """A number. struct: whose property it is. name: of the property, or ["its name"]. index: in an array; -1 in none."""
+
+    struct: Any
+    name: str
+    index: int
+
+    @property
+    def holder(self):
+        """The datablock with the driver."""
+        return self.struct.id_data
+
+    @property
+    def path(self):
+        """From the datablock."""
+        own = "" if self.struct == self.holder else self.struct.path_from_id()
+        return own + self.name if self.name.startswith("[") or not own else f"{own}.{self.name}"
+
+    @property
+    def curve(self):
+        """The F-curve of the driver that is there; None without one."""
+        animation = self.holder.animation_data
+        return animation and animation.drivers.find(self.path, index=max(self.index, 0))
+
+    @property
+    def value(self):
+        """As it stands."""
+        return _at(_values(self.struct, self.name), self.index)
+
+    @value.setter
+    def value(self, number):
+        if self.index >= 0:
+            _values(self.struct, self.name)[self.index] = number
+        elif self.name.startswith("["):
+            self.struct[_key(self.name)] = number
+        else:
+            setattr(self.struct, self.name, number)
+
+    def evaluated(self, depsgraph):
+        """The value as it was evaluated; as it stands where the datablock was not."""
+        try:
+            return _at(self.holder.evaluated_get(depsgraph).path_resolve(self.path), self.index)
+        except (ValueError, TypeError, IndexError, RuntimeError):
+            return self.value
+
+    def add(self, expression):
+        """Drive it by the expression, in place of what drives it."""
+        if self.curve:
+            self.remove()
+        made = self.struct.driver_add(self.name, self.index)
+        while made.modifiers:
+            made.modifiers.remove(made.modifiers[0])
+        for key in reversed(made.keyframe_points):
+            made.keyframe_points.remove(key)
+        made.driver.type = 'SCRIPTED'
+        made.driver.expression = expression
+
+    def remove(self):
+        """Drive it no more."""
+        self.struct.driver_remove(self.name, self.index)
+
+
+def _key(name):
+    return bpy.utils.unescape_identifier(name[2:-2])
+
+
+def _values(struct, name):
+    return struct[_key(name)] if name.startswith("[") else getattr(struct, name)
+
+
+def _at(value, index):
+    return value[index] if index >= 0 else value
+
+
+def find(id_data, data_path, index=-1):
+    """The Places of a property: one, or of an array one for each component where index is -1. Raises Refused."""
+    path = data_path
+    found = _INDEX.search(path)
+    if found and index < 0:
+        path, index = path[:found.start()], int(found[1])
+    match = _PATH.match(path)
+    if match is None:
+        raise Refused(_unknown(id_data, data_path))
+    owner = match["owner"] if match["name"] else match["holder"]
+    try:
+        struct = id_data.path_resolve(owner) if owner else id_data
+        value = _values(struct, match["name"] or match["key"])
+    except (ValueError, AttributeError, KeyError, TypeError) as error:
+        raise Refused(_unknown(id_data, data_path)) from error
+    name = match["name"] or match["key"]
+    size = _size(struct, name, value)
+    if size is None:
+        raise Refused(tr("{path} is no number that can be driven").format(path=data_path))
+    if index >= max(size, 1):
+        raise Refused(tr("{path} has {count} components: index goes from 0 to {last}").format(
+            path=data_path, count=max(size, 1), last=max(size, 1) - 1))
+    indices = [-1] if size == 0 else range(size) if index < 0 else [index]
+    return [Place(struct, name, one) for one in indices]
+
+
+def _unknown(id_data, data_path):
+    return tr("{object} has no property {path}").format(object=id_data.name, path=data_path)
+
+
+def _size(struct, name, value):
+    """How many components a property has, 0 where it is a single number; None where it is none that can be driven."""
+    if name.startswith("["):
+        if isinstance(value, (int, float)):
+            return 0
+        return len(value) if getattr(value, "typecode", None) in {"d", "f", "i", "b"} else None
+    prop = struct.bl_rna.properties[name]
+    if prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
+        return None
+    return prop.array_length if prop.is_array else 0
+
+
+def of_object(obj):
+    """(datablock, F-curve) of all drivers of our functions on an object, its data, its shape keys and its materials."""
+    data = obj.data
+    holders = [obj, data, getattr(data, "shape_keys", None)]
+    for slot in obj.material_slots:
+        holders += [slot.material, slot.material and slot.material.node_tree]
+    return [(holder, curve) for holder in dict.fromkeys(filter(None, holders)) if holder.animation_data
+            for curve in holder.animation_data.drivers if expressions.names_ours(curve.driver.expression)]
