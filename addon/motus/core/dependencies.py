@@ -9,7 +9,7 @@ import re
 
 import bpy
 
-from .system import registered
+from .system import systems
 from .wiring import outbox, proxy_sink
 
 TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "geometry", "drivers", "entry"
@@ -232,7 +232,7 @@ class _Graph:
 
 
 def _with_entries():
-    return [system for system in registered.values() if system.entries]
+    return [system for system in systems() if system.entries]
 
 
 def _place(obj, bone):

@@ -192,22 +192,36 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class System:
-    """One system; see docs/architecture.md.
+class Feature:
+    """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/architecture.md.
 
-    solve: None where nothing is solved; the settings are then never active. moves_points: the solver moves the points of
-    the owner's mesh, by a modifier, and has no members. unbakeable: a sentence that says why there is nothing to bake.
     scene_settings: a PropertyGroup that becomes Scene.motus.<name>. extras: with register() and unregister() of their own.
-    settle: called after an evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner.
-    bone_renamed: called with the owner, a rig, and the old and the new name of a bone of it that the owner drives or reads.
     """
 
     name: str
     label: str
     settings: type
     classes: tuple
-    solve: Optional[Callable] = None
-    problems: tuple = ()
+    scene_settings: Optional[type] = None
+    extras: tuple = ()
+    overlay: Optional[Callable] = None
+    add_menu: tuple = ()
+    object_menu: tuple = ()
+    pose_menu: tuple = ()
+
+
+@dataclass(frozen=True, kw_only=True)
+class System(Feature):
+    """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
+
+    moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. unbakeable: a sentence
+    that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
+    (Context.wants_to_settle), with the owner. bone_renamed: called with the owner, a rig, and the old and the new name of a
+    bone of it that the owner drives or reads.
+    """
+
+    solve: Callable
+    problems: tuple
     inputs: tuple = ()
     outputs: tuple = ()
     channels: Callable = lambda settings: frozenset({"location", "rotation"})
@@ -220,12 +234,6 @@ class System:
     moves_points: bool = False
     settle: Optional[Callable] = None
     unbakeable: str = ""
-    scene_settings: Optional[type] = None
-    extras: tuple = ()
-    overlay: Optional[Callable] = None
-    add_menu: tuple = ()
-    object_menu: tuple = ()
-    pose_menu: tuple = ()
 
 
 @dataclass
@@ -253,7 +261,12 @@ class Context:
 
 
 registered = {}
-"""The registered systems by name."""
+"""The registered features by name, systems among them."""
+
+
+def systems():
+    """The registered systems: of all features those that are solved."""
+    return [feature for feature in registered.values() if isinstance(feature, System)]
 
 
 def of_owner(system, owner):

@@ -8,7 +8,7 @@ import re
 
 from ..core import dependencies, wiring
 from ..core.refusals import Refused
-from ..core.system import of_owner, registered
+from ..core.system import System, of_owner, registered
 from ..core.translations import tr
 from . import blend_keys, chains, setup
 
@@ -27,7 +27,7 @@ _SUM = re.compile(rf"(\d+)((?:\+(?:{_TERM.pattern}))*)$")
 def output_source(owner, system_name, output):
     """(kind of datablock, datablock, data path) of a number that a system computes for an object."""
     system = registered.get(system_name)
-    if system is None:
+    if not isinstance(system, System):
         raise Refused(tr("There is no system {system}").format(system=system_name))
     if not of_owner(system, owner).is_active:
         raise Refused(tr("{object} is not driven by {system}").format(object=owner.name, system=tr(system.label)))
@@ -47,7 +47,7 @@ def output_source(owner, system_name, output):
 def check_elsewhere(rig, owner, system_name):
     """Refuse an output of the rig's own bones: whatever is solved on a rig waits for all of its drivers, Blend's too."""
     system = registered.get(system_name)
-    if owner == rig and system and system.groups is not None:
+    if owner == rig and isinstance(system, System) and system.groups is not None:
         _refuse_own(rig)
 
 

@@ -4,7 +4,7 @@ import itertools
 from typing import NamedTuple
 
 from ..core import actions, entry_keys
-from ..core.system import registered
+from ..core.system import systems
 
 
 class Chain(NamedTuple):
@@ -87,5 +87,5 @@ def prefixes(rig, index):
 
 def driven_elsewhere(rig, name):
     """bone -> (label of the system, entry) of all bones that Motus drives, but for those of the IK entry `name`."""
-    return {bone: (system.label, entry.name) for system in registered.values() if system.entries
+    return {bone: (system.label, entry.name) for system in systems() if system.entries
             for entry in system.entries(rig) if (system.name, entry.name) != ("ik", name) for bone in entry.drives}

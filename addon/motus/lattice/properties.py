@@ -2,12 +2,10 @@
 
 import bpy
 
-from ..core.settings import SystemSettings
-
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
 
 
-class MOTUS_PG_lattice(SystemSettings, bpy.types.PropertyGroup):
+class MOTUS_PG_lattice(bpy.types.PropertyGroup):
     is_fitted: bpy.props.BoolProperty(
         name="Fitted", description="Motus has made this lattice, and removes it with its last modifier",
         options=set(), override=OVERRIDABLE)

@@ -2,7 +2,7 @@
 
 from ..core import dependencies, libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
-from ..core.system import registered
+from ..core.system import systems
 from ..core.translations import tr
 from . import anatomy
 from .properties import ANY_BODY_LENGTH
@@ -103,7 +103,7 @@ def spine_for(rig, head, wanted):
 
 def check_free(rig, head, driven):
     """Refuse bones that Motus drives already, in another entry or by another system."""
-    for system in registered.values():
+    for system in systems():
         for entry in system.entries(rig) if system.entries else ():
             is_own = system.name == "look_at" and entry.name == head
             shared = set() if is_own else set(driven) & set(entry.drives)

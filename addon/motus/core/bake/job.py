@@ -26,7 +26,7 @@ def owner_and_systems(thing, name=""):
 
 
 def _candidates(thing):
-    systems = system.registered.values()
+    systems = system.systems()
     yield thing, [one for one in systems if wiring.is_attached(one, thing)]
     for one in systems:
         leader = system.of_owner(one, thing).leader
@@ -58,7 +58,7 @@ def unbake(thing, name=""):
     thing: the owner or one of its members. name: of a system that has to be among the baked ones.
     """
     owner = thing.motus.bake.owner or thing
-    systems = [one for one in system.registered.values() if system.of_owner(one, owner).is_baked]
+    systems = [one for one in system.systems() if system.of_owner(one, owner).is_baked]
     baked = [one for one in bpy.data.objects if _is_baked_with(owner, one)]
     if not baked or (name and name not in [one.name for one in systems]):
         raise Refused(tr("{object} is not baked").format(object=thing.name))

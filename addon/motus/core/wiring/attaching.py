@@ -3,7 +3,7 @@
 import bpy
 
 from .. import actions, copies
-from ..system import drop_dead_copy, groups_of, of_owner, registered
+from ..system import drop_dead_copy, groups_of, of_owner, systems
 from . import (
     anchor, attribute_sink, carriers, drivers, geometry_sink, limit_sink, order, outbox, override_drivers,
     overrides, proxy_sink, readers, solver_driver)
@@ -102,7 +102,7 @@ def _detach(system, owner):
     order.release(settings)
     settings.is_active = False
     settings.wired = ""
-    if not any(of_owner(one, owner).is_active for one in registered.values()):
+    if not any(of_owner(one, owner).is_active for one in systems()):
         copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
@@ -133,7 +133,7 @@ def refresh_others(system, owner):
     """Wire the owner's other systems again whose groups depend on what has changed in this one."""
     if system.entries is None:
         return
-    for other in registered.values():
+    for other in systems():
         if other is not system and other.entries is not None and is_attached(other, owner):
             refresh_changed(other, owner)
 

@@ -15,7 +15,7 @@ from bpy.app.handlers import persistent
 from .. import native, stored
 from ..lazy import numpy as np
 from ..stored import Damaged
-from ..system import Variable, groups_of, registered
+from ..system import Variable, groups_of, systems
 from . import attributes, drivers, limit_sink, outbox
 from .scratch import scratch
 
@@ -175,7 +175,7 @@ def store_own_poses(*_):
     for mesh in bpy.data.meshes:
         if mesh.library or STILL not in (_kinds(mesh) or ()):
             continue
-        for system in registered.values():
+        for system in systems():
             with suppress(Damaged):
                 _store_own_poses(system, outbox.owner_of(system, mesh), mesh)
 

@@ -5,7 +5,7 @@ import re
 import bpy
 
 from .. import capabilities
-from ..system import groups_of, of_owner, registered
+from ..system import groups_of, of_owner, systems
 from . import drivers, outbox, proxy_sink
 
 OWN, HUB, ATTRIBUTE, POINTS = "own", "hub", "attribute", "points"
@@ -35,7 +35,7 @@ def _want_hubs(system, owner, groups):
     A hub waits for all that is driven on the owner, the outboxes that the owner carries itself included: one of each would
     make a loop where they read each other's bones.
     """
-    systems = [one for one in registered.values() if one.groups is not None and not one.moves_points]
+    systems = [one for one in systems() if one.groups is not None and not one.moves_points]
     if _drives_itself(owner) or any(drivers.has_driven_settings(owner, of_owner(one, owner)) for one in systems):
         return True
     if not capabilities.has_geometry_attribute_constraint():

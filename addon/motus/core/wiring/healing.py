@@ -18,7 +18,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import deleted, handlers, native
-from ..system import of_owner, registered
+from ..system import of_owner, registered, systems
 from . import anchor, attaching, carriers, drivers, geometry_sink, outbox, overrides, relations
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
@@ -160,7 +160,7 @@ def _heal_copies():
 def _attached():
     """(system, owner) of all that is wired in this file."""
     owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
-    return [(system, owner) for owner in owners for system in registered.values() if of_owner(system, owner).is_active]
+    return [(system, owner) for owner in owners for system in systems() if of_owner(system, owner).is_active]
 
 
 def _heal_overrides():
@@ -178,7 +178,7 @@ def _release_overrides():
     for obj in bpy.data.objects:
         if not obj.override_library or obj.library or not obj.is_property_set("motus"):
             continue
-        for system in registered.values():
+        for system in systems():
             settings = of_owner(system, obj)
             if settings.is_released and not settings.is_active:
                 release(system, obj)
@@ -205,7 +205,7 @@ def _heal_joined(grown):
         if obj.data not in grown or obj.library or obj.override_library:
             continue
         has_settings = obj.is_property_set("motus")
-        for system in registered.values():
+        for system in systems():
             is_wired = has_settings and of_owner(system, obj).is_active
             if system.groups is not None and not is_wired and has_sinks(system, obj):
                 joined = [rig for rig in makers(system, obj) if not rig.users_collection]
@@ -218,7 +218,7 @@ def _heal_joined(grown):
 
 def _discard(rig):
     """Remove a rig that was joined into another one, but is kept alive by its hubs and proxies, and they by it."""
-    for system in registered.values():
+    for system in systems():
         for hub in [hub for _, hub in outbox.hubs(system, rig) if outbox.is_own_hub(hub, rig)]:
             bpy.data.meshes.remove(hub.data)
         anchor.release(of_owner(system, rig))
