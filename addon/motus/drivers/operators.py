@@ -48,20 +48,11 @@ class _OnProperty:
             if context.object is None:
                 raise Refused(tr("There is no active object"))
             return context.object
-        collection = _collection(self.id_type)
+        collection = places.datablocks(self.id_type)
         found = collection.get(self.id_name) if collection is not None else None
         if found is None:
             raise Refused(tr("There is no {name} of the type {type}").format(name=self.id_name, type=self.id_type))
         return found
-
-
-def _collection(id_type):
-    """The datablocks of a type that driver targets name; None where there is no such type."""
-    for prop in bpy.data.bl_rna.properties:
-        kind = prop.type == 'COLLECTION' and prop.fixed_type
-        if kind and kind.name.upper().replace(" ", "") == id_type.replace("_", ""):
-            return getattr(bpy.data, prop.identifier)
-    return None
 
 
 class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, bpy.types.Operator):

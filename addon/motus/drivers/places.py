@@ -132,11 +132,54 @@ def _size(struct, name, value):
     return prop.array_length if prop.is_array else 0
 
 
+def datablocks(id_type):
+    """The datablocks of a type that driver targets name, such as OBJECT; None where there is no such type."""
+    return next((getattr(bpy.data, prop.identifier) for name, _, prop in _types() if name == id_type), None)
+
+
+def type_of(datablock):
+    """The type of a datablock, as driver targets name it."""
+    return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
+
+
+def _types():
+    """(name, class, property of bpy.data) of each type of datablock."""
+    for prop in bpy.data.bl_rna.properties:
+        if prop.type == 'COLLECTION':
+            kind = prop.fixed_type
+            yield kind.name.upper().replace(" ", ""), getattr(bpy.types, kind.identifier), prop
+
+
+@dataclass(frozen=True)
+class Found:
+    """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array."""
+
+    datablock: Any
+    path: str
+    index: int
+    expression: str
+
+
 def of_object(obj):
-    """(datablock, F-curve) of all drivers of our functions on an object, its data, its shape keys and its materials."""
+    """The drivers of our functions on an object, its data, its shape keys and its materials."""
     data = obj.data
-    holders = [obj, data, getattr(data, "shape_keys", None)]
+    holders = [(obj, ""), (data, ""), (getattr(data, "shape_keys", None), "")]
     for slot in obj.material_slots:
-        holders += [slot.material, slot.material and slot.material.node_tree]
-    return [(holder, curve) for holder in dict.fromkeys(filter(None, holders)) if holder.animation_data
-            for curve in holder.animation_data.drivers if expressions.names_ours(curve.driver.expression)]
+        holders += [(slot.material, ""), (slot.material, "node_tree")]
+    return [one for datablock, within in dict.fromkeys(holders) if datablock for one in _on(datablock, within)]
+
+
+def _on(datablock, within):
+    holder = getattr(datablock, within) if within else datablock
+    animation = holder and holder.animation_data
+    for curve in animation.drivers if animation else ():
+        if expressions.names_ours(curve.driver.expression):
+            path = f"{within}.{curve.data_path}" if within else curve.data_path
+            yield Found(datablock, path, curve.array_index if _is_array(datablock, path) else -1, curve.driver.expression)
+
+
+def _is_array(datablock, path):
+    try:
+        return hasattr(datablock.path_resolve(path), "__len__")
+    except ValueError:
+        return False

@@ -1,0 +1,32 @@
+"""Entries in the menu that the right mouse button opens on a property."""
+
+import bpy
+
+from . import expressions
+from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
+
+
+def _draw(menu, context):
+    hovered = context.property
+    if hovered is None:
+        return
+    datablock, path, index = hovered
+    animation = getattr(datablock, "animation_data", None)
+    curve = animation and animation.drivers.find(path, index=max(index, 0))
+    is_ours = curve is not None and expressions.names_ours(curve.driver.expression)
+    layout = menu.layout
+    layout.separator()
+    layout.operator_context = 'INVOKE_DEFAULT'
+    layout.operator(MOTUS_OT_driver_add.bl_idname, text="Edit Motion Driver" if is_ours else "Add Motion Driver", icon='DRIVER')
+    if is_ours:
+        layout.operator(MOTUS_OT_driver_remove.bl_idname, icon='X')
+
+
+def register():
+    """Show them."""
+    bpy.types.UI_MT_button_context_menu.append(_draw)
+
+
+def unregister():
+    """Hide them."""
+    bpy.types.UI_MT_button_context_menu.remove(_draw)
