@@ -1,12 +1,12 @@
 """One small scene of each system, all of it at work, and where everything in it really is."""
 
 import bpy
-import ik_cases
-import lattice_cases
-import look_at_cases
+from ik import ik_cases
+from lattice import lattice_cases
+from look_at import look_at_cases
 import numpy as np
-import path_cases
-import pin_cases
+from path import path_cases
+from pull.pins import pin_cases
 
 FRAMES = (1, 13, 25.5, 40)
 

@@ -1,5 +1,7 @@
 """Tests of the installed add-on, inside Blender; `./motus test` calls it in every Blender.
 
+The folders are those of addon/motus. The one without an __init__.py, window/, has a run of its own.
+
 By hand: ./motus blender -b --factory-startup --python-exit-code 1 --python blend_tests/run.py -- [PATTERN...]
 """
 

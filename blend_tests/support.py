@@ -11,6 +11,9 @@ from pathlib import Path
 import addon_utils
 import bpy
 
+TESTS = Path(__file__).resolve().parent
+CLONE = TESTS.parent
+
 
 def module_name():
     """Name of the add-on's package: an extension's lies below its repository (4.2 on), a legacy add-on's is its own."""
@@ -98,7 +101,7 @@ def run_blender(code, profile=None, arguments=("--factory-startup",), enabled=Tr
     switch = ("--addons", module_name()) if enabled else ()
     with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
         script = Path(folder, "script.py")
-        script.write_text(f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r})\n{code}", encoding="utf-8")
+        script.write_text(f"import sys; sys.path.insert(0, {str(TESTS)!r})\n{code}", encoding="utf-8")
         command = [bpy.app.binary_path, "--background", *arguments, "--python-exit-code", "1", *switch,
                    "--python", str(script)]
         done = subprocess.run(command, env=environment, text=True, timeout=300, check=False,

@@ -2,13 +2,12 @@
 
 import re
 import sys
-from pathlib import Path
 
 import bpy
 
 import support
 
-DOCS = Path(__file__).resolve().parent.parent / "docs"
+DOCS = support.CLONE / "docs"
 sys.path.insert(0, str(DOCS / "scripts"))
 
 

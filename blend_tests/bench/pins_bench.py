@@ -44,7 +44,7 @@ def pinned(side, count, radius, distance):
     bpy.context.scene.collection.objects.link(obj)
     bpy.context.view_layer.objects.active = obj
     roots = np.random.default_rng(1).integers(0, len(places), count)
-    setup = support.addon("pull.pins_setup")
+    setup = support.addon("pull.pins.setup")
     wiring, rewire = support.addon("core.wiring"), setup.rewire
     setup.rewire = lambda owner: None  # once, at the end
     for root in roots.tolist():
@@ -72,8 +72,8 @@ def frame_times():
 def solve_time(obj):
     """Median milliseconds of the solve alone, with what is reached known, and of the first one."""
     import numpy as np
-    solve, table = support.addon("pull.pins_solve"), support.addon("pull.pins_table")
-    support.addon("pull.pins_shapes").forget()
+    solve, table = support.addon("pull.pins.solve"), support.addon("pull.pins.table")
+    support.addon("pull.pins.shapes").forget()
     offsets, times = np.zeros((len(obj.data.vertices), 3), np.float32), []
     for _ in range(FRAMES):
         start = time.perf_counter()

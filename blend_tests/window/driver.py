@@ -1,4 +1,4 @@
-"""Inside a Blender with a window: runs the generator functions test_* of all files, step by step from a timer.
+"""Inside a Blender with a window: runs the generator functions test_* of all files below this folder, step by step from a timer.
 
     blender ... --enable-event-simulate --python driver.py -- PICTURE_FOLDER [PATTERN...]
 
@@ -14,12 +14,12 @@ import traceback
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent)]
+sys.path.insert(0, str(HERE.parent))
 sys.dont_write_bytecode = True
 
 import bpy  # noqa: E402
 import support  # noqa: E402  (found by the line above)
-import window_support  # noqa: E402
+from window import window_support  # noqa: E402
 
 TURNS = 3
 """Of Blender's main loop: the events that a test has sent are handled in the first, and what is marked by that for drawing is drawn in the
@@ -29,7 +29,8 @@ LIMIT = 600.0  # seconds for one test: for what never ends, not for a machine th
 
 def load_tests(patterns):
     """{file.test: function} of all files, in their order."""
-    modules = [importlib.import_module(path.stem) for path in sorted(HERE.glob("test_*.py"))]
+    names = sorted(path.relative_to(HERE.parent).with_suffix("").parts for path in HERE.rglob("test_*.py"))
+    modules = [importlib.import_module(".".join(parts)) for parts in names]
     tests = {f"{module.__name__}.{name}": value for module in modules for name, value in vars(module).items()
              if name.startswith("test_")}
     return {name: test for name, test in tests.items() if not patterns or any(pattern in name for pattern in patterns)}

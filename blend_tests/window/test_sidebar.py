@@ -2,7 +2,7 @@
 
 import bpy
 import support
-import window_support
+from window import window_support
 
 SENTENCES = (
     "Landscape has a Multiresolution modifier: apply it or remove it first",

@@ -1,4 +1,4 @@
-"""Draws the icons of the toolbar: python3 docs/scripts/tool_icons.py writes addon/motus/pull/icons/pick_pull.dat.
+"""Draws the icons of the toolbar: python3 docs/scripts/tool_icons.py writes addon/motus/pull/window/icons/pick_pull.dat.
 
 Blender's icon geometry: the letters VCO and a zero byte, width and height, an unused offset of two bytes; then the
 corners of all triangles (two bytes each, from the lower left), then their colours (RGBA, one byte each).
@@ -9,7 +9,7 @@ import struct
 import sys
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parents[2] / "addon" / "motus" / "pull" / "icons"
+FOLDER = Path(__file__).resolve().parents[2] / "addon" / "motus" / "pull" / "window" / "icons"
 SIZE = 255
 WHITE = (255, 255, 255, 255)
 # The colour in which Blender's own icons show what a tool changes.

@@ -1,8 +1,11 @@
 """Inverse kinematics: chains of bones that reach for targets, with weights, poles, limits, softness and stretch."""
 
 from ..core.system import System
-from . import check, drag, groups, matching, operators, overlay, panel, presets, properties, solve, switching
-from . import tools_panel
+from . import groups, operators, overlay, panel, presets, properties, solve, tools_panel
+from .checking import operators as checking_operators
+from .dragging import operators as dragging_operators
+from .matching import operators as matching_operators
+from .switching import operators as switching_operators
 
 SYSTEM = System(
     name="ik",
@@ -12,7 +15,7 @@ SYSTEM = System(
         # Groups before the group that holds them.
         *properties.classes, *operators.classes,
         *presets.classes, *panel.classes,
-        *matching.classes, *switching.classes, *drag.classes, *check.classes,
+        *matching_operators.classes, *switching_operators.classes, *dragging_operators.classes, *checking_operators.classes,
         *tools_panel.classes,  # sub-panels
     ),
     solve=solve.solve,

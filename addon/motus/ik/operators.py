@@ -5,8 +5,10 @@ import bpy
 from ..core import wiring
 from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
-from . import blend_keys, blend_trigger, placing, setup, status, targets
+from . import setup, status, targets
+from .goals import placing
 from .properties import KEYWORDS, IkKeywords
+from .switching import blend_keys, blend_trigger
 
 
 def in_a_mode_of_objects(cls, context):

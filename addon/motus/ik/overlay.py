@@ -7,7 +7,9 @@ from mathutils import Quaternion
 from ..core import deleted
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch
-from . import chains, controls, goal_places, placing, status
+from . import chains, status
+from .goals import controls, placing
+from .goals import places as goal_places
 
 STEPS = 64  # of a circle
 LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn

@@ -6,7 +6,8 @@ from contextlib import contextmanager
 import bpy
 
 from ..core.settings import SystemSettings, rewire, touch
-from . import chains, check_results
+from . import chains
+from .checking import results as check_results
 
 ANIMATED = {'ANIMATABLE'}
 OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
-from . import goal_places
+from .goals import places as goal_places
 from .groups import PLAN
 from .reasons import MUTED
 from .wired import RigChanged, Wired

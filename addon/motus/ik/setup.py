@@ -6,8 +6,8 @@ import bpy
 
 from ..core import actions, dependencies, entry_keys, wiring
 from ..core.system import forget, registered
+from .goals.placing import CONTROL_KEY
 from .groups import goals
-from .placing import CONTROL_KEY
 
 
 def system():

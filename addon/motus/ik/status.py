@@ -7,7 +7,9 @@ import bpy
 
 from ..core import deleted, dependencies, native, wiring
 from ..core.translations import tr
-from . import chains, goal_places, reasons, stations
+from . import chains, reasons
+from .goals import stations
+from .goals import places as goal_places
 from .groups import OUTPUTS
 from .setup import system
 

@@ -4,7 +4,8 @@ import bpy
 
 from ..core import ui
 from ..core.translations import tr
-from . import check_results, status
+from . import status
+from .checking import results as check_results
 from .panel import shown_entry
 
 ICONS = {'NONE': 'CHECKMARK', 'ANIMATED': 'INFO'}

@@ -2,8 +2,8 @@
 
 from ..core import native, rigs, stored
 from ..core.lazy import numpy as np
+from .goals.stations import Further
 from .groups import OUTPUTS
-from .stations import Further
 
 
 _WHERE = ("", 'OWN', 'OTHER').__contains__

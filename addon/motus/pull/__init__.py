@@ -1,9 +1,14 @@
 """Pick & Pull: meshes are sculpted by pulling, and pulls are kept as pins that can be animated."""
 
 from ..core.system import System
-from . import (
-    adjust, grid, operators, panel, pins_apply, pins_operators, pins_panel, pins_properties, pins_setup, pins_solve,
-    presets, properties, tool)
+from . import grid, operators, panel, presets, properties
+from .pins import apply as pins_apply
+from .pins import operators as pins_operators
+from .pins import panel as pins_panel
+from .pins import properties as pins_properties
+from .pins import setup as pins_setup
+from .pins import solve as pins_solve
+from .window import adjust, tool
 
 SYSTEM = System(
     name="pull",

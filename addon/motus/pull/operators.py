@@ -5,11 +5,14 @@ import bpy
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import history, keywords, meshes, modal, properties
-from .dab import Session
+from . import keywords, properties
 from .falloff_curve import CURVE_SAMPLES
-from .history import Done
+from .mesh import object_mesh
 from .properties import BrushKeywords
+from .session import history
+from .session.dab import Session
+from .session.history import Done
+from .window import modal
 
 
 class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator):
@@ -50,7 +53,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
             return {'CANCELLED'}
         self.remember(context, session, with_dabs=False)
         if session.mesh.share_seen() == 0.0:
-            self.report({'WARNING'}, meshes.not_seen(session.mesh.key))
+            self.report({'WARNING'}, object_mesh.not_seen(session.mesh.key))
         return {'FINISHED'}
 
     def start(self, context):

@@ -3,7 +3,8 @@
 import bpy
 
 from ..core import native, ui
-from . import falloff_curve, meshes, presets
+from . import falloff_curve, presets
+from .mesh import object_mesh
 
 PRESSURE_ICON = 'STYLUS_PRESSURE'
 
@@ -23,7 +24,7 @@ def draw_radius(layout, brush):
 def draw_main(layout, context):
     """What is pulled, and how."""
     brush = context.scene.motus.pull
-    problem = meshes.problem(context.object)
+    problem = object_mesh.problem(context.object)
     if problem:
         ui.draw_message(layout, problem, 'ERROR')
     start = layout.row()

@@ -1,0 +1,1 @@
+"""Frames on which chains do not come to their targets."""

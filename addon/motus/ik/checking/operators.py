@@ -1,0 +1,97 @@
+"""The operator that looks for frames on which chains do not come to their targets."""
+
+import bpy
+
+from ...core.refusals import Refused, check_local
+from ...core.translations import tr
+from .. import status, targets
+from ..frame_walk import Kept, OverFrames, active_rig, go_to
+from ..goals import controls
+from . import results
+
+
+class _Finding:
+    """What was found of one entry, frame by frame; on those where it is muted nothing."""
+
+    def __init__(self):
+        self._checked, self._short, self._unsolved, self._animated = [], [], [], []
+        self._worst, self._reason = 0.0, 'NONE'
+
+    def add(self, frame, left, reason):
+        """Note what is left on a frame, and why."""
+        if reason == 'ANIMATED':
+            self._animated.append(frame)
+            return
+        self._checked.append(frame)
+        if reason == 'UNSOLVED':
+            self._unsolved.append(frame)
+        elif reason != 'NONE':
+            self._short.append(frame)
+            if left > self._worst:
+                self._worst, self._reason = left, reason
+
+    def store(self, entry, step):
+        """Keep the result with the entry."""
+        if self._unsolved:
+            results.store(entry, self._checked, step, self._unsolved, reason='UNSOLVED')
+        elif self._animated and not self._checked:
+            results.store(entry, self._animated, step, reason='ANIMATED')
+        else:
+            results.store(entry, self._checked, step, self._short, self._worst, self._reason)
+
+
+class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
+    bl_idname = "motus.ik_check"
+    bl_label = "Check Reach"
+    bl_description = "Look for the frames on which chains do not come to their targets"
+
+    def steps(self, context, frames):
+        rig = active_rig(context, self.object)
+        check_local(rig)
+        if rig.motus.ik.is_baked:
+            raise Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
+        entries = rig.motus.ik.entries
+        self._chosen = [entries[targets.entry_for(rig, self.bone)]] if self.bone else list(entries)
+        self._range = results.ranges(frames, self.step)
+        self._findings = {entry.name: _Finding() for entry in self._chosen}
+        return self._walk(context, rig, frames)
+
+    def result(self, context):
+        for entry in self._chosen:
+            self._findings[entry.name].store(entry, self.step)
+        told = [entry for entry in self._chosen if entry.check_range]
+        if not told:
+            self.report({'INFO'}, tr("Muted chains are not checked"))
+        told = self._without_good(told)
+        # Blender shows the last report: what is bad.
+        for entry in sorted(told, key=lambda entry: bool(entry.check_frames)):
+            self.report({'WARNING' if entry.check_frames else 'INFO'}, f"{entry.name}: " + results.sentence(
+                entry, lambda value: status.length(context, value)))
+
+    def _without_good(self, told):
+        """Those of the entries that need a sentence of their own: several that are good on all frames share one."""
+        good = [entry for entry in told if entry.check_reason == 'NONE' and entry.check_range == self._range]
+        if len(good) < 2:
+            return told
+        self.report({'INFO'}, tr("{chains} chains reach their targets on all frames {range}").format(
+            chains=len(good), range=self._range))
+        return [entry for entry in told if entry not in good]
+
+    def _walk(self, context, rig, frames):
+        kept = Kept(context.scene, controls.animated_with(rig, self._chosen))
+        depsgraph = context.view_layer.depsgraph
+        try:
+            for index, frame in enumerate(frames):
+                go_to(context.scene, frame)
+                evaluated = rig.evaluated_get(context.view_layer.depsgraph).motus.ik
+                for entry in self._chosen:
+                    now = evaluated.entries[entry.name]
+                    found = status.report(rig, entry.name, depsgraph)
+                    if not now.is_muted:
+                        self._findings[entry.name].add(frame, *status.fault(found, now))
+                yield index + 1
+        finally:
+            kept.restore()
+
+
+classes = (MOTUS_OT_ik_check,)

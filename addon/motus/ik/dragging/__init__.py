@@ -1,0 +1,1 @@
+"""Dragging a chain by any of its points."""

@@ -1,0 +1,107 @@
+"""The operator that drags a chain by any of its points."""
+
+import bpy
+from mathutils import Vector
+
+from ...core import actions
+from ...core.drag import PointDrag
+from ...core.refusals import Refused, check_finite, check_posed, named
+from ...core.translations import tr
+from .. import status, targets
+from ..operators import OfARig, in_a_mode_of_objects, refused
+from . import grab, picking
+
+REACHED = 1e-4
+"""Share of the bone's length within which the point counts as brought there."""
+
+
+class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
+    bl_idname = "motus.ik_drag"
+    bl_label = "Drag Chain"
+    bl_description = "Take hold of a bone at any point; the chain follows the mouse"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    bone: bpy.props.StringProperty(
+        name="Bone", description="Name of the bone that is pulled; empty takes the active one", options={'SKIP_SAVE'})
+    factor: bpy.props.FloatProperty(
+        name="Factor", description="Where along the bone it is held, from its head (0) to its tail (1)", default=1.0,
+        min=0.0, max=1.0, subtype='FACTOR', options={'SKIP_SAVE'})
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Where that point is pulled to, in the world", size=3, subtype='XYZ',
+        unit='LENGTH', options={'SKIP_SAVE'})
+    chain_length: bpy.props.IntProperty(
+        name="Chain Length", default=0, min=0, max=255,
+        description="How many bones without inverse kinematics follow; 0 takes those that are connected up to a branch")
+
+    poll = classmethod(in_a_mode_of_objects)
+    _refusal = Refused
+
+    def execute(self, context):
+        try:
+            rig = self._rig(context)
+            bone = targets.bone_for(context, rig, self.bone)
+            if not self.properties.is_property_set("location"):
+                raise Refused(tr("Say where to: location is missing"))
+            check_finite(self, ("factor", "location"))
+            held = grab.grab(context, rig, bone, self.factor, self.chain_length)
+        except Refused as refusal:
+            return refused(self, refusal)
+        held.pull(Vector(self.location))
+        self._key(context, held)
+        context.view_layer.update()
+        left = (grab.point_on(rig, context.view_layer.depsgraph, bone, self.factor) - Vector(self.location)).length
+        if left > REACHED * rig.data.bones[bone].length * rig.matrix_world.median_scale:
+            self.report({'WARNING'}, tr("The point stays {length} away").format(length=status.length(context, left)))
+        return {'FINISHED'}
+
+    def invoke(self, context, event):
+        if context.window is None or self.properties.is_property_set("location"):
+            return self.execute(context)
+        try:
+            self.object = self._rig(context).name
+            return self._begin(context, event)
+        except Refused as refusal:
+            return self._refused(refusal)
+
+    def _rig(self, context):
+        rig = targets.rig_for(context, self.object)
+        check_posed(rig, context.view_layer)
+        return rig
+
+    def _refused(self, refusal):
+        return refused(self, refusal)
+
+    def _show_keys(self, context):
+        context.workspace.status_text_set(
+            tr("Press the left mouse button on a bone and drag it; Esc or the right button cancels"))
+
+    def _hold(self, context, region, view, mouse):
+        picked = picking.pick(context, named(self.object), region, view, mouse)
+        if picked is None:
+            return None
+        self.bone, self.factor = picked.bone, picked.factor
+        self._held = grab.grab(context, named(self.object), picked.bone, picked.factor, self.chain_length)
+        return self._held.point, picked.place
+
+    def _move(self, place):
+        self.location = place
+        self._held.pull(Vector(place))
+
+    def _finish(self, context):
+        self._key(context, self._held)
+
+    @staticmethod
+    def _key(context, held):
+        tools = context.scene.tool_settings
+        if not tools.use_keyframe_insert_auto:
+            return
+        options = {'INSERTKEY_REPLACE'} if tools.auto_keying_mode == 'REPLACE_KEYS' else set()
+        if context.preferences.edit.use_keyframe_insert_available:
+            options.add('INSERTKEY_AVAILABLE')
+        for thing, path in zip(held.things, held.paths):
+            actions.make_local(thing.id_data)
+            group = thing.name if isinstance(thing, bpy.types.PoseBone) else "Object Transforms"
+            thing.keyframe_insert(path, options=options, group=group)
+
+
+classes = (MOTUS_OT_ik_drag,)

@@ -1,0 +1,1 @@
+"""What chains reach for: targets and poles, where they are, and where new ones are placed."""

@@ -1,0 +1,149 @@
+"""Where targets and poles of a group's entries are: world matrices and places, read from the evaluated scene.
+
+Bones of the rig itself are taken from the arrays that are there already, other objects are read by one call.
+"""
+
+import math
+
+from mathutils import Euler, Matrix
+
+from ...core import deleted, rigs
+from ...core.lazy import numpy as np
+from ..reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
+from . import stations
+
+
+def read_targets(entries, wired, posed, known, depsgraph, off):
+    """(C, 16) world matrices."""
+    found = wired.no_targets.copy()
+    if wired.targets.has_own:
+        _take_own(found, wired.targets, posed)
+    if wired.targets.other_rows:
+        _take_others(found, entries, wired.targets, known, depsgraph, off)
+    if wired.targets.none:
+        off.update(dict.fromkeys(wired.targets.none, NO_TARGET))
+    return found
+
+
+def _take_others(found, entries, goals, known, depsgraph, off):
+    """Fill in world matrices of targets that are no bones of the rig; where there is no weight, maybe places only."""
+    rows, bones = goals.other_rows, goals.other_bones
+
+    def listed():
+        return [entry.target for entry in (entries() if goals.are_others else [entries()[row] for row in rows])]
+
+    matrices = goals.standing.matrices(depsgraph, listed, known.copy)
+    targets = listed() if matrices is None or bones else ()
+    if matrices is not None:
+        found[slice(None) if goals.are_others else rows] = matrices
+    else:
+        if None in targets:
+            off.update((row, NO_TARGET) for row, target in zip(rows, targets) if target is None)
+            rows = [row for row, target in zip(rows, targets) if target]
+            targets = [target for target in targets if target]
+        off.update((rows[index], TARGET_DELETED) for index in deleted.which(targets))
+        for row, target in zip(rows, targets):
+            if known.weights is not None and known.weights[row]:
+                found[row] = rigs.columns(target.matrix_world)
+            else:
+                found[row, 12:15] = target.matrix_world.translation
+    for row, target in zip(rows, targets) if bones else ():
+        if row in bones:
+            matrix = world_matrix(target, bones[row])
+            if matrix is None:
+                off.setdefault(row, NO_TARGET_BONE)
+            else:
+                found[row] = rigs.columns(matrix)
+
+
+def _take_own(found, goals, posed):
+    """Fill in world matrices of bones of the rig itself."""
+    rows, bones = goals.own
+    # Column by column, a matrix reads as its transpose.
+    matrices = posed.poses[bones].reshape(-1, 4, 4) @ posed.world.reshape(4, 4)
+    found[rows] = matrices.reshape(-1, 16)
+
+
+def world_matrix(target, bone=""):
+    """World matrix of an evaluated object or its bone; None where it has no such bone.
+
+    Of an object without bones the name counts for nothing: it is left from an earlier target, and no panel shows it.
+    """
+    if not bone or target.pose is None:
+        return target.matrix_world
+    posed = target.pose.bones.get(bone)
+    return target.matrix_world @ posed.matrix if posed else None
+
+
+def blend(found, rig, entries, further, off):
+    """Replace targets by the mixture of two of them, where an entry's blend says so; one that is missing counts as the one
+    before it.
+
+    An entry whose own target is missing is off until its blend has left that. Returns whether another one is missing.
+    """
+    is_astray = False
+    for row, are_there in further.there(rig, entries).items():
+        entry = entries()[row]
+        if entry.target_blend <= 0.0:
+            continue
+        if not math.isfinite(entry.target_blend):
+            off[row] = NOT_FINITE
+            continue
+        places = [None if row in off else Matrix(found[row].reshape(4, 4).T), *_further_places(entry, are_there)]
+        numbers, share = stations.needed(entry.target_blend, places)
+        ends = [stations.nearest(number, places) for number in numbers]
+        if None in ends:
+            continue
+        off.pop(row, None)
+        found[row] = rigs.columns(_mixed(ends[0], ends[-1], share))
+        is_astray |= not entry.is_muted and None in [places[number] for number in numbers]
+    return is_astray
+
+
+def _further_places(entry, are_there):
+    """World matrices of an entry's further targets, None for those that are missing, or whose bone is."""
+    return [world_matrix(extra.object, extra.bone) if is_there else None
+            for extra, is_there in zip(entry.extra_targets, are_there)]
+
+
+def _mixed(start, end, share):
+    """Matrix between two: place by a straight line, orientation by the shorter way; without their scales."""
+    turned = start.to_quaternion().slerp(end.to_quaternion(), share)
+    matrix = turned.to_matrix().to_4x4()
+    matrix.translation = start.translation.lerp(end.translation, share)
+    return matrix
+
+
+def turn(targets, offsets, weights):
+    """Apply rotation offsets in the targets' own space, where an orientation is taken."""
+    for row in np.flatnonzero(weights * np.abs(offsets).sum(axis=1)):
+        turn = np.array(Euler(offsets[row].tolist()).to_matrix())
+        axes = targets[row].reshape(4, 4)[:3]
+        axes[:] = turn.T @ axes
+
+
+def read_poles(entries, wired, posed, copy, depsgraph):
+    """(C, 3) places in the world; NaN where there is no pole."""
+    goals = wired.poles
+    if not goals.has_own and not goals.other_rows:
+        return wired.no_poles
+    found = wired.no_poles.copy()
+    if goals.has_own:
+        rows, bones = goals.own
+        heads = posed.poses[bones, 12:16] @ posed.world.reshape(4, 4)
+        found[rows] = heads[:, :3]
+    if not goals.other_rows:
+        return found
+
+    def listed():
+        return [entries()[row].pole for row in goals.other_rows]
+
+    matrices = goals.standing.matrices(depsgraph, listed, copy)
+    if matrices is not None:
+        found[goals.other_rows] = matrices[:, 12:15]
+    for row, pole in zip(goals.other_rows, listed()) if matrices is None or goals.other_bones else ():
+        bone = goals.other_bones.get(row, "")
+        if pole and (bone or matrices is None) and not deleted.is_deleted(pole):
+            matrix = world_matrix(pole, bone)
+            found[row] = matrix.translation if matrix else np.nan
+    return found

@@ -1,0 +1,235 @@
+"""Matching over a range of frames: controls to the animated pose, or the animated pose to the solution.
+
+Plain generators: the first value is how many steps there will be, the others are how many are done. Each goes through
+the frames at least twice, to read and to measure what came of it; closed before its end it leaves everything as it was.
+"""
+
+from typing import Any, NamedTuple
+
+from mathutils import Matrix, Vector
+
+from ...core import dependencies
+from ...core.lazy import numpy as np
+from ...core.refusals import Refused, check_no_tweak_mode, check_posed
+from ...core.translations import tr
+from .. import forward, groups, reading, targets
+from ..checking import results as check_results
+from ..frame_walk import Kept, go_to
+from ..goals import controls
+from ..keying import Channels, KeyWriter
+from . import weights
+from .pose_compare import Poses, without_sinks
+
+
+class _Chain(NamedTuple):
+    """An entry to be matched, and where the solver's group has it."""
+
+    name: str
+    found: groups.Found
+    group: Any
+    rows: forward.ChainRows
+
+    @property
+    def bones(self):
+        """Bones whose pose is to be the same afterwards."""
+        return (*self.found.chain.driven, *self.found.guards)
+
+
+def _chosen(rig, bone):
+    """The _Chains of one entry, or of all."""
+    targets.check_editable(rig)
+    check_no_tweak_mode(rig)
+    name = rig.motus.ik.entries[targets.entry_for(rig, bone)].name if bone else ""
+    known = {found.entry.name: found for found in groups.survey(rig)}
+    result = [_Chain(one, known[one], group, rows) for group in groups.groups(rig)
+              for one, rows in forward.chain_rows(group).items() if name in ("", one)]
+    if not result:
+        raise Refused(tr("No chain of {object} is being solved").format(object=rig.name))
+    return result
+
+
+def match_fk(context, rig, bone, frames, switch, outcome):
+    """Key the controls of chains so that the solution is the animated pose. Fills outcome: "error", "chains"."""
+    chosen = _chosen(rig, bone)
+    for chain in chosen:
+        if chain.found.entry.target is None:
+            raise Refused(tr("{bone} has no target: choose one").format(bone=chain.name))
+    entries = [chain.found.entry for chain in chosen]
+    if switch:
+        weights.check(rig, entries)
+    kept, writer = Kept(context.scene, controls.animated_with(rig, entries)), KeyWriter()
+    scene, done = context.scene, 0
+    try:
+        go_to(scene, frames[0])
+        wanted, poses = _Wanted(context, rig, chosen), Poses(rig, chosen)
+        passes = wanted.passes()
+        yield len(frames) * (len(passes) + 1)  # one more, to measure
+        with without_sinks(rig, chosen):
+            for frame in frames:
+                go_to(scene, frame)
+                wanted.record(context.view_layer.depsgraph, frame)
+                wanted.place(context.view_layer.depsgraph, passes[0], len(poses.kept))
+                poses.record(context.view_layer.depsgraph)
+                done += 1
+                yield done
+            wanted.write(writer, passes[0], frames)
+            for controls_now in passes[1:]:
+                for index, frame in enumerate(frames):
+                    go_to(scene, frame)
+                    wanted.place(context.view_layer.depsgraph, controls_now, index)
+                    done += 1
+                    yield done
+                wanted.write(writer, controls_now, frames)
+        if switch:
+            weights.switch(scene, rig, entries, frames, writer, {"position_weight": 1.0})
+        for index, frame in enumerate(frames):
+            go_to(scene, frame)
+            poses.compare(context.view_layer.depsgraph, index, with_all_weight=True)
+            done += 1
+            yield done
+        outcome.update(error=poses.error, chains=len(chosen))
+    except BaseException:
+        writer.take_back()
+        raise
+    finally:
+        kept.restore(writer.written)
+
+
+def match_ik(context, rig, bone, frames, switch, outcome):
+    """Key the bones of chains so that the animated pose is the solution."""
+    chosen = _chosen(rig, bone)
+    tracks = _tracks(rig, chosen)
+    entries = [chain.found.entry for chain in chosen]
+    if switch:
+        weights.check(rig, entries)
+    kept, writer = Kept(context.scene, controls.animated_with(rig, entries)), KeyWriter()
+    scene, done = context.scene, 0
+    try:
+        poses = Poses(rig, chosen)
+        yield 2 * len(frames)
+        for frame in frames:
+            go_to(scene, frame)
+            evaluated = rig.evaluated_get(context.view_layer.depsgraph)
+            for track in tracks:
+                posed = evaluated.pose.bones[track.thing.name]
+                track.add(evaluated.convert_space(
+                    pose_bone=posed, matrix=posed.matrix, from_space='POSE', to_space='LOCAL'))
+            poses.record(context.view_layer.depsgraph)
+            done += 1
+            yield done
+        for track in tracks:
+            for name, rows in track.values.items():
+                writer.write(track.thing, name, frames, rows, group=track.thing.name)
+        if switch:
+            weights.switch(
+                scene, rig, entries, frames, writer, {"position_weight": 0.0, "rotation_weight": 0.0})
+        with without_sinks(rig, () if switch else chosen):
+            for index, frame in enumerate(frames):
+                go_to(scene, frame)
+                poses.compare(context.view_layer.depsgraph, index)
+                done += 1
+                yield done
+        outcome.update(error=poses.error, chains=len(chosen))
+    except BaseException:
+        writer.take_back()
+        raise
+    finally:
+        kept.restore(writer.written)
+
+
+def _tracks(rig, chosen):
+    tracks = []
+    for chain in chosen:
+        channels = ("rotation", "scale") if chain.found.stretches else ("rotation",)
+        for name in chain.bones:
+            bone = rig.pose.bones[name]
+            controls.check_undriven(bone, channels, name)
+            tracks.append(Channels(bone, channels))
+    return tracks
+
+
+class _Wanted:
+    """Where the controls of the chains have to stand, frame by frame."""
+
+    def __init__(self, context, rig, chosen):
+        self._rig, self._chosen, self._view_layer = rig, chosen, context.view_layer
+        self._texts = list(dict.fromkeys(chain.group.data[groups.PLAN] for chain in chosen))
+        evaluated = rig.evaluated_get(context.view_layer.depsgraph).motus.ik.entries
+        self._places = {}
+        self._targets, self._poles = {}, {}
+        for chain in chosen:
+            found = controls.station(chain.found.entry, evaluated[chain.name].target_blend)
+            found = found or self._under_way(chain)
+            controls.check_present(found)
+            self._add(self._targets, chain, found, ("location", "rotation"))
+            pole = controls.pole(chain.found.entry)
+            if pole:
+                self._add(self._poles, chain, pole, ("location",))
+
+    def _add(self, kind, chain, control, channels):
+        if control in self._places:
+            raise Refused(tr("{target} is the control of several chains: give each one of its own").format(
+                target=control.label))
+        controls.check_movable(control, channels)
+        if control.bone:
+            check_posed(control.object, self._view_layer)
+        kind[chain.name] = control
+        self._places[control] = [], Channels(control.thing, channels)
+
+    @staticmethod
+    def _under_way(chain):
+        raise Refused(tr("{bone} passes from one target to another in this range: match the frames before or "
+                                 "after that").format(bone=chain.name))
+
+    def passes(self):
+        """The controls, those that hang on others after these."""
+        depth = {}
+        by_place = {(control.object, control.bone): control for control in self._places}
+        above = dependencies.hanging(self._rig, by_place)
+
+        def depth_of(control):
+            if control not in depth:
+                depth[control] = 0
+                others = [by_place[place] for place in above[control.object, control.bone]]
+                depth[control] = 1 + max(map(depth_of, others), default=-1)
+            return depth[control]
+        for control in self._places:
+            depth_of(control)
+        return [[control for control in depth if depth[control] == level] for level in range(max(depth.values()) + 1)]
+
+    def record(self, depsgraph, frame):
+        """Note the world matrices of this frame."""
+        evaluated = self._rig.evaluated_get(depsgraph)
+        entries = evaluated.motus.ik.entries
+        for text in self._texts:
+            found = reading.gather(evaluated, text, depsgraph)
+            goals, poles = found.wired.plan.match(found.bones, *found.posed, found.settings)
+            for chain in self._chosen:
+                if chain.group.data[groups.PLAN] == text:
+                    row = chain.rows.index
+                    self._record_one(chain, entries[chain.name], goals[row], poles[row], frame)
+
+    def _record_one(self, chain, entry, goal, pole, frame):
+        target = self._targets[chain.name]
+        if controls.station(chain.found.entry, entry.target_blend) != target:
+            self._under_way(chain)
+        if not np.isfinite(pole).all():
+            raise Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
+                bone=chain.name, frame=check_results.text(frame)))
+        matrix = Matrix(goal.reshape(4, 4).T.tolist())
+        self._places[target][0].append((matrix, entry.rotation_offset.to_matrix()))
+        if chain.name in self._poles:
+            self._places[self._poles[chain.name]][0].append((Matrix.Translation(Vector(pole.tolist())), None))
+
+    def place(self, depsgraph, controls_now, index):
+        """Note what the channels of these controls have to be at the frame that is evaluated."""
+        for control in controls_now:
+            matrices, channels = self._places[control]
+            channels.add(controls.basis_for(control, depsgraph, *matrices[index]))
+
+    def write(self, writer, controls_now, frames):
+        """Key these controls."""
+        for control in controls_now:
+            channels = self._places[control][1]
+            for name, rows in channels.values.items():
+                writer.write(channels.thing, name, frames, rows, group=control.bone or "Object Transforms")

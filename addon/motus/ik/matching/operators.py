@@ -1,0 +1,59 @@
+"""Operators that match the controls of chains to their animated pose, and the animated pose to the solution."""
+
+import math
+
+import bpy
+
+from ...core.translations import tr
+from ..frame_walk import OverFrames, active_rig
+from .job import match_fk, match_ik
+
+GOOD = 1e-3
+"""Share of a chain's length that counts as matched."""
+
+
+class _Match(OverFrames):
+    """What both directions have in common. job: the generator of job that does it."""
+
+    def steps(self, context, frames):
+        rig = active_rig(context, self.object)
+        self._outcome, self._count = {}, len(frames)
+        job = type(self).job(context, rig, self.bone, frames, self.switch, self._outcome)
+        self.total = next(job)
+        return job
+
+    def result(self, context):
+        error = self._outcome["error"]
+        millimetres = 1000.0 * error.length * context.scene.unit_settings.scale_length
+        sentence = tr("Matched {frames} frames of {chains} chains: largest error {length} mm, {angle} degrees").format(
+            frames=self._count, chains=self._outcome["chains"], length=_number(millimetres),
+            angle=_number(math.degrees(error.angle)))
+        self.report({'INFO'} if error.share <= GOOD else {'WARNING'}, sentence)
+
+
+def _number(value):
+    """To a thousandth, without an exponent."""
+    return f"{round(value, 3):.12g}"
+
+
+class MOTUS_OT_ik_match_fk(_Match, bpy.types.Operator):
+    bl_idname = "motus.ik_match_fk"
+    bl_label = "Match IK to FK"
+    bl_description = "Key the targets and poles so that the solution is the animated pose"
+
+    switch: bpy.props.BoolProperty(
+        name="Switch to IK", description="Set the position weight to 1 over these frames", default=False)
+    job = staticmethod(match_fk)
+
+
+class MOTUS_OT_fk_match_ik(_Match, bpy.types.Operator):
+    bl_idname = "motus.fk_match_ik"
+    bl_label = "Match FK to IK"
+    bl_description = "Key the bones so that their own animation is the solution"
+
+    switch: bpy.props.BoolProperty(
+        name="Switch to FK", description="Set both weights to 0 over these frames", default=False)
+    job = staticmethod(match_ik)
+
+
+classes = (MOTUS_OT_ik_match_fk, MOTUS_OT_fk_match_ik)

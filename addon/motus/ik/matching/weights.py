@@ -1,0 +1,48 @@
+"""Switching chains between their animated pose and the solution over a range of frames."""
+
+from ...core import actions
+from ...core.refusals import Refused
+from ...core.translations import tr
+from .. import chains
+
+
+def check(rig, entries):
+    """Refuse weights that a driver sets."""
+    driven = {curve.data_path for curve in rig.animation_data.drivers} if rig.animation_data else ()
+    for entry in entries:
+        for prefix in _prefixes(rig, entry):
+            if any(prefix + name in driven for name in ("position_weight", "rotation_weight")):
+                raise Refused(tr("The weights of {bone} are driven: switch them there").format(bone=entry.name))
+
+
+def switch(scene, rig, entries, frames, writer, values):
+    """Give weights, by name, their values at all these frames, and leave them as they are at others.
+
+    A weight without keys is simply set where the frames are all that the scene has.
+    """
+    is_all = frames[0] <= scene.frame_start and frames[-1] >= scene.frame_end
+    for entry in entries:
+        for name, value in values.items():
+            paths = [prefix + name for prefix in _prefixes(rig, entry)]
+            path = next((path for path in paths if actions.find(rig, path)), "")
+            if not path and is_all:
+                writer.set(entry, name, value)
+            else:
+                _hold(rig, entry, name, path, frames, value, writer)
+
+
+def _prefixes(rig, entry):
+    return chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))
+
+
+def _hold(rig, entry, name, path, frames, value, writer):
+    """Key a value over the frames, and what there was on the frames before and after."""
+    first, last = frames[0], frames[-1]
+    if path:
+        writer.cut(rig, path, last + 1)
+        writer.cut(rig, path, first - 1).interpolation = 'CONSTANT'
+    else:
+        for frame, interpolation in ((first - 1, 'CONSTANT'), (last + 1, 'BEZIER')):
+            writer.write(entry, name, [frame], [getattr(entry, name)], interpolation)
+    held = [first] if first == last else [first, last]
+    writer.write(entry, name, held, [value] * len(held), interpolation='CONSTANT', instead_of=path)

@@ -1,0 +1,217 @@
+"""Blend driven from one target to the next by a number that passes a value: plain functions behind the operator.
+
+The driver's expression is a sum with a term for each switch, made of functions that Blender evaluates without Python.
+"""
+
+import itertools
+import re
+
+from ...core import dependencies, wiring
+from ...core.refusals import Refused
+from ...core.system import System, of_owner, registered
+from ...core.translations import tr
+from .. import chains, setup
+from . import blend_keys
+
+LONGEST_EXPRESSION = 255
+TERMS = {
+    'BEZIER': "smoothstep({start},{end},{value})",
+    'LINEAR': "clamp(({value}-{start})/({end}-{start}))",
+    'CONSTANT': "({value}{sign}{start})",
+}
+_TERM = re.compile(r"smoothstep\([^()]*\)|clamp\(\([^()]*\)/\([^()]*\)\)|\([^()]*[<>]=[^()]*\)")
+_SETTINGS = re.compile(r'(?:^|\.)motus[.[]|\["motus"\]')
+_NAME = re.compile(r"\bv\d+\b")
+_SUM = re.compile(rf"(\d+)((?:\+(?:{_TERM.pattern}))*)$")
+
+
+def output_source(owner, system_name, output):
+    """(kind of datablock, datablock, data path) of a number that a system computes for an object."""
+    system = registered.get(system_name)
+    if not isinstance(system, System):
+        raise Refused(tr("There is no system {system}").format(system=system_name))
+    if not of_owner(system, owner).is_active:
+        raise Refused(tr("{object} is not driven by {system}").format(object=owner.name, system=tr(system.label)))
+    settings = of_owner(system, owner)
+    hubs = {"": settings.hub, **{one.name: one.object for one in settings.more_hubs}}
+    for level in ("", *map(str, range(1, _entry_count(owner)))):
+        try:
+            path = wiring.output_path(system, output, owner, level)
+        except ValueError:
+            continue
+        hub = hubs.get(level)
+        return ('MESH', hub.data, path) if hub else ('OBJECT', owner, path)
+    raise Refused(tr("{system} of {object} has no output {output}").format(
+        system=tr(system.label), object=owner.name, output=output))
+
+
+def check_elsewhere(rig, owner, system_name):
+    """Refuse an output of the rig's own bones: whatever is solved on a rig waits for all of its drivers, Blend's too."""
+    system = registered.get(system_name)
+    if owner == rig and isinstance(system, System) and system.groups is not None:
+        _refuse_own(rig)
+
+
+def _check_no_own_setting(rig, owner, path):
+    """Refuse a setting of the rig's own, whichever object the path begins at: to Blender, Blend is one with all of them."""
+    if any(_holder(owner, path[:found.start()]) == rig for found in _SETTINGS.finditer(path)):
+        _refuse_own(rig)
+
+
+def _holder(owner, path):
+    """What a path leads to; None where it ends in the middle of a name."""
+    try:
+        return owner.path_resolve(path) if path else owner
+    except ValueError:
+        return None
+
+
+def _refuse_own(rig):
+    raise Refused(tr("{object} cannot wait for what is solved on its own bones: choose another trigger").format(
+        object=rig.name))
+
+
+def _entry_count(owner):
+    """How many entries wait for one another at most."""
+    return len(dependencies.levels(owner)) if owner.type == 'ARMATURE' else 0
+
+
+def property_source(owner, path):
+    """The same of a property of an object, by its data path."""
+    try:
+        value = owner.path_resolve(path)
+    except ValueError:
+        value = None
+    if not isinstance(value, (bool, int, float)):
+        raise Refused(tr("{path} of {object} is no number").format(path=path, object=owner.name))
+    return 'OBJECT', owner, path
+
+
+def switch(rig, entry, goal, source, start, end, interpolation):
+    """Let Blend pass from the last target that there is a way to, to `goal`, while the source goes from start to end.
+
+    source: as output_source() gives it, or None for the frame. Returns the number of the target that it leaves.
+    """
+    if source:
+        _check_no_own_setting(rig, *source[1:])
+    if blend_keys.curve_of(rig, entry):
+        raise Refused(tr("Blend of {bone} is keyed: remove the keys, or give frames instead of a trigger").format(
+            bone=entry.name))
+    driver = driver_of(rig, entry)
+    number, expression = _so_far(entry, driver)
+    blend_keys.check_other(entry, number, goal)
+    name = _free_name(driver.driver.variables if driver else ()) if source else "frame"
+    longer = f"{expression}+" + TERMS[interpolation].format(
+        start=f"{start:.9g}", end=f"{end:.9g}", value=name, sign=">=" if end > start else "<=")
+    if len(longer) > LONGEST_EXPRESSION:
+        raise Refused(tr("{bone} passes on too many times for one driver").format(bone=entry.name))
+    loops, count = _loops(rig), len(entry.extra_targets)
+    with setup.at_once(rig):
+        blend_keys.place_next(entry, number, goal)
+        curve = driver or _new_driver(
+            rig, chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))[0] + "target_blend")
+        if source:
+            _add_variable(curve.driver, name, source)
+        curve.driver.expression = longer
+    if _loops(rig) - loops:
+        added = number if len(entry.extra_targets) > count else -1
+        _take_back(rig, entry, added, expression if driver else "", name)
+        raise Refused(tr("What triggers {bone} moves with the chain itself: choose another trigger").format(
+            bone=entry.name))
+    return number
+
+
+def driver_of(rig, entry):
+    """The driver of an entry's Blend, or None."""
+    paths = {prefix + "target_blend" for prefix in chains.prefixes(rig, rig.motus.ik.entries.find(entry.name))}
+    animation = rig.animation_data
+    return next((curve for curve in (animation.drivers if animation else ()) if curve.data_path in paths), None)
+
+
+def _so_far(entry, driver):
+    """(number of the last target that there is a way to, expression) of a driver that switch() made, or of none."""
+    if driver is None:
+        number = min(round(entry.target_blend), len(entry.extra_targets))
+        return number, str(number)
+    found = _sum_of(driver.driver)
+    if found is None:
+        raise Refused(tr("Blend of {bone} has a driver of its own").format(bone=entry.name))
+    number = found[0] + len(found[1])
+    if number > len(entry.extra_targets):
+        raise Refused(tr("Blend of {bone} is driven to targets that there are no more: remove its driver").format(
+            bone=entry.name))
+    return number, driver.driver.expression
+
+
+def _sum_of(driver):
+    """(number of the first target, terms) of a driver that switch() made, or None."""
+    found = _SUM.match(driver.expression) if driver.type == 'SCRIPTED' else None
+    return found and (int(found[1]), _TERM.findall(found[2]))
+
+
+def take_out(rig, entry, number):
+    """Let a driver that switch() made do without a further target, by its number, that is about to be removed."""
+    curve = driver_of(rig, entry)
+    found = curve and _sum_of(curve.driver)
+    if not found:
+        return
+    first, terms = found
+    way = terms.pop(number - first - 1) if first < number <= first + len(terms) else ""
+    if number <= first:
+        first -= 1
+    if not terms:
+        _remove_driver(rig, curve)
+        entry.target_blend = first
+        return
+    curve.driver.expression = "+".join([str(first), *terms])
+    for variable in [one for one in curve.driver.variables if one.name in _NAME.findall(way)]:
+        curve.driver.variables.remove(variable)
+
+
+def _new_driver(rig, path):
+    curve = rig.driver_add(path)
+    # A bare curve passes the driver's value on as it is.
+    while curve.modifiers:
+        curve.modifiers.remove(curve.modifiers[0])
+    for key in reversed(curve.keyframe_points):
+        curve.keyframe_points.remove(key)
+    curve.driver.type = 'SCRIPTED'
+    return curve
+
+
+def _free_name(variables):
+    names = {variable.name for variable in variables}
+    return next(name for name in map("v{}".format, itertools.count()) if name not in names)
+
+
+def _add_variable(driver, name, source):
+    variable = driver.variables.new()
+    variable.name = name
+    target = variable.targets[0]
+    if source[0] != 'OBJECT':
+        target.id_type = source[0]
+    target.id, target.data_path = source[1:]
+
+
+def _loops(rig):
+    return {address for address, level in dependencies.levels(rig).items() if level is None}
+
+
+def _take_back(rig, entry, added, expression, name):
+    with setup.at_once(rig):
+        if added >= 0:
+            entry.extra_targets.remove(added)
+        curve = driver_of(rig, entry)
+        if not expression:
+            _remove_driver(rig, curve)
+            return
+        curve.driver.expression = expression
+        if name in curve.driver.variables:
+            curve.driver.variables.remove(curve.driver.variables[name])
+
+
+def _remove_driver(rig, curve):
+    animation = rig.animation_data
+    animation.drivers.remove(curve)
+    if not (animation.drivers or animation.action or animation.nla_tracks):
+        rig.animation_data_clear()

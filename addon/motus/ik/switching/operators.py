@@ -1,0 +1,150 @@
+"""The operator that lets a chain pass from its target to another one, over time or when something happens."""
+
+import math
+
+import bpy
+
+from ...core.refusals import Refused, named
+from ...core.translations import tr
+from .. import targets
+from ..operators import OfABone, in_a_mode_of_objects, refused
+from . import blend_keys, blend_trigger
+
+LASTS = 12
+"""Frames of a switch whose end is not given."""
+
+EASES = (
+    ('BEZIER', "Smooth", "Starts and ends slowly"),
+    ('LINEAR', "Linear", "At the same pace all the way"),
+    ('CONSTANT', "At Once", "In one step"),
+)
+
+
+class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
+    bl_idname = "motus.ik_switch_target"
+    bl_label = "Switch Target"
+    bl_description = "Let the chain pass from its present target to another one, over frames or when something happens"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    target: bpy.props.StringProperty(
+        name="Target", description="Name of the object to go to; empty takes what is selected along with the bone",
+        options={'SKIP_SAVE'})
+    target_bone: bpy.props.StringProperty(
+        name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
+    frame_start: bpy.props.IntProperty(
+        name="Start", description="Frame at which the way begins; the current one where it is not given",
+        options={'SKIP_SAVE'})
+    frame_end: bpy.props.IntProperty(
+        name="End", options={'SKIP_SAVE'},
+        description="Frame at which the chain is at the other target; 12 after the start where it is not given")
+    interpolation: bpy.props.EnumProperty(
+        name="Interpolation", description="How the way is gone", items=EASES, default='BEZIER')
+    trigger_object: bpy.props.StringProperty(
+        name="Trigger", options={'SKIP_SAVE'},
+        description="Name of an object; one of its numbers, instead of the frame, says how far the way is gone")
+    trigger_system: bpy.props.StringProperty(
+        name="System", description="Name of the system whose output triggers", default="path")
+    trigger_output: bpy.props.StringProperty(
+        name="Output", default="parameter", description="Name of the system's output: parameter, fraction, distance or "
+        "speed of a follower, and what others compute")
+    trigger_data_path: bpy.props.StringProperty(
+        name="Data Path", description="Of any number of the trigger, instead of an output of a system",
+        options={'SKIP_SAVE'})
+    trigger_start: bpy.props.FloatProperty(
+        name="From", description="Value of the trigger at which the way begins", default=0.05, options={'SKIP_SAVE'})
+    trigger_end: bpy.props.FloatProperty(
+        name="To", description="Value of the trigger at which the chain is at the other target", default=0.1,
+        options={'SKIP_SAVE'})
+
+    poll = classmethod(in_a_mode_of_objects)
+
+    def execute(self, context):
+        try:
+            rig, entry, number = self._switch(context)
+        except Refused as refusal:
+            return refused(self, refusal)
+        extra = entry.extra_targets[number]
+        name = f"{extra.object.name}: {extra.bone}" if extra.bone else extra.object.name
+        self.report({'INFO'}, tr("{bone} of {object} passes on to {target}").format(
+            bone=entry.name, object=rig.name, target=name))
+        return {'FINISHED'}
+
+    def invoke(self, context, _event):
+        if context.window is None:
+            return self.execute(context)
+        if not self.target:
+            goal = targets.selected_goal(context, context.object) if context.object else None
+            if goal:
+                self.target, self.target_bone = goal[0].name, goal[1]
+        self._take_frames(context)
+        return context.window_manager.invoke_props_dialog(self)
+
+    def draw(self, context):
+        layout = self.layout
+        layout.use_property_split = True
+        column = layout.column()
+        _draw_object(column, context, self, "target")
+        goal = bpy.data.objects.get(self.target)
+        if goal and goal.type == 'ARMATURE':
+            column.prop_search(self, "target_bone", goal.data, "bones", text="Bone")
+        column.prop(self, "interpolation")
+        _draw_object(column, context, self, "trigger_object")
+        if not self.trigger_object:
+            column.prop(self, "frame_start")
+            column.prop(self, "frame_end")
+            return
+        column.prop(self, "trigger_data_path")
+        if not self.trigger_data_path:
+            column.prop(self, "trigger_system")
+            column.prop(self, "trigger_output")
+        column.prop(self, "trigger_start")
+        column.prop(self, "trigger_end")
+
+    def _switch(self, context):
+        rig = targets.rig_with_ik(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
+        goal = targets.goal_for(context, self.target, self.target_bone, rig)
+        if goal is None:
+            raise Refused(tr("Name the target, or select it along with the bone"))
+        targets.check_no_loop(rig, entry.name, {"target": goal[0], "target_bone": goal[1]}, goal)
+        if self.trigger_object:
+            number = self._by_trigger(rig, entry, goal)
+        else:
+            number = self._by_frames(context, rig, entry, goal)
+        context.view_layer.update()
+        return rig, entry, number
+
+    def _by_frames(self, context, rig, entry, goal):
+        self._take_frames(context)
+        if self.frame_end <= self.frame_start:
+            raise Refused(tr("The range is empty: the end frame has to come after the start frame"))
+        if blend_trigger.driver_of(rig, entry):
+            return blend_trigger.switch(
+                rig, entry, goal, None, self.frame_start, self.frame_end, self.interpolation)
+        return blend_keys.switch(rig, entry, goal, self.frame_start, self.frame_end, self.interpolation)
+
+    def _by_trigger(self, rig, entry, goal):
+        values = self.trigger_start, self.trigger_end
+        if not all(map(math.isfinite, values)) or values[0] == values[1]:
+            raise Refused(tr("The trigger's two values have to be different"))
+        owner = named(self.trigger_object)
+        if self.trigger_data_path:
+            source = blend_trigger.property_source(owner, self.trigger_data_path)
+        else:
+            blend_trigger.check_elsewhere(rig, owner, self.trigger_system)
+            source = blend_trigger.output_source(owner, self.trigger_system, self.trigger_output)
+        return blend_trigger.switch(rig, entry, goal, source, *values, self.interpolation)
+
+    def _take_frames(self, context):
+        if not self.properties.is_property_set("frame_start"):
+            self.frame_start = context.scene.frame_current
+        if not self.properties.is_property_set("frame_end"):
+            self.frame_end = self.frame_start + LASTS
+
+
+def _draw_object(column, context, operator, name):
+    column.prop_search(operator, name, context.scene, "objects")
+
+
+classes = (MOTUS_OT_ik_switch_target,)

@@ -1,0 +1,1 @@
+"""Reading and writing the mesh that is pulled, in each mode of the object."""

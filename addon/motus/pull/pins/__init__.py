@@ -1,0 +1,1 @@
+"""Pins: pulls that are kept in a list on the object, and evaluated by the solver."""

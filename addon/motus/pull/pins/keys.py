@@ -1,0 +1,115 @@
+"""Keys and drivers of pins: they are known by the pin's place in the list, and go along when that changes."""
+
+import re
+
+import bpy
+
+from ...core import actions, wiring
+
+_PATH = re.compile(r"^motus\.pull\.pins\[(?P<index>\d+)\](?P<rest>.*)$")
+_KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",
+               "back", "amplitude", "period", "type")
+
+
+def reorder(owner, places, absent):
+    """Let keys, drivers, and others' drivers that read them follow their pins.
+
+    places: new index of each pin by its old one, without those that are removed. absent: data path that is read of these.
+    """
+    for player in actions.players(owner):
+        if any(places.get(place) != place for place in _pins_of(actions.curves_of(player))):
+            actions.make_own(player)  # an object that shares it has pins of its own
+            _reorder(actions.curves_of(player), places)
+    if owner.animation_data:
+        _reorder(owner.animation_data.drivers, places)
+    for _, _, variable, index in wiring.targets_on({owner}):
+        target = variable.targets[index]
+        match = _PATH.match(target.data_path)
+        if match:
+            target.data_path = _moved(match, places) or absent
+
+
+def _reorder(curves, places):
+    found = [(curve, _PATH.match(curve.data_path)) for curve in curves]
+    for curve, match in [pair for pair in found if pair[1]]:
+        path = _moved(match, places)
+        if path is None:
+            curves.remove(curve)
+        else:
+            curve.data_path = path
+
+
+def _moved(match, places):
+    place = places.get(int(match["index"]))
+    return None if place is None else f"motus.pull.pins[{place}]{match['rest']}"
+
+
+def _pins_of(curves):
+    """Indices of the pins that curves move."""
+    return {int(match["index"]) for match in (_PATH.match(curve.data_path) for curve in curves) if match}
+
+
+def has_strips(owner, index):
+    """Whether a strip of the NLA moves a pin."""
+    return any(index in _pins_of(actions.curves_of(player)) for player in actions.players(owner)[1:])
+
+
+def drop_empty(owner):
+    """Leave neither an action behind that was there for pins alone, nor animation data without anything."""
+    animation = owner.animation_data
+    if animation is None or animation.nla_tracks:
+        return
+    action = animation.action
+    if action and not actions.fcurves(owner):
+        animation.action = None
+        if action.users == 0:
+            bpy.data.actions.remove(action)
+    if animation.action is None and not animation.drivers:
+        owner.animation_data_clear()
+
+
+def curve(owner, index, name):
+    """The F-curve of one setting of a pin, or None."""
+    return actions.find(owner, f"motus.pull.pins[{index}].{name}")
+
+
+def driver(owner, index, name):
+    """The driver of one setting of a pin, or None."""
+    animation = owner.animation_data
+    return animation.drivers.find(f"motus.pull.pins[{index}].{name}") if animation else None
+
+
+def copy_curve(source, holder, name):
+    """Let a setting of a datablock's item be keyed like the F-curve `source`; returns the F-curve."""
+    holder.keyframe_insert(name, frame=source.keyframe_points[0].co.x if source.keyframe_points else 0.0)
+    target = actions.find(holder.id_data, f"{holder.path_from_id()}.{name}")
+    for point in reversed(target.keyframe_points):
+        target.keyframe_points.remove(point)
+    target.keyframe_points.add(len(source.keyframe_points))
+    for old, new in zip(source.keyframe_points, target.keyframe_points):
+        for field in _KEY_FIELDS:
+            setattr(new, field, getattr(old, field))
+    target.extrapolation = source.extrapolation
+    for modifier in source.modifiers:
+        _copy_settings(modifier, target.modifiers.new(modifier.type))
+    target.update()
+    return target
+
+
+def copy_driver(source, holder, name):
+    """Let a setting of a datablock's item be driven like `source`."""
+    animation = holder.id_data.animation_data or holder.id_data.animation_data_create()
+    made = animation.drivers.from_existing(src_driver=source)
+    made.data_path = f"{holder.path_from_id()}.{name}"
+
+
+def _copy_settings(source, target):
+    for prop in source.bl_rna.properties:
+        if not prop.is_readonly and prop.identifier != "rna_type":
+            setattr(target, prop.identifier, getattr(source, prop.identifier))
+
+
+def is_animated(owner, path):
+    """Whether a setting of a datablock is keyed or driven."""
+    animation = owner.animation_data
+    return actions.find(owner, path) is not None or bool(animation and animation.drivers.find(path))

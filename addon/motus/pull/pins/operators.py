@@ -1,0 +1,202 @@
+"""Operators of the list of pins: adding, removing, reordering, mirroring and binding again."""
+
+import bpy
+
+from ...core.lazy import numpy as np
+from ...core.refusals import Refused, check_finite
+from ...core.translations import tr
+from .. import keywords
+from ..falloff_curve import CURVE_SAMPLES
+from ..mesh import arrays
+from ..properties import BrushKeywords
+from ..session import history
+from . import setup, targets
+
+AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
+DIRECTIONS = (
+    ('UP', "Up", "Act earlier"),
+    ('DOWN', "Down", "Act later"),
+)
+KEYWORDS = ("radius", "unit", "falloff", "scale_factor", "distance", "direction", "mirror", "use_minimum", "minimum",
+            "use_maximum", "maximum", "clamp_axis", "vertex_group")
+"""Of the brush; the scene's brush has those that are not given."""
+
+
+def object_keyword():
+    """The property by which scripts name the object."""
+    return bpy.props.StringProperty(
+        name="Object", description="Name of the mesh object; empty takes the active one", options={'SKIP_SAVE'})
+
+
+def index_keyword():
+    """The property that says which pin."""
+    return bpy.props.IntProperty(
+        name="Index", description="Which pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+
+
+class PinOperator:
+    """Mixin: one undo step, in Object Mode, whose refusals are reported."""
+
+    bl_options = {'REGISTER', 'UNDO'}
+
+    @classmethod
+    def poll(cls, context):
+        if context.mode == 'OBJECT':
+            return True
+        cls.poll_message_set(tr("Go to Object Mode first"))
+        return False
+
+    def execute(self, context):
+        try:
+            obj = keywords.object_of(self, context)
+            setup.check(obj)
+            self.change(context, obj)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        return {'FINISHED'}
+
+
+class PinKeywords:
+    """What of the brush a pin has too."""
+
+    __annotations__ = {name: BrushKeywords.__annotations__[name] for name in KEYWORDS}
+
+
+class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
+    bl_idname = "motus.pin_add"
+    bl_label = "Add Pull Pin"
+    bl_description = "Keep a pull in the object's list, where it can be keyed, muted and removed again"
+
+    object: object_keyword()
+    vertex: bpy.props.IntProperty(
+        name="Vertex", description="Index of the root; -1 takes the vertex that is nearest to the location", default=-1,
+        min=-1, options={'SKIP_SAVE'})
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Where it is pulled, in the world or in the object as the unit says; "
+                                     "without vertex and location it is the 3D cursor",
+        size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+    displacement: bpy.props.FloatVectorProperty(
+        name="Displacement", description="How far the root goes, instead of the brush's direction and strength", size=3,
+        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+    strength: bpy.props.FloatProperty(
+        name="Strength", description="How much of its way the pin pulls; negative pushes", default=1.0, soft_min=-2.0,
+        soft_max=2.0, options={'SKIP_SAVE'})
+    curve: bpy.props.FloatVectorProperty(
+        name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
+                                  "without it, those of the scene's own curve",
+        size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
+    name: bpy.props.StringProperty(name="Name", description="Name of the pin", options={'SKIP_SAVE'})
+    from_last: bpy.props.BoolProperty(
+        name="From Last Pull", description="Turn the last pull, or all of the last stroke, into a pin: the mesh goes back to "
+                                           "what it was before",
+        options={'SKIP_SAVE'})
+
+    def change(self, context, obj):
+        check_finite(self, ("location", "displacement", "strength"))
+        name, own = self.name or tr("Pin"), {"strength": self.strength}
+        if self.from_last:
+            record = context.scene.motus.pull.last
+            targets.check_record(record, obj)
+            if record.is_shape:
+                setup.add_shape(obj, targets.take_back(history.last_shapes, obj), name, own)
+                self.report({'INFO'}, tr("Pinned the last stroke on {object}").format(object=obj.name))
+                return
+            vertex, values = targets.from_record(record, obj)
+            targets.take_back(history.last_shapes, obj)
+        else:
+            vertex, values = targets.from_keywords(self, context, obj)
+        setup.add(obj, vertex, name, values | own)
+        self.report({'INFO'}, tr("Pinned at vertex {index} of {object}").format(index=vertex, object=obj.name))
+
+
+class MOTUS_OT_pin_remove(PinOperator, bpy.types.Operator):
+    bl_idname = "motus.pin_remove"
+    bl_label = "Remove Pull Pin"
+    bl_description = "Remove a pin, and what it did to the mesh"
+
+    object: object_keyword()
+    index: index_keyword()
+    all: bpy.props.BoolProperty(name="All", description="Remove all pins", options={'SKIP_SAVE'})
+
+    def change(self, context, obj):
+        indices = set(range(len(obj.motus.pull.pins))) if self.all else set()
+        setup.remove(obj, indices or {setup.pin_at(obj, self.index)})
+
+
+class MOTUS_OT_pin_move(PinOperator, bpy.types.Operator):
+    bl_idname = "motus.pin_move"
+    bl_label = "Move Pin"
+    bl_description = "Let a pin act earlier or later than others, which counts where heights are limited"
+
+    object: object_keyword()
+    index: index_keyword()
+    direction: bpy.props.EnumProperty(name="Direction", description="Which way", items=DIRECTIONS, default='UP')
+    place: bpy.props.IntProperty(
+        name="Place", description="New index of the pin, instead of a direction", default=-1, min=-1, options={'SKIP_SAVE'})
+
+    def change(self, context, obj):
+        index, last = setup.pin_at(obj, self.index), len(obj.motus.pull.pins) - 1
+        place = self.place if self.place >= 0 else index + (1 if self.direction == 'DOWN' else -1)
+        if not 0 <= place <= last:
+            raise Refused(tr("The pin is at the end of the list already"))
+        setup.reorder(obj, index, place)
+
+
+class MOTUS_OT_pin_mirror(PinOperator, bpy.types.Operator):
+    bl_idname = "motus.pin_mirror"
+    bl_label = "Mirror Pin"
+    bl_description = "Add a pin like this one on the other side of the object, with a strength of its own"
+
+    object: object_keyword()
+    index: index_keyword()
+    axis: bpy.props.EnumProperty(name="Axis", description="Across which of the object's axes", items=AXES, default='X')
+
+    def change(self, context, obj):
+        pin = obj.motus.pull.pins[setup.pin_at(obj, self.index)]
+        setup.check_rooted(pin)
+        vertex, values = targets.mirrored(obj, pin, targets.AXIS_INDEX[self.axis])
+        setup.add(obj, vertex, pin.name, values)
+
+
+class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
+    bl_idname = "motus.pin_rebind"
+    bl_label = "Bind Pin Again"
+    bl_description = "Give a pin that has lost its place the vertex nearest to it, or another one, as its root"
+
+    object: object_keyword()
+    index: index_keyword()
+    vertex: bpy.props.IntProperty(
+        name="Vertex", description="Index of the new root; -1 takes the vertex that is nearest to the location",
+        default=-1, min=-1, options={'SKIP_SAVE'})
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Where the new root is in the object; without it, where the old one was", size=3,
+        subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
+
+    def change(self, context, obj):
+        check_finite(self, ("location",))
+        pin = obj.motus.pull.pins[setup.pin_at(obj, self.index)]
+        setup.check_rooted(pin)
+        positions = arrays.positions(obj.data)
+        place = self.location if self.properties.is_property_set("location") else pin.place
+        vertex = targets.checked(obj, positions, self.vertex) if self.vertex >= 0 else targets.nearest(
+            obj, positions, np.array(place), np.reshape(pin.metric, (3, 3)))
+        setup.bind(obj, pin, vertex)
+        setup.rewire(obj)
+
+
+class MOTUS_OT_pin_restore(PinOperator, bpy.types.Operator):
+    bl_idname = "motus.pin_restore"
+    bl_label = "Restore Modifier"
+    bl_description = "Put the modifier of the pins back, in front of all others"
+
+    object: object_keyword()
+
+    def change(self, context, obj):
+        setup.pin_at(obj, 0)
+        setup.rewire(obj)
+
+
+classes = (
+    MOTUS_OT_pin_add, MOTUS_OT_pin_remove, MOTUS_OT_pin_move, MOTUS_OT_pin_mirror, MOTUS_OT_pin_rebind,
+    MOTUS_OT_pin_restore)

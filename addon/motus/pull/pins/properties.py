@@ -1,0 +1,89 @@
+"""Pins: pulls that are kept in a list on the object, and applied anew on every evaluation. Object.motus.pull."""
+
+import bpy
+
+from ...core.settings import SystemSettings, touch
+from ..falloff_curve import CURVE_SAMPLES
+from ..properties import AXES, DISTANCES, FALLOFFS
+
+ANIMATED = {'ANIMATABLE'}
+OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
+EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+UNIT_METRIC = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+
+
+def _touch_owner(item, context):
+    touch(item.id_data.motus.pull, context)
+
+
+def _number(name, description, default, animated=False, **options):
+    return bpy.props.FloatProperty(
+        name=name, description=description, default=default, options=ANIMATED if animated else set(),
+        update=_touch_owner, override=OVERRIDABLE, **options)
+
+
+def _vector(name, description, size, **options):
+    return bpy.props.FloatVectorProperty(
+        name=name, description=description, size=size, options=set(), update=_touch_owner, override=OVERRIDABLE, **options)
+
+
+def _flag(name, description, animated=False):
+    return bpy.props.BoolProperty(
+        name=name, description=description, default=False, options=ANIMATED if animated else set(), update=_touch_owner,
+        override=OVERRIDABLE)
+
+
+def _choice(name, description, items, default, options=frozenset()):
+    return bpy.props.EnumProperty(
+        name=name, description=description, items=items, default=default, options=set(options), update=_touch_owner,
+        override=OVERRIDABLE)
+
+
+class MOTUS_PG_pin(bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(name="Name", description="Name of the pin", options=set(), override=OVERRIDABLE)
+    strength: _number(
+        "Strength", "How much of its way the pin pulls; negative pushes", 1.0, animated=True, soft_min=-2.0, soft_max=2.0)
+    is_muted: _flag("Mute", "Switch the pin off", animated=True)
+    radius: _number(
+        "Radius", "How far from the root it reaches; for edges, how many of them", 1.0, min=1e-6, soft_min=0.01,
+        soft_max=100.0)
+    falloff: _choice("Falloff", "How the force fades from the root to the radius", FALLOFFS, 'SMOOTH')
+    scale_factor: _number("Scale Factor", "Steepness of the classic falloff", 0.0, soft_min=-10.0, soft_max=10.0)
+    curve: _vector("Curve", "Forces at equal steps from the radius to the root", CURVE_SAMPLES)
+    distance: _choice("Distance", "How the distance to the root is measured", DISTANCES, 'STRAIGHT')
+    displacement: _vector("Displacement", "How far the root goes at the strength 1, in the object", 3, subtype='XYZ')
+    mirror: _choice(
+        "Mirror", "Pull on the other side of the object too, across these of its axes", AXES, set(), {'ENUM_FLAG'})
+    use_minimum: _flag("Use Minimum", "Nothing is moved below a height")
+    minimum: _number("Minimum", "Lowest height of what moves, in the object", -1.0)
+    use_maximum: _flag("Use Maximum", "Nothing is moved above a height")
+    maximum: _number("Maximum", "Largest height of what moves, in the object", 1.0)
+    clamp_axis: _choice("Height Axis", "Axis along which the height is measured", AXES, 'Z')
+    vertex_group: bpy.props.StringProperty(
+        name="Vertex Group", description="Its weights tell how far each vertex follows; empty moves all", options=set(),
+        update=_touch_owner, override=OVERRIDABLE)
+    shape: bpy.props.StringProperty(
+        name="Shape", description="Name of the mesh's attribute that says how far each vertex goes, where the pin was made of "
+                                  "a stroke; empty for a pull at one root", options=set(), update=_touch_owner,
+        override=OVERRIDABLE)
+    metric: _vector(
+        "Metric", "Matrix, row by row, that takes the object's vectors to those that are measured", 9,
+        default=UNIT_METRIC)
+    place: _vector("Place", "Where the root stands in the mesh", 3, subtype='XYZ')
+    anchor: bpy.props.IntProperty(
+        name="Anchor", description="Number by which the mesh marks the root; 0 where it has no mark", options=set(),
+        override=OVERRIDABLE)
+    vertex: bpy.props.IntProperty(
+        name="Vertex", description="Index of the root when it was last seen", options=set(), override=OVERRIDABLE)
+
+
+class MOTUS_PG_pull(SystemSettings, bpy.types.PropertyGroup):
+    influence: bpy.props.FloatProperty(
+        name="Influence", description="How much all pins together move the mesh", default=1.0, min=0.0, max=1.0,
+        subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE,
+        update=touch)
+    pins: bpy.props.CollectionProperty(type=MOTUS_PG_pin, name="Pins", override=EXTENDABLE)
+    active_pin: bpy.props.IntProperty(name="Active Pin", options=set(), override=OVERRIDABLE)
+
+
+classes = (MOTUS_PG_pin, MOTUS_PG_pull)

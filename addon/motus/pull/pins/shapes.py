@@ -1,0 +1,160 @@
+"""What the pins of a mesh reach, kept until the mesh or the pin changes: the dear part of their evaluation.
+
+A shape is kept by the content of the mesh (positions, marks of the roots and, where distances run along it, the
+topology), which is compared on every evaluation. The results are the same with nothing kept.
+"""
+
+import threading
+from collections import OrderedDict
+
+from ...core import native
+from ...core.lazy import numpy as np
+from ...core.per_thread import kept
+from ..mesh import arrays
+from . import binding
+
+LARGEST = 32
+"""Shapes that are kept."""
+MOST_VERTICES = 4_000_000
+"""That all kept shapes but the last may have together."""
+SPARE_REACHES = 64
+"""Kept for pins that are just being changed."""
+
+_lock = threading.Lock()
+_shapes = OrderedDict()
+
+
+class Reached:
+    """Whom a pin reaches. reaches: (indices, distances) for each of its images, as native.pull() takes them."""
+
+    def __init__(self, reaches):
+        self.reaches = reaches
+        self._compact = None
+
+    @property
+    def compact(self):
+        """(indices of all that are reached, the reaches by places in these)."""
+        if self._compact is None:
+            rows = np.unique(np.concatenate([indices for indices, _ in self.reaches]))
+            self._compact = rows, [(np.searchsorted(rows, indices), distances) for indices, distances in self.reaches]
+        return self._compact
+
+
+class Shape:
+    """A mesh as it was when its pins were last looked for."""
+
+    def __init__(self, mesh, positions, numbers, topology):
+        self.positions = positions
+        self.is_finite = bool(np.isfinite(positions).all())
+        self._numbers = numbers
+        self._topology = topology
+        self._anchors = binding.by_number(numbers)
+        self._size = binding.diagonal(positions)
+        self._triangles = None if topology is None else arrays.triangles(mesh)
+        self._edges = None if topology is None else arrays.edges(mesh)
+        self._picker = None
+        self._found = OrderedDict()
+
+    def is_of(self, positions, numbers, topology):
+        """Whether a mesh with these arrays is the same."""
+        pairs = [(positions, self.positions), (numbers, self._numbers)]
+        pairs += zip(topology or (), self._topology or ())
+        return (topology is None) == (self._topology is None) and all(map(_same, *zip(*pairs)))
+
+    def find(self, row):
+        """(root or None, status, Reached or None) of a pin."""
+        if row.where not in self._found:
+            root, status = binding.root(row, self.positions, self._anchors, self._size)
+            self._found[row.where] = root, status, None if root is None else Reached(self._reaches(row, root))
+        self._found.move_to_end(row.where)
+        return self._found[row.where]
+
+    def forget_but(self, count):
+        """Drop what pins that have changed have left, where as many as `count` are in use."""
+        while len(self._found) > count + SPARE_REACHES:
+            self._found.popitem(last=False)
+
+    def _reaches(self, row, root):
+        if self._picker is None:
+            self._picker = native.module.Picker(self.positions, self._triangles, self._edges)
+        metric = np.reshape(np.array(row.metric), (3, 3))
+        return self._picker.reaches(root, row.reach, row.distance, metric, row.mirror)
+
+
+def shape_of(mesh, rows):
+    """The Shape of an evaluated mesh for these rows of pins."""
+    positions, numbers = _positions(mesh), binding.anchors(mesh)
+    topology = None
+    if any(row.distance != "straight" for row in rows):
+        topology = _topology(mesh)
+    place = mesh.name_full, topology is None
+    with _lock:
+        shape = _shapes.get(place)
+        if shape is not None and shape.is_of(positions, numbers, topology):
+            _shapes.move_to_end(place)
+            return shape
+    shape = Shape(mesh, positions.copy(), numbers, topology and tuple(array.copy() for array in topology))
+    with _lock:
+        _shapes[place] = shape
+        _shapes.move_to_end(place)
+        while len(_shapes) > 1 and (len(_shapes) > LARGEST or _kept_vertices() > MOST_VERTICES):
+            _shapes.popitem(last=False)
+    return shape
+
+
+def forget():
+    """Keep nothing."""
+    with _lock:
+        _shapes.clear()
+
+
+def _kept_vertices():
+    return sum(len(shape.positions) for shape in list(_shapes.values())[:-1])
+
+
+def _positions(mesh):
+    """float32 (n, 3), in an array that the thread uses again."""
+    return arrays.positions(mesh, _buffer("positions", 3 * len(mesh.vertices), np.float32))
+
+
+def _topology(mesh):
+    """Arrays that differ where the faces or edges of a mesh do, of which the thread uses the memory again."""
+    if ".corner_vert" in mesh.attributes:
+        corners = _buffer("corners", len(mesh.loops), np.int32)
+        mesh.attributes[".corner_vert"].data.foreach_get("value", corners)
+        edges = _buffer("edges", 2 * len(mesh.edges), np.int32)
+        mesh.attributes[".edge_verts"].data.foreach_get("value", edges)
+        return corners, edges
+    # Before these attributes (4.0) loops and edges can only be read one by one, which takes 0.5 s a million; but they lie in
+    # one piece of memory each.
+    return _memory(mesh.loops), _memory(mesh.edges)
+
+
+def _buffer(name, size, dtype):
+    # Fresh memory would have to be mapped anew on every frame, which takes longer than to fill it.
+    buffers = kept("pins", dict)
+    if name not in buffers or len(buffers[name]) != size:
+        buffers[name] = np.empty(size, dtype)
+    return buffers[name]
+
+
+def _memory(items):
+    """The memory of a collection, whatever Blender keeps there, as int32 words: to be looked at and not to be kept."""
+    import ctypes
+    if len(items) < 2:
+        return np.zeros(len(items), np.int32)
+    start = items[0].as_pointer()
+    words = (items[1].as_pointer() - start) // 4 * len(items)
+    return np.ctypeslib.as_array((ctypes.c_int32 * words).from_address(start))
+
+
+def _same(one, other):
+    if one is None or other is None:
+        return one is other
+    # As bits, so that what is no number is like itself, and in long words, which takes half the time.
+    if one.shape != other.shape:
+        return False
+    words = one.size // 2
+    one, other = one.reshape(-1), other.reshape(-1)
+    return np.array_equal(one[:2 * words].view(np.int64), other[:2 * words].view(np.int64)) and np.array_equal(
+        one[2 * words:].view(np.int32), other[2 * words:].view(np.int32))

@@ -1,0 +1,91 @@
+"""The list of pins as plain rows: read column by column, which takes a fifth of the time that one by one does."""
+
+from typing import Any, NamedTuple
+
+from ...core.lazy import numpy as np
+from ..properties import is_finite
+
+FLOATS = {"strength": 1, "radius": 1, "scale_factor": 1, "minimum": 1, "maximum": 1, "displacement": 3, "place": 3,
+          "metric": 9}
+FLAGS = ("is_muted", "use_minimum", "use_maximum")
+AXES = ('X', 'Y', 'Z')
+
+
+class Row(NamedTuple):
+    """One pin. limits: (axis, minimum or None, maximum or None), or None; mirror: letters of "xyz"."""
+
+    strength: float
+    is_muted: bool
+    radius: float
+    falloff: str
+    scale_factor: float
+    curve: Any
+    distance: str
+    displacement: tuple
+    place: tuple
+    anchor: int
+    vertex: int
+    metric: tuple
+    mirror: str
+    limits: Any
+    vertex_group: str
+    shape: str
+
+    @property
+    def way(self):
+        """How far the root goes."""
+        return tuple(self.strength * along for along in self.displacement)
+
+    @property
+    def reach(self):
+        """The distance from the root at and beyond which nothing moves."""
+        return self.radius ** 0.5 if self.falloff == "classic" else self.radius
+
+    @property
+    def profile(self):
+        """Keyword arguments of the native functions that say how the force fades."""
+        curve = {"curve": np.array(self.curve, np.float32)} if self.falloff == "curve" else {}
+        return {"falloff": self.falloff, "scale_factor": self.scale_factor, **curve}
+
+    @property
+    def where(self):
+        """All on which it depends whom the pin reaches, but for the mesh."""
+        return self.place, self.anchor, self.vertex, self.distance, self.reach, self.metric, self.mirror
+
+    @property
+    def is_usable(self):
+        """Whether all its numbers are numbers that mean something."""
+        numbers = (self.strength, self.radius, self.scale_factor, *self.displacement, *self.place, *self.metric,
+                   *(self.curve or ()), *(end for end in (self.limits or ())[1:] if end is not None))
+        ends = [end for end in (self.limits or ())[1:] if end is not None]
+        is_number = bool(np.isfinite(numbers).all()) and is_finite(self.way)
+        return is_number and self.radius > 0.0 and ends == sorted(ends)
+
+
+def read(pins):
+    """Rows of a collection of pins."""
+    count = len(pins)
+    columns = {name: _floats(pins, name, size, count) for name, size in FLOATS.items()}
+    columns |= {name: _column(pins, name, np.empty(count, bool)) for name in FLAGS}
+    columns |= {name: _column(pins, name, np.empty(count, np.int32)) for name in ("anchor", "vertex")}
+    rows = []
+    for index, pin in enumerate(pins):
+        own = {name: values[index] for name, values in columns.items()}
+        ends = [own.pop(name) for name in ("minimum", "maximum")]
+        low, high = (end if own.pop(f"use_{name}") else None for name, end in zip(("minimum", "maximum"), ends))
+        falloff = pin.falloff.lower()
+        rows.append(Row(
+            falloff=falloff, distance=pin.distance.lower(), mirror="".join(sorted(pin.mirror)).lower(),
+            curve=tuple(pin.curve) if falloff == "curve" else None, vertex_group=pin.vertex_group, shape=pin.shape,
+            limits=None if low is None and high is None else (AXES.index(pin.clamp_axis), low, high), **own))
+    return rows
+
+
+def _floats(pins, name, size, count):
+    values = _column(pins, name, np.empty(count * size, np.float32))
+    return values if size == 1 else [tuple(values[size * row:size * (row + 1)]) for row in range(count)]
+
+
+def _column(pins, name, values):
+    pins.foreach_get(name, values)
+    return values.tolist()

@@ -1,0 +1,174 @@
+"""One dab on arrays: which vertices it reaches, and the native call that moves them."""
+
+from ...core import native
+from ...core.lazy import numpy as np
+
+LARGE = 0.12
+"""Of the mesh's size: a straight reach from there on takes less time without the tree."""
+MOST_REACHES = 64
+"""Roots whose reach is kept, for a mouse that is held still or goes to and fro."""
+
+
+class Puller:
+    """Dabs on one mesh, whose weights are read when they are first needed."""
+
+    def __init__(self, mesh, surface, space):
+        self._surface = surface
+        self._groups = {}
+        self.reopen(mesh, space)
+
+    def reopen(self, mesh, space):
+        """The same mesh, opened anew: what is hidden and masked is read again, vertex groups are not."""
+        self._mesh, self._space = mesh, space
+        self._weights = {}
+        self.forget()
+
+    def forget(self):
+        """What was measured on the shape that a stroke began with holds no longer."""
+        self._reaches = {}
+        self._extent = None
+
+    def pull(self, current, vertex, displacement, brush, radius, start):
+        """Move `current` (n, 3) in place; distances are those of `start`. displacement: local.
+
+        Returns the indices that may have moved.
+        """
+        reaches = self._reaches_of(vertex, brush, radius, start)
+        moved = _together(reaches)
+        before = current[moved]
+        self._native_pull(current, vertex, displacement, brush, radius, current, reach=reaches)
+        self._clamp(current, moved, before, brush)
+        return moved
+
+    def pull_from(self, base, current, last_moved, vertex, displacement, brush, radius):
+        """Make `current` what one dab makes of `base`, from which it differs at `last_moved` (None: anywhere) so far.
+
+        Returns the indices that may differ now.
+        """
+        if last_moved is None:
+            np.copyto(current, base)
+        elif len(last_moved):
+            current[last_moved] = base[last_moved]
+        return self.pull(current, vertex, displacement, brush, radius, base)
+
+    def smooth(self, current, vertex, strength, brush, radius, start):
+        """Even `current` out in place; returns the indices that may have moved."""
+        moved, forces = np.empty(0, np.int64), np.empty(0, np.float32)
+        for indices, distances in self._reaches_of(vertex, brush, radius, start):
+            both = np.union1d(moved, indices)
+            largest = np.zeros(len(both), np.float32)
+            largest[np.searchsorted(both, moved)] = forces
+            at = np.searchsorted(both, indices)
+            largest[at] = np.maximum(largest[at], native.module.pull_forces(distances, radius, **brush.profile))
+            moved, forces = both, largest
+        weights = self.weights(brush)
+        if weights is not None:
+            forces = forces * weights[moved]
+        before = current[moved]
+        target = self._surface.neighbourhood.middles(current, moved)
+        # Forces are in [0, 1], so that a strength of 1 goes just to the middle.
+        share = np.minimum(strength * forces, 1.0)[:, None]
+        current[moved] += (share * (target - before)).astype(np.float32)
+        self._clamp(current, moved, before, brush, always=True)
+        return moved
+
+    def forces(self, vertex, brush, radius, start):
+        """(indices, forces) of the dab's own image."""
+        indices, distances = self._reach(vertex, 0, brush, radius, start)
+        return indices, native.module.pull_forces(distances, radius, **brush.profile)
+
+    def weights(self, brush):
+        """float32 (n,), how far each vertex follows: vertex group, mask and what is hidden; None where all do."""
+        if brush.vertex_group not in self._weights:
+            self._weights[brush.vertex_group] = self._read_weights(brush.vertex_group)
+        return self._weights[brush.vertex_group]
+
+    def _read_weights(self, group):
+        factors = []
+        if group:
+            if group not in self._groups:
+                self._groups[group] = self._mesh.weights(group)
+            factors.append(self._groups[group])
+        mask, hidden = self._mesh.mask(), self._mesh.hidden()
+        if mask is not None:
+            factors.append(np.clip(1.0 - mask, 0.0, 1.0))
+        if hidden is not None:
+            factors.append(~hidden)
+        if not factors:
+            return None
+        return np.ascontiguousarray(np.multiply.reduce(factors), np.float32)
+
+    def may_sweep(self, brush, radius, start):
+        """Whether sweep() does it, and takes less time than the tree that pull() asks."""
+        if brush.distance != 'STRAIGHT' or self.is_clamped_in_world(brush):
+            return False
+        if brush.mirror and self._space.is_skewed_by_mirrors(brush.unit):
+            return False
+        if not self._surface.has_picker:
+            return True
+        if self._extent is None:
+            with np.errstate(invalid="ignore"):
+                self._extent = np.nan_to_num(np.ptp(start, axis=0))
+        sides = np.linalg.norm(self._space.metric(brush.unit) * self._extent, axis=0)
+        return brush.reach_of(radius) > LARGE * sides.max()
+
+    def is_clamped_in_world(self, brush):
+        """Whether the brush's limits are along none of the object's axes."""
+        return (brush.use_minimum or brush.use_maximum) and self._space.limits(brush) is None
+
+    def sweep(self, shape, vertex, displacement, brush, radius, start, out, copy=None):
+        """Let `out`, and the copy, be what one pass over all vertices makes of a shape; distances are those of `start`.
+
+        Returns the indices that have moved; None for all, for a mesh that is written as a whole.
+        """
+        self._native_pull(shape, vertex, displacement, brush, radius, out, copy=copy,
+                          shape=None if start is shape else start)
+        if self._mesh.writes_all:
+            return None
+        return np.flatnonzero((out.view(np.uint32) != shape.view(np.uint32)).any(axis=1))
+
+    def _native_pull(self, positions, vertex, displacement, brush, radius, out, **measured):
+        limits = self._space.limits(brush)
+        axis, minimum, maximum = limits if limits is not None else (2, -np.inf, np.inf)
+        native.module.pull(
+            positions, vertex, displacement, radius, weights=self.weights(brush),
+            minimum=float(minimum) if np.isfinite(minimum) else None,
+            maximum=float(maximum) if np.isfinite(maximum) else None, clamp_axis=axis,
+            mirror="".join(sorted(brush.mirror)).lower(), metric=self._space.metric(brush.unit), out=out,
+            **measured, **brush.profile)
+
+    def _reaches_of(self, vertex, brush, radius, start):
+        return [self._reach(vertex, bits, brush, radius, start) for bits in brush.mirror_bits()]
+
+    def _reach(self, vertex, bits, brush, radius, start):
+        """(indices, distances) of what is in reach of a root, or of its mirror image."""
+        key = vertex, bits, radius, brush.falloff, brush.distance, brush.unit
+        if key not in self._reaches:
+            if len(self._reaches) >= MOST_REACHES:
+                self._reaches.clear()
+            signs = np.array([-1.0 if bits >> axis & 1 else 1.0 for axis in range(3)])
+            picker = self._surface.picker(start)
+            root = vertex
+            if bits:
+                root = start[vertex] * signs
+                if brush.distance != 'STRAIGHT':
+                    root = picker.nearest(root)
+            # The mirrored metric, so that the images are alike on a sheared object too.
+            metric = self._space.metric(brush.unit) * signs
+            self._reaches[key] = picker.reach(root, brush.reach_of(radius), brush.distance.lower(), metric)
+        return self._reaches[key]
+
+    def _clamp(self, current, moved, before, brush, always=False):
+        """What the native function cannot: limits along an axis of the world that is none of the object's."""
+        if not (brush.use_minimum or brush.use_maximum) or not (always or self.is_clamped_in_world(brush)):
+            return
+        changed = moved[(current[moved] != before).any(axis=1)]
+        current[changed] = self._space.clamp(current[changed], brush)
+
+
+def _together(reaches):
+    """The vertices of several reaches, ascending."""
+    found = reaches[0][0]
+    for indices, _ in reaches[1:]:
+        found = np.union1d(found, indices)
+    return found

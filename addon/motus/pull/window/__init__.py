@@ -1,0 +1,1 @@
+"""Pulling with the mouse: the tool, its cursor and keys, and what the viewport shows meanwhile."""

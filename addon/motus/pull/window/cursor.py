@@ -1,0 +1,190 @@
+"""The cursor of Pick & Pull: a circle that lies on the surface, shaded by the falloff, with the bump of one dab.
+
+It is drawn over the viewport without drawing that anew (WindowManager.draw_cursor_add), while the tool is active or a
+session runs.
+"""
+
+import logging
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ...core import handlers, native
+from ...core.lazy import numpy as np
+from ...core.refusals import Refused
+from ...core.viewports import View
+from ..brush import Brush
+from . import cursor_shape, drawing, hover, inset, stage, status
+
+log = logging.getLogger(__name__)
+
+classes = ()
+
+UP = (1.0, 0.56, 0.16)
+DOWN = (0.28, 0.62, 1.0)
+SMOOTHING = (0.45, 0.85, 0.4)
+SHADE = 0.4
+"""Opacity where the force is 1."""
+MOST_DOTS = 6000
+DOT_SIZE = 5.0
+LEAST_DOT_SIZE = 2.0
+DOTS_APART = 2.0
+"""Dots are so many times their size apart at least, on the average: the surface shows between them."""
+DOT_OPACITY = 0.85
+WAITING_SIZE = 6.0
+
+_handle = []
+_failed = set()
+
+
+def register():
+    """Start drawing."""
+    handlers.add(_watchers())
+    _start()
+
+
+def unregister():
+    """Stop drawing."""
+    handlers.remove(_watchers())
+    _stop()
+
+
+def _watchers():
+    return ((bpy.app.handlers.load_post, _renew),)
+
+
+def _start():
+    _handle.append(bpy.types.WindowManager.draw_cursor_add(_draw, (), 'VIEW_3D', 'WINDOW'))
+
+
+def _stop():
+    _failed.clear()
+    while _handle:
+        bpy.types.WindowManager.draw_cursor_remove(_handle.pop())
+
+
+@persistent
+def _renew(*_arguments):
+    # Blender forgets the cursors of add-ons when it opens a file.
+    _stop()
+    _start()
+
+
+def _draw(place):
+    context = bpy.context
+    if native.module is None or context.region is None or context.region_data is None:
+        return
+    try:
+        _draw_in(context, View(context.area, context.region, context.region_data), place)
+    except (ReferenceError, Refused):
+        hover.drop()
+    except Exception as error:
+        # Drawn with every movement of the mouse: said once.
+        if repr(error) not in _failed:
+            _failed.add(repr(error))
+            log.exception("Motus: the cursor could not be drawn")
+
+
+def _draw_in(context, view, place):
+    import gpu
+
+    pulling = stage.current()
+    if pulling is None:
+        session = hover.session(context)
+        if session is None:
+            return
+        session.brush = Brush.of(context.scene.motus.pull)
+        hit, color = session.pick(*view.ray(*place)), UP
+    elif pulling.adjustment is not None:
+        session, hit, color = pulling.session, pulling.adjustment.hit, UP
+        if view.region != pulling.adjustment.view.region:
+            return
+    else:
+        session = pulling.session
+        hit = session.pick(*view.ray(*place))
+        color = SMOOTHING if pulling.is_stroking and pulling.is_smooth else DOWN if pulling.sign < 0.0 else UP
+    if context.scene.motus.pull.show_inset:
+        inset.start()
+    gpu.state.blend_set('ALPHA')
+    scale = context.preferences.system.ui_scale
+    if hit is None:
+        _draw_cross(place, context.preferences.system.pixel_size)
+    else:
+        sign = pulling.sign if pulling is not None and pulling.is_stroking else 1.0
+        _draw_brush(context, view, session, hit, color, sign)
+        adjusted = pulling.adjustment if pulling is not None else None
+        _draw_text(context, session.brush, adjusted, place, scale)
+    gpu.state.blend_set('NONE')
+
+
+def _draw_cross(place, pixel):
+    size = WAITING_SIZE * pixel
+    for dx, dy in ((size, 0.0), (0.0, size)):
+        drawing.line([(place[0] - dx, place[1] - dy), (place[0] + dx, place[1] + dy)], (1.0, 1.0, 1.0, 0.7), pixel)
+
+
+def _draw_brush(context, view, session, hit, color, sign):
+    brush, pixel = session.brush, context.preferences.system.pixel_size
+    matrix = view.data.perspective_matrix
+    center = np.array(hit.point)
+    displacement = _displacement(session, hit, sign, view)
+    if brush.distance != 'STRAIGHT':
+        _draw_dots(view, session, hit, color, pixel)
+    if brush.distance != 'EDGES':
+        axes = cursor_shape.frame(hit.normal, session.space.linear if brush.unit == 'LOCAL' else None)
+        if brush.distance == 'STRAIGHT':
+            _draw_disc(view, matrix, cursor_shape.disc(center, axes, brush), color)
+        across = np.array(view.data.view_rotation.to_matrix().col[0])
+        rim = cursor_shape.circle(center, axes, brush.reach_of(brush.radius))
+        _line(view, rim, (0.0, 0.0, 0.0, 0.45), 3.5 * pixel)
+        _line(view, rim, (*color, 1.0), 1.75 * pixel)
+        _line(view, cursor_shape.bump(center, axes, brush, displacement, across), (1.0, 1.0, 1.0, 0.85), 1.25 * pixel)
+    _line(view, np.stack([center, center + displacement]), (1.0, 1.0, 1.0, 0.95), 2.0 * pixel)
+
+
+def _displacement(session, hit, sign, view):
+    try:
+        return np.array(session.displacement(hit.vertex, sign, view.toward_viewer()))
+    except Refused:
+        return np.zeros(3)  # which the stroke will say
+
+
+def _draw_disc(view, matrix, shape, color):
+    points, forces, triangles = shape
+    places = drawing.to_window(view.region, matrix, points)
+    if places is not None:
+        drawing.triangles(places, _shades(forces, color), triangles)
+
+
+def _draw_dots(view, session, hit, color, size):
+    """The vertices that move, as far as the eye can tell them apart. size: of the unit of dots, pixels."""
+    indices, forces = session.forces(hit.vertex)
+    step = len(indices) // MOST_DOTS + 1
+    places = drawing.to_window(
+        view.region, view.data.perspective_matrix, np.asarray(session.world_positions(indices[::step]), float))
+    if places is None:
+        return
+    forces = forces[::step]
+    step, size = cursor_shape.thinned(places, LEAST_DOT_SIZE * size, DOT_SIZE * size, DOTS_APART)
+    # Even where the force is faint a vertex that moves can be told from one that stays.
+    drawing.dots(places[::step], _shades(0.2 + 0.8 * forces[::step], color, DOT_OPACITY), size)
+
+
+def _shades(forces, color, opacity=SHADE):
+    colors = np.empty((len(forces), 4), np.float32)
+    colors[:, :3] = color
+    colors[:, 3] = opacity * np.clip(forces, 0.0, 1.0)
+    return colors
+
+
+def _line(view, points, color, width):
+    places = drawing.to_window(view.region, view.data.perspective_matrix, points)
+    if places is not None:
+        drawing.line(places, color, width)
+
+
+def _draw_text(context, brush, adjustment, place, scale):
+    adjusted, entry = (adjustment.name, adjustment.entry) if adjustment is not None else (None, None)
+    lines = [status.pair(context, brush, name, entry if name == adjusted else None)
+             for name in (status.RADIUS, status.STRENGTH)]
+    drawing.text(lines, place[0] + 22.0 * scale, place[1] - 26.0 * scale, scale)

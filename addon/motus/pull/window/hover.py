@@ -1,0 +1,144 @@
+"""The mesh under the resting tool, read once: for the cursor, and for the stroke that begins next.
+
+What is kept is dropped as soon as anything else than a stroke changes the object, so that nothing of it can be stale.
+"""
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ...core import handlers, viewports
+from ...core.refusals import Refused
+from ..brush import Brush
+from ..session.dab import Session
+from . import stage
+
+TOOL = "motus.pick_pull"
+MODES = {'OBJECT', 'EDIT_MESH', 'SCULPT'}
+MOST_IN_EDIT_MODE = 200000
+"""Vertices: to read more out of Blender's edit mesh would be felt when the mouse only passes."""
+
+_kept = {}
+_wanted = {}
+
+
+def register():
+    """Watch for changes."""
+    handlers.add(_watchers())
+
+
+def unregister():
+    """Forget all, and watch no more."""
+    handlers.remove(_watchers())
+    if bpy.app.timers.is_registered(_read):
+        bpy.app.timers.unregister(_read)
+    drop()
+
+
+def is_tool_active(context):
+    """Whether Pick & Pull is the tool of the viewport's mode."""
+    if context.workspace is None or context.mode not in MODES:
+        return False
+    tool = context.workspace.tools.from_space_view3d_mode(context.mode, create=False)
+    return tool is not None and tool.idname == TOOL
+
+
+def session(context):
+    """What is kept for the active object; None where the tool is not active, or it is still to be read."""
+    if not is_tool_active(context) or context.object is None:
+        drop()
+        return None
+    key = _key(context.object)
+    if _kept and _kept.get("key") != key:
+        drop()
+    if not _kept and _wanted.get("key") != key and not _is_large(context.object):
+        # Not read within drawing, where Blender must not be asked to change anything.
+        _wanted.update(key=key, object=context.object.name, scene=context.scene.name)
+        if not bpy.app.timers.is_registered(_read):
+            bpy.app.timers.register(_read, first_interval=0.0)
+    return _kept.get("session")
+
+
+def read_now(context):
+    """The session of the active object, read at once where it was not; for what the user has asked for. Raises Refused."""
+    made = Session(context, context.object, Brush.of(context.scene.motus.pull))
+    keep(context, made)
+    return made
+
+
+def take(context):
+    """The kept session for a stroke that begins now, or None. Raises Refused."""
+    if _kept.get("key") != _key(context.object):
+        return None
+    found = _kept.pop("session")
+    drop()
+    return found if found.begin_again(context, context.object, Brush.of(context.scene.motus.pull)) else None
+
+
+def keep(context, done):
+    """Keep the session of a stroke that is over."""
+    # Its change is evaluated before, so that what comes later is somebody else's.
+    context.view_layer.update()
+    drop()
+    _kept.update(key=_key(context.object), session=done, object=context.object.name, data=context.object.data.name)
+
+
+def drop():
+    """Forget what is kept."""
+    _kept.clear()
+    _wanted.clear()
+
+
+def _key(obj):
+    return obj and (obj.name_full, obj.data.name_full if obj.data else "", obj.mode)
+
+
+def _is_large(obj):
+    return obj.mode == 'EDIT' and obj.type == 'MESH' and len(obj.data.vertices) > MOST_IN_EDIT_MODE
+
+
+def _read():
+    """A timer, once: reads the object that the cursor asked for."""
+    wanted = dict(_wanted)
+    obj, scene = bpy.data.objects.get(wanted.get("object", "")), bpy.data.scenes.get(wanted.get("scene", ""))
+    if obj is None or scene is None or stage.current() is not None or _key(obj) != wanted["key"]:
+        _wanted.clear()
+        return
+    try:
+        made = Session(bpy.context, obj, Brush.of(scene.motus.pull))
+    except Refused:
+        return  # the wish stays, so that it is not tried with every movement
+    drop()
+    _kept.update(key=wanted["key"], session=made, object=obj.name, data=obj.data.name)
+    viewports.redraw()
+
+
+@persistent
+def _on_update(_scene, depsgraph):
+    if not _kept and not _wanted:
+        return
+    for update in depsgraph.updates:
+        if update.id.name in {_kept.get("object"), _kept.get("data"), _wanted.get("object")} and (
+                update.is_updated_geometry or update.is_updated_transform):
+            drop()
+            return
+
+
+@persistent
+def _on_change(*_arguments):
+    drop()
+
+
+@persistent
+def _on_load(*_arguments):
+    stage.clear()
+    drop()
+
+
+def _watchers():
+    found = bpy.app.handlers
+    return (
+        (found.depsgraph_update_post, _on_update), (found.undo_pre, _on_change), (found.redo_pre, _on_change),
+        (found.load_pre, _on_change), (found.load_post, _on_load))
+
+
+classes = ()

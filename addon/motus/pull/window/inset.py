@@ -1,0 +1,164 @@
+"""A perspective view from another side, in the corner of the viewport while a mesh is pulled."""
+
+import logging
+import math
+
+import bpy
+from mathutils import Matrix, Vector
+
+from ...core import capabilities, native, viewports
+from . import drawing, hover, stage
+
+log = logging.getLogger(__name__)
+
+classes = ()
+
+SHARE = 0.3
+"""Of the viewport's width."""
+ASPECT = 1.5
+MARGIN = 12.0
+FRAME = (0.9, 0.9, 0.9, 0.8)
+TURN = math.radians(90.0)
+"""About the vertical, from the view that is worked in."""
+RISE = math.radians(25.0)
+"""Above the horizon; more where the work is seen from straight above or below."""
+LENS = 2.4
+"""Half the picture's height lies so many times nearer than the eye."""
+BORDER = 1.1
+"""The work takes so much less than the picture."""
+SMALLEST = 96
+SIDES = {'UI', 'TOOLS'}
+SHELVES = {'ASSET_SHELF', 'ASSET_SHELF_HEADER'}
+
+_handle = []
+_buffers = {}
+_failed = set()
+
+
+def start():
+    """Draw from now on; does nothing the second time. Called while the cursor is drawn, where a mark for redrawing is lost."""
+    if not _handle:
+        _handle.append(bpy.types.SpaceView3D.draw_handler_add(_draw, (), 'WINDOW', 'POST_PIXEL'))
+        bpy.app.timers.register(viewports.redraw)
+
+
+def stop():
+    """Draw no more."""
+    while _handle:
+        bpy.types.SpaceView3D.draw_handler_remove(_handle.pop(), 'WINDOW')
+    for buffer in _buffers.values():
+        buffer.free()
+    _buffers.clear()
+    _failed.clear()
+
+
+def rectangle(region, others=()):
+    """(x, y, width, height) of the inset in a region, pixels; None where there is no room.
+
+    others: regions of the same area; sidebars and shelves that lie over the region are kept clear of.
+    """
+    left, right, bottom = _free(region, others)
+    width = int((right - left) * SHARE)
+    height = int(width / ASPECT)
+    if width < SMALLEST or height > (region.height - bottom) // 2:
+        return None
+    return int(right - width - MARGIN), int(bottom + MARGIN), width, height
+
+
+def _free(region, others):
+    """Left, right and bottom edge of what nothing lies over."""
+    left, right, bottom = 0, region.width, 0
+    for other in others:
+        x, y = other.x - region.x, other.y - region.y
+        is_over = min(other.width, other.height) > 1 and x < region.width and y < region.height and x + other.width > 0 and (
+            y + other.height > 0)
+        if not is_over:
+            continue
+        if other.type in SIDES and x > region.width // 2:
+            right = min(right, x)
+        elif other.type in SIDES:
+            left = max(left, x + other.width)
+        elif other.type in SHELVES:
+            bottom = max(bottom, y + other.height)
+    return left, right, bottom
+
+
+def camera(view_rotation, corners, aspect):
+    """View and projection matrix from another side, as near as has all the corners of a box in the picture, in the world."""
+    backward = view_rotation @ Vector((0.0, 0.0, 1.0))
+    right = view_rotation @ Vector((1.0, 0.0, 0.0))
+    # Round the vertical from the screen's right, which a view from above has too.
+    azimuth = math.atan2(right.y, right.x) - math.pi / 2.0 + TURN
+    is_level = abs(backward.z) < 0.9
+    rise = RISE if is_level else 1.4 * RISE
+    toward = Vector((math.cos(rise) * math.cos(azimuth), math.cos(rise) * math.sin(azimuth), math.sin(rise)))
+    rotation = toward.to_track_quat('Z', 'Y')
+    center = sum(corners, Vector()) / len(corners)
+    radius = max(max((corner - center).length for corner in corners), 1e-6)
+    seen = [rotation.inverted() @ (corner - center) for corner in corners]
+    distance = max(place.z + BORDER * LENS * max(abs(place.x) / aspect, abs(place.y), 0.1 * radius) for place in seen)
+    view = Matrix.LocRotScale(center + distance * toward, rotation, None).inverted()
+    near, far = max(distance - 2.0 * radius, distance * 0.01), distance + 50.0 * radius
+    projection = Matrix((
+        (LENS / aspect, 0.0, 0.0, 0.0), (0.0, LENS, 0.0, 0.0),
+        (0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)), (0.0, 0.0, -1.0, 0.0)))
+    return view, projection
+
+
+def _is_wanted(context):
+    if native.module is None or context.object is None or not context.scene.motus.pull.show_inset:
+        return False
+    return stage.current() is not None or hover.is_tool_active(context)
+
+
+def _draw():
+    context = bpy.context
+    if not _is_wanted(context):
+        return
+    place = rectangle(context.region, context.area.regions)
+    if place is None:
+        return
+    try:
+        _draw_view(context, place)
+    except Exception as error:
+        # A graphics card may refuse; said once, and the work goes on without an inset.
+        if repr(error) not in _failed:
+            _failed.add(repr(error))
+            log.exception("Motus: the inset view could not be drawn")
+
+
+def _draw_view(context, place):
+    import gpu
+    from gpu_extras.presets import draw_texture_2d
+
+    x, y, width, height = place
+    viewport = gpu.state.active_framebuffer_get()
+    buffer = _buffer(width, height)
+    corners = [context.object.matrix_world @ Vector(corner) for corner in context.object.bound_box]
+    matrices = camera(context.region_data.view_rotation, corners, width / height)
+    buffer.draw_view3d(
+        context.scene, context.view_layer, context.space_data, context.region, *matrices,
+        do_color_management=capabilities.has_textures_in_display_colors())
+    # Making a buffer leaves the window bound, which Blender overwrites with the viewport.
+    with viewport.bind():
+        gpu.state.depth_mask_set(False)
+        gpu.state.blend_set('NONE')
+        draw_texture_2d(buffer.texture_color, (x, y), width, height)
+        gpu.state.blend_set('ALPHA')
+        corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
+        drawing.line(corners, FRAME, 1.5 * context.preferences.system.pixel_size)
+        gpu.state.blend_set('NONE')
+        gpu.state.depth_mask_set(True)
+
+
+def _buffer(width, height):
+    """The picture's buffer; one for each size, and few sizes."""
+    import gpu
+
+    if (width, height) not in _buffers:
+        if len(_buffers) >= 4:
+            _buffers.pop(next(iter(_buffers))).free()
+        _buffers[width, height] = gpu.types.GPUOffScreen(width, height)
+        # What is drawn after a buffer was made in the midst of drawing is not seen.
+        bpy.app.timers.register(viewports.redraw)
+    return _buffers[width, height]

@@ -1,0 +1,220 @@
+"""The part of motus.pick_pull that runs in the window: a session from the menu, or one stroke of the tool."""
+
+import bpy
+
+from ...core import viewports
+from ...core.refusals import Refused
+from ...core.translations import tr
+from ..properties import KEYWORDS
+from . import hover, status
+from .adjusting import MOVES
+from .entry import CONFIRMING
+from .pulling import Pulling
+
+GIVEN_PLACE = ("location", "vertex", "dabs")
+"""Whoever says where wants no mouse."""
+
+VIEWING = {
+    'MIDDLEMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM', 'MOUSEROTATE', 'MOUSESMARTZOOM', 'HOME', 'ACCENT_GRAVE',
+    'NUMPAD_PLUS', 'NUMPAD_MINUS', 'NUMPAD_PERIOD', *(f'NUMPAD_{digit}' for digit in range(10))}
+"""Keys that turn the view or go to another."""
+ALWAYS_PASSED = {'TIMER', 'TIMER0', 'TIMER1', 'TIMER2', 'TIMER_REPORT', 'TIMERREGION', 'WINDOW_DEACTIVATE', 'NONE'}
+BUTTONS = {'LEFTMOUSE': 1.0, 'RIGHTMOUSE': -1.0}
+WHEEL = {'WHEELUPMOUSE': True, 'WHEELDOWNMOUSE': False}
+
+
+class PickPullModal:
+    """invoke(), modal() and cancel() of motus.pick_pull; execute(), start() and remember() are the operator's."""
+
+    is_stroke: bpy.props.BoolProperty(
+        name="Stroke", description="One stroke of the mouse, as the tool's keys do it", default=False,
+        options={'HIDDEN', 'SKIP_SAVE'})
+    is_down: bpy.props.BoolProperty(
+        name="Down", description="The stroke pulls down", default=False, options={'HIDDEN', 'SKIP_SAVE'})
+    is_smooth: bpy.props.BoolProperty(
+        name="Smooth", description="The stroke smooths", default=False, options={'HIDDEN', 'SKIP_SAVE'})
+
+    def invoke(self, context, event):
+        if context.window is None or any(self.properties.is_property_set(name) for name in GIVEN_PLACE):
+            return self.execute(context)
+        view = viewports.view_at(context.window, event.mouse_x, event.mouse_y)
+        if self.is_stroke and (view is None or _selects(context, event)):
+            return {'PASS_THROUGH', 'CANCELLED'}
+        try:
+            session = self._open(context)
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        given = {name: getattr(self, name) for name in KEYWORDS if self.properties.is_property_set(name)}
+        self._pulling = Pulling(context, session, given)
+        if self.is_stroke and not self._press(context, view, event):
+            self._pulling.close(context)
+            self._keep(context)
+            # Beside the mesh the press is meant for what lies there; in Sculpt Mode that would be a brush.
+            return {'CANCELLED'} if context.mode == 'SCULPT' else {'PASS_THROUGH', 'CANCELLED'}
+        self._pulling.show(context)
+        context.window_manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def modal(self, context, event):
+        try:
+            return self._stroke(context, event) if self.is_stroke else self._session(context, event)
+        except Refused as refusal:
+            self.report({'WARNING'}, str(refusal))
+            self._pulling.release(context)
+            return self._finish(context) if self.is_stroke else {'RUNNING_MODAL'}
+        except ReferenceError:
+            # A script has removed the object meanwhile.
+            self._pulling.close(context)
+            hover.drop()
+            self.report({'ERROR'}, tr("The object that was pulled is gone"))
+            return {'CANCELLED'}
+        except Exception:
+            self.cancel(context)
+            raise
+
+    def cancel(self, context):
+        """Blender, or the user, ends it: everything is as it was."""
+        self._pulling.close(context)
+        self._pulling.session.restore()
+        self._keep(context)
+
+    def _press(self, context, view, event):
+        """The first press of a stroke; False where there is nothing to pull."""
+        try:
+            return self._pulling.press(context, view, event, -1.0 if self.is_down else 1.0, self.is_smooth)
+        except Refused as refusal:
+            self.report({'WARNING'}, str(refusal))
+            return False
+
+    def _open(self, context):
+        if not self.is_stroke:
+            hover.drop()
+            return self.start(context)
+        return hover.take(context) or self.start(context)
+
+    def _finish(self, context):
+        session = self._pulling.session
+        self._pulling.close(context)
+        has_changed = session.finish()
+        if has_changed:
+            self.remember(context, session)
+        elif sentence := why_cancelled(session):
+            self.report({'WARNING'}, sentence)
+        self._keep(context)
+        return {'FINISHED'} if has_changed else {'CANCELLED'}
+
+    def _keep(self, context):
+        if self.is_stroke:
+            hover.keep(context, self._pulling.session)
+
+    def _stroke(self, context, event):
+        pulling = self._pulling
+        if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
+            self.cancel(context)
+            return {'CANCELLED'}
+        if event.type == pulling.button and event.value == 'RELEASE':
+            pulling.release(context)
+            return self._finish(context)
+        return self._held(context, event)
+
+    def _held(self, context, event):
+        """An event while a button is held."""
+        if event.type in MOVES:
+            self._pulling.move(context, event)
+            return {'PASS_THROUGH'}  # for the cursor
+        if event.type == 'TIMER':
+            self._pulling.tick(context, event)
+            return {'PASS_THROUGH'}
+        return {'RUNNING_MODAL'}
+
+    def _session(self, context, event):
+        pulling = self._pulling
+        if pulling.adjustment is not None:
+            pulling.handle_adjustment(context, event)
+            return {'PASS_THROUGH'} if event.type in MOVES else {'RUNNING_MODAL'}
+        if event.type == 'ESC' and event.value == 'PRESS' and not pulling.entry.is_open:
+            self.cancel(context)
+            return {'CANCELLED'}
+        if pulling.is_stroking:
+            if event.type == pulling.button and event.value == 'RELEASE':
+                pulling.release(context)
+                return {'RUNNING_MODAL'}
+            return self._held(context, event)
+        if event.type in MOVES or event.type in ALWAYS_PASSED:
+            return {'PASS_THROUGH'}
+        if pulling.entry.is_open and self._number_key(context, event):
+            return {'RUNNING_MODAL'}
+        if event.type in CONFIRMING and event.value == 'PRESS':
+            return self._finish(context)
+        return self._command(context, event)
+
+    def _number_key(self, context, event):
+        """A key while a number is typed; False where it ends the number and means something else."""
+        pulling = self._pulling
+        if event.value == 'PRESS':
+            if pulling.type_strength(context, event.type):
+                return True
+            pulling.entry.clear()
+            pulling.show(context)
+        return event.type in CONFIRMING or event.type == 'ESC'
+
+    def _command(self, context, event):
+        """An event while no button is held."""
+        pulling = self._pulling
+        view = pulling.view_under(event)
+        if _turns_view(context, event):
+            return {'PASS_THROUGH'}
+        if view is None or event.value != 'PRESS':
+            # Nothing else of the interface: what is changed there would come between the session and its undo step.
+            return {'RUNNING_MODAL'}
+        if event.type in BUTTONS:
+            sign = BUTTONS[event.type] * (-1.0 if event.ctrl else 1.0)
+            pulling.press(context, view, event, sign, event.shift)
+        elif event.type in WHEEL:
+            pulling.turn_wheel(context, status.STRENGTH if event.shift else status.RADIUS, WHEEL[event.type])
+        elif event.type in {'LEFT_BRACKET', 'RIGHT_BRACKET'}:
+            pulling.turn_wheel(context, status.RADIUS, event.type == 'RIGHT_BRACKET')
+        elif event.type == 'F':
+            pulling.adjust(context, status.STRENGTH if event.shift else status.RADIUS, view, event)
+        elif event.type == 'Z' and event.ctrl:
+            pulling.step_back(context)
+        elif event.type in {'X', 'Y', 'Z'}:
+            pulling.toggle_mirror(context, event.type)
+        elif event.type == 'D':
+            pulling.cycle(context, "direction")
+        elif event.type == 'O':
+            pulling.cycle(context, "falloff")
+        elif event.type == 'A':
+            pulling.set(context, "accumulate", not pulling.brush.accumulate)
+        elif event.type == 'I':
+            pulling.set(context, "show_inset", not pulling.settings.show_inset)
+        else:
+            pulling.type_strength(context, event.type)
+        return {'RUNNING_MODAL'}
+
+
+def why_cancelled(session):
+    """A sentence, where the mirror is why nothing has moved; else None."""
+    if not session.is_cancelled:
+        return None
+    return tr("Nothing moved: on the mirror plane this pull and its mirror image cancel each other out. Choose another "
+              "direction or switch the mirror off")
+
+
+def _turns_view(context, event):
+    """Whether an event is meant for the view."""
+    if event.type in VIEWING or event.type.startswith('NDOF_'):
+        return True
+    if event.type in WHEEL:
+        return event.ctrl or event.alt
+    emulates = context.preferences.inputs.use_mouse_emulate_3_button
+    return emulates and event.alt and event.type in BUTTONS
+
+
+def _selects(context, event):
+    """Whether the right button, which pulls down, is the one that this user selects with."""
+    if event.type != 'RIGHTMOUSE':
+        return False
+    keys = context.window_manager.keyconfigs.active.preferences
+    return getattr(keys, "select_mouse", 'LEFT') == 'RIGHT'

@@ -1,0 +1,84 @@
+"""The texts that tell what the brush does and which keys there are."""
+
+import bpy
+
+from ...core.translations import tr
+from .entry import NumberEntry
+
+RADIUS, STRENGTH = "radius", "strength"
+LABELS = {RADIUS: "Radius", STRENGTH: "Strength"}
+
+
+def length(context, value):
+    """A length in the scene's unit."""
+    units = context.scene.unit_settings
+    system = 'METRIC' if units.system == 'NONE' else units.system
+    return bpy.utils.units.to_string(system, 'LENGTH', value * units.scale_length, precision=3)
+
+
+def label(text):
+    """A label of the interface in the user's language."""
+    return bpy.app.translations.pgettext_iface(text)
+
+
+def value(context, brush, name):
+    """One of the brush's two numbers, as it is shown."""
+    number = getattr(brush, name)
+    if name == RADIUS and brush.distance == 'EDGES':
+        return tr("{count} edges").format(count=round(number))
+    return length(context, number)
+
+
+def pair(context, brush, name, entry: NumberEntry = None):
+    """A number with its label; what is being typed in place of the number."""
+    shown = f"{entry.text}|" if entry is not None and entry.is_open else value(context, brush, name)
+    return f"{label(LABELS[name])} {shown}"
+
+
+def item_label(settings, name):
+    """Label of the item that an enum property stands on."""
+    return label(settings.bl_rna.properties[name].enum_items[getattr(settings, name)].name)
+
+
+def header(context, settings, brush, entry, adjusted):
+    """The line in the viewport's header. adjusted: the number that is being typed or dragged, or None."""
+    parts = [pair(context, brush, name, entry if adjusted == name else None) for name in (RADIUS, STRENGTH)]
+    parts += [item_label(settings, name) for name in ("falloff", "distance", "direction")]
+    if brush.accumulate:
+        parts.append(label("Accumulate"))
+    if brush.mirror:
+        parts.append(f"{label('Mirror')} {' '.join(sorted(brush.mirror))}")
+    return "    ".join(parts)
+
+
+class Key:
+    """What keys do, and the icons of them that the status bar shows."""
+
+    def __init__(self, text, *icons):
+        self.text, self.icons = text, icons
+
+
+SESSION_KEYS = (
+    Key("Pull Up", 'MOUSE_LMB'), Key("Pull Down", 'MOUSE_RMB'), Key("Invert", 'EVENT_CTRL'),
+    Key("Smooth", 'EVENT_SHIFT'),
+    Key("Radius", 'EVENT_F', 'MOUSE_MMB_SCROLL'), Key("Strength", 'EVENT_SHIFT', 'EVENT_F'), Key("Direction", 'EVENT_D'),
+    Key("Falloff", 'EVENT_O'), Key("Accumulate", 'EVENT_A'), Key("Mirror", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'),
+    Key("Inset View", 'EVENT_I'), Key("Confirm", 'EVENT_RETURN'), Key("Cancel", 'EVENT_ESC'))
+ADJUSTING_KEYS = (
+    Key("Confirm", 'MOUSE_LMB'), Key("Cancel", 'MOUSE_RMB', 'EVENT_ESC'), Key("Precision Mode", 'EVENT_SHIFT'))
+
+
+def drawn(keys):
+    """What the status bar calls to draw icons of keys with what they do."""
+    known = bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
+    shown = [([icon for icon in key.icons if icon in known], key.text) for key in keys]
+
+    def draw(bar, _context):
+        row = bar.layout.row(align=True)
+        for icons, text in shown:
+            for icon in icons[:-1]:
+                row.label(text="", icon=icon)
+            row.label(text=text, icon=icons[-1] if icons else 'NONE')
+            row.separator()
+
+    return draw

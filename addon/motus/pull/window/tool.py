@@ -1,0 +1,91 @@
+"""Pick & Pull in the toolbar of Object, Edit and Sculpt Mode."""
+
+from functools import partial
+from pathlib import Path
+
+import bpy
+
+from ...core import teardown
+from ..panel import draw_number, draw_radius
+from . import cursor, hover, inset, keymap, stage
+
+ICON = str(Path(__file__).resolve().parent / "icons" / "pick_pull")
+
+classes = ()
+
+
+class _Tool:
+    bl_space_type = 'VIEW_3D'
+    bl_idname = hover.TOOL
+    bl_label = "Pick & Pull"
+    bl_description = (
+        "Pull the surface up with the left mouse button, down with the right one or with Ctrl; Shift smooths.\n"
+        "F and Shift F change radius and strength")
+    bl_icon = ICON
+    bl_cursor = 'CROSSHAIR'
+    bl_keymap = None
+
+    @staticmethod
+    def draw_settings(context, layout, _tool):
+        brush = context.scene.motus.pull
+        if context.region.type != 'TOOL_HEADER':
+            layout.use_property_split = True
+            layout.use_property_decorate = False
+        draw_radius(layout, brush)
+        draw_number(layout, brush, "strength", "use_pressure_strength")
+        is_header = context.region.type == 'TOOL_HEADER'
+        for name in ("falloff", "distance", "direction"):
+            # In the header the values alone tell what they are.
+            layout.prop(brush, name, **({"text": ""} if is_header else {}))
+        layout.prop(brush, "accumulate")
+        row = layout.row(align=True)
+        if is_header:
+            row.label(text="Mirror")
+        row.prop(brush, "mirror", expand=True)
+        layout.prop(brush, "show_inset")
+
+
+class ObjectTool(_Tool, bpy.types.WorkSpaceTool):
+    bl_context_mode = 'OBJECT'
+
+
+class EditTool(_Tool, bpy.types.WorkSpaceTool):
+    bl_context_mode = 'EDIT_MESH'
+
+
+class SculptTool(_Tool, bpy.types.WorkSpaceTool):
+    bl_context_mode = 'SCULPT'
+
+
+TOOLS = (ObjectTool, EditTool, SculptTool)
+RESTING = {'OBJECT': "builtin.select_box", 'EDIT_MESH': "builtin.select_box", 'SCULPT': "builtin.move"}
+
+_registered = []
+
+
+def register():
+    """Put the tool into the toolbars, and get its cursor ready."""
+    has_keys = bpy.context.window_manager.keyconfigs.addon is not None  # there are none in the background
+    for one in TOOLS:
+        one.bl_keymap = keymap.TOOL_KEYMAP if has_keys else None
+        bpy.utils.register_tool(one, separator=True)
+        _registered.append(one)
+    hover.register()
+    cursor.register()
+
+
+def unregister():
+    """Take the tool back; where it is in hand, Blender's own takes its place."""
+    teardown.run(stage.clear, inset.stop, cursor.unregister, hover.unregister, _put_down)
+    while _registered:
+        teardown.run(partial(bpy.utils.unregister_tool, _registered.pop()))
+
+
+def _put_down():
+    for window in bpy.context.window_manager.windows:
+        for area in window.screen.areas:
+            if area.type != 'VIEW_3D':
+                continue
+            with bpy.context.temp_override(window=window, area=area):
+                if hover.is_tool_active(bpy.context):
+                    bpy.ops.wm.tool_set_by_id(name=RESTING[bpy.context.mode])

@@ -1,0 +1,1 @@
+"""Tests of the wiring, mostly with the toy systems."""

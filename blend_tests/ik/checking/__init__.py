@@ -1,0 +1,1 @@
+"""Tests of checking chains over a range."""

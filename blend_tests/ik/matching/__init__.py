@@ -1,0 +1,1 @@
+"""Tests of matching controls and poses."""

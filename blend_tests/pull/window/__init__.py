@@ -1,0 +1,1 @@
+"""Tests of what the mouse does, without a window."""
