@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import native
-from ..core.refusals import Refused, check_finite, check_local
+from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
 from . import expressions, places, preview
 from .keywords import DriverKeywords, given
@@ -12,12 +12,13 @@ from .keywords import DriverKeywords, given
 class _OnProperty:
     """Mixin: which property is meant."""
 
+    object: bpy.props.StringProperty(
+        name="Object", description="Name of the object with the property; empty takes the active one", options={'SKIP_SAVE'})
     id_type: bpy.props.StringProperty(
-        name="ID Type", description="Kind of the datablock with the property, as driver targets name it, such as MATERIAL",
-        default='OBJECT', options={'SKIP_SAVE'})
+        name="ID Type", description="Kind of a datablock that is no object, as driver targets name it, such as MATERIAL",
+        options={'SKIP_SAVE'})
     id_name: bpy.props.StringProperty(
-        name="ID", description="Name of the datablock; empty takes the active object, or with no data path the property "
-        "under the mouse", options={'SKIP_SAVE'})
+        name="ID", description="Name of that datablock", options={'SKIP_SAVE'})
     data_path: bpy.props.StringProperty(
         name="Data Path", description="Path of the property from the datablock; empty takes the property under the mouse",
         options={'SKIP_SAVE'})
@@ -37,17 +38,20 @@ class _OnProperty:
         hovered = context.property
         if hovered is None:
             raise Refused(tr("Point at a property with the mouse, or give its data path"))
-        datablock, self.data_path, self.index = hovered
-        self._hovered = datablock
+        datablock, path, self.index = hovered
+        # Noted in words, by which the redo panel finds it again.
+        datablock, self.data_path = places.named_by(datablock, path)
+        if isinstance(datablock, bpy.types.Object):
+            self.object = datablock.name
+        else:
+            self.id_type, self.id_name = places.type_of(datablock), datablock.name
 
     def _datablock(self, context):
-        hovered = getattr(self, "_hovered", None)
-        if hovered is not None:
-            return hovered
-        if not self.id_name and self.id_type == 'OBJECT':
-            if context.object is None:
+        if not self.id_type:
+            found = named(self.object) if self.object else context.object
+            if found is None:
                 raise Refused(tr("There is no active object"))
-            return context.object
+            return found
         collection = places.datablocks(self.id_type)
         found = collection.get(self.id_name) if collection is not None else None
         if found is None:

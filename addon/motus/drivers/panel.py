@@ -30,7 +30,10 @@ def _draw_driver(layout, obj, found):
         if operator is MOTUS_OT_driver_add and not keywords:
             continue  # written by hand
         button = row.operator(operator.bl_idname, text="", icon=icon)
-        button.id_type, button.id_name = places.type_of(found.datablock), found.datablock.name
+        if found.datablock == obj:
+            button.object = obj.name
+        else:
+            button.id_type, button.id_name = places.type_of(found.datablock), found.datablock.name
         button.data_path, button.index = found.path, found.index
     if keywords and native.module is not None:
         try:

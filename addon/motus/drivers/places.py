@@ -142,6 +142,17 @@ def type_of(datablock):
     return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
 
 
+def named_by(datablock, path):
+    """A datablock that can be found by its name, and the path from there: node trees lie within others."""
+    if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:
+        return datablock, path
+    for _, _, prop in _types():
+        for one in getattr(bpy.data, prop.identifier):
+            if getattr(one, "node_tree", None) == datablock:
+                return one, f"node_tree.{path}"
+    return datablock, path
+
+
 def _types():
     """(name, class, property of bpy.data) of each type of datablock."""
     for prop in bpy.data.bl_rna.properties:
