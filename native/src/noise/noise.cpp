@@ -177,13 +177,13 @@ template <std::size_t dimensions>
     return sum;
 }
 
-[[nodiscard]] std::array<double, 1> numbers(double place) noexcept {
-    return {place};
-}
-[[nodiscard]] std::array<double, 2> numbers(const glm::dvec2& place) noexcept {
+[[nodiscard]] std::array<double, 1> numbers(double place) noexcept { return {place}; }
+template <class T>
+[[nodiscard]] std::array<double, 2> numbers(const glm::vec<2, T>& place) noexcept {
     return {place.x, place.y};
 }
-[[nodiscard]] std::array<double, 3> numbers(const glm::dvec3& place) noexcept {
+template <class T>
+[[nodiscard]] std::array<double, 3> numbers(const glm::vec<3, T>& place) noexcept {
     return {place.x, place.y, place.z};
 }
 
