@@ -85,7 +85,7 @@ class Functions(DriverTestCase):
                     if fps != 24 and ("ease" in expression or "frame -" in expression):
                         continue  # what counts in frames
                     with self.subTest(expression, frame=frame, fps=fps):
-                        self.assertAlmostEqual(found[cube.name], wanted(native(), frame * base / fps), 6)
+                        self.assertAlmostEqual(found[cube.name], wanted(native(), frame * base / fps), 4)
 
     def test_without_auto_run(self):
         driven_cubes()
@@ -109,7 +109,7 @@ class Functions(DriverTestCase):
                           ("motus_noise(frame, 1, -3)", 0.0)):
             with self.subTest(bad):
                 driver.expression = bad
-                self.assertEqual(self.value(20), rest)
+                self.assertAlmostEqual(self.value(20), rest, 6)
                 self.assertTrue(driver.is_valid)
         driver.expression = "motus_pendulum(frame, 0.5, 2)"
         self.assertNotEqual(self.value(20), self.value(25))
@@ -122,13 +122,13 @@ class Add(DriverTestCase):
         curve = self.new_object("Curve", bpy.data.curves.new("Curve", 'CURVE'))
         self.cube["own"] = 0.0
         self.cube["own row"] = [0.0, 1.0]
-        self.cube.modifiers.new("Wave", 'WAVE')
+        curve.modifiers.new("Wave", 'WAVE')
         for names, function in (
                 ({"object": "Cube", "data_path": "rotation_euler", "index": 1}, 'PENDULUM'),
                 ({"object": "Cube", "data_path": "location[2]"}, 'DOUBLE_PENDULUM'),
                 ({"object": "Cube", "data_path": '["own"]'}, 'NOISE'),
                 ({"object": "Cube", "data_path": '["own row"][1]'}, 'EASE'),
-                ({"object": "Cube", "data_path": 'modifiers["Wave"].height'}, 'NOISE'),
+                ({"object": "Curve", "data_path": 'modifiers["Wave"].height'}, 'NOISE'),
                 ({"id_type": 'CURVE', "id_name": "Curve", "data_path": "bevel_depth"}, 'PENDULUM'),
                 ({"id_type": 'MATERIAL', "id_name": "Paint",
                   "data_path": f'node_tree.nodes["{material.node_tree.nodes[0].name}"].inputs[0].default_value[0]'}, 'NOISE'),
@@ -136,8 +136,8 @@ class Add(DriverTestCase):
             with self.subTest(names["data_path"]):
                 self.assertEqual(bpy.ops.motus.driver_add(function=function, **names), {'FINISHED'})
         tree = material.node_tree
-        self.assertEqual([len(one.animation_data.drivers) for one in (self.cube, curve.data, tree, bpy.context.scene)],
-                         [5, 1, 1, 1])
+        self.assertEqual([len(one.animation_data.drivers) for one in (self.cube, curve, curve.data, tree, bpy.context.scene)],
+                         [4, 1, 1, 1, 1])
         self.assertTrue(all(one.driver.is_valid for one in self.cube.animation_data.drivers))
 
     def test_the_motion_is_about_the_value_that_is_there(self):

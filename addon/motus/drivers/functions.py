@@ -70,7 +70,8 @@ def motus_noise(frame, speed=1.0, seed=0):
 
 
 def _at_rest(name, error, value):
-    sentence = f"{name}: {error}"
+    # What the native module says of other types is written for C++.
+    sentence = f"{name}: {'an argument is no number' if isinstance(error, TypeError) else error}"
     if native.module is not None and sentence not in _said and len(_said) < MOST_SAID:
         _said.add(sentence)
         log.warning("Motus: %s", sentence)

@@ -2,18 +2,18 @@
 
 import bpy
 
-from . import expressions
+from . import expressions, places
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 
 
 def _draw(menu, context):
-    hovered = context.property
+    hovered = places.hovered(context)
     if hovered is None:
         return
     datablock, path, index = hovered
     animation = getattr(datablock, "animation_data", None)
     curve = animation and animation.drivers.find(path, index=max(index, 0))
-    is_ours = curve is not None and expressions.names_ours(curve.driver.expression)
+    is_ours = bool(curve) and expressions.names_ours(curve.driver.expression)
     layout = menu.layout
     layout.separator()
     layout.operator_context = 'INVOKE_DEFAULT'

@@ -35,7 +35,7 @@ class _OnProperty:
         return places.find(datablock, self.data_path, self.index)
 
     def _take_hovered(self, context):
-        hovered = context.property
+        hovered = places.hovered(context)
         if hovered is None:
             raise Refused(tr("Point at a property with the mouse, or give its data path"))
         datablock, path, self.index = hovered
@@ -151,7 +151,7 @@ class MOTUS_OT_driver_remove(_OnProperty, bpy.types.Operator):
             depsgraph = context.evaluated_depsgraph_get()
             for place, value in [(place, place.evaluated(depsgraph)) for place in found]:
                 place.remove()
-                place.value = value
+                place.rest_at(value)
         except Refused as refusal:
             self.report({'ERROR'}, str(refusal))
             return {'CANCELLED'}

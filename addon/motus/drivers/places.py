@@ -45,8 +45,8 @@ class Place:
         """As it stands."""
         return _at(_values(self.struct, self.name), self.index)
 
-    @value.setter
-    def value(self, number):
+    def rest_at(self, number):
+        """Give it a value."""
         if self.index >= 0:
             _values(self.struct, self.name)[self.index] = number
         elif self.name.startswith("["):
@@ -140,6 +140,34 @@ def datablocks(id_type):
 def type_of(datablock):
     """The type of a datablock, as driver targets name it."""
     return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
+
+
+def hovered(context):
+    """(datablock, data path, index) of the property under the mouse, or whose menu is open; None without one."""
+    if hasattr(context, "property"):  # from 4.0 on
+        return context.property
+    struct, prop = getattr(context, "button_pointer", None), getattr(context, "button_prop", None)
+    if struct is None or prop is None or struct.id_data is None:
+        return None
+    try:
+        path = prop.identifier if struct == struct.id_data else struct.path_from_id(prop.identifier)
+    except ValueError:
+        return None
+    return struct.id_data, path, _hovered_index(context) if getattr(prop, "is_array", False) else -1
+
+
+def _hovered_index(context):
+    """Which component of an array is meant; only the path that Blender copies tells."""
+    manager = context.window_manager
+    before = manager.clipboard
+    try:
+        if not bpy.ops.ui.copy_data_path_button.poll():
+            return -1
+        bpy.ops.ui.copy_data_path_button(full_path=True)
+        found = _INDEX.search(manager.clipboard)
+    finally:
+        manager.clipboard = before
+    return int(found[1]) if found else -1
 
 
 def named_by(datablock, path):
