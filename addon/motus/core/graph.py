@@ -5,8 +5,8 @@ import bpy.utils.previews
 
 from .lazy import numpy as np
 
-WIDTH, HEIGHT = 256, 128
-PAD = 6  # pixels above and below
+WIDTH, HEIGHT = 256, 256  # icons are square
+PAD = 8  # pixels above and below
 LINE, AXIS, LEVEL = (0.95, 0.55, 0.20), (0.55, 0.55, 0.55), (0.40, 0.62, 0.90)
 
 _graphs = []
@@ -43,7 +43,7 @@ def pixels(values, levels=(0.0,), marks=()):
     picture = np.zeros((HEIGHT, WIDTH, 4))
     for level in levels:
         _draw(picture, np.full(WIDTH, PAD + (level - low) * scale), AXIS, 0.5)
-    for curve, colour, width in (*((mark, LEVEL, 0.8) for mark in marks), (values, LINE, 1.3)):
+    for curve, colour, width in (*((mark, LEVEL, 1.0) for mark in marks), (values, LINE, 1.6)):
         at = np.linspace(0.0, len(curve) - 1.0, WIDTH)
         _draw(picture, PAD + (np.interp(at, np.arange(len(curve)), curve) - low) * scale, colour, width)
     return picture

@@ -7,13 +7,14 @@ from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 
 
 def _draw(menu, context):
-    hovered = places.hovered(context)
+    hovered = places.hovered(context, is_drawing=True)
     if hovered is None:
         return
     datablock, path, index = hovered
     animation = getattr(datablock, "animation_data", None)
-    curve = animation and animation.drivers.find(path, index=max(index, 0))
-    is_ours = bool(curve) and expressions.names_ours(curve.driver.expression)
+    is_ours = any(
+        curve.data_path == path and index in (-1, curve.array_index) and expressions.names_ours(curve.driver.expression)
+        for curve in (animation.drivers if animation else ()))
     layout = menu.layout
     layout.separator()
     layout.operator_context = 'INVOKE_DEFAULT'

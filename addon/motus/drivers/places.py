@@ -142,8 +142,11 @@ def type_of(datablock):
     return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
 
 
-def hovered(context):
-    """(datablock, data path, index) of the property under the mouse, or whose menu is open; None without one."""
+def hovered(context, is_drawing=False):
+    """(datablock, data path, index) of the property under the mouse, or whose menu is open; None without one.
+
+    is_drawing: while a menu is drawn 3.4 tells no index.
+    """
     if hasattr(context, "property"):  # from 4.0 on
         return context.property
     struct, prop = getattr(context, "button_pointer", None), getattr(context, "button_prop", None)
@@ -153,7 +156,7 @@ def hovered(context):
         path = prop.identifier if struct == struct.id_data else struct.path_from_id(prop.identifier)
     except ValueError:
         return None
-    return struct.id_data, path, _hovered_index(context) if getattr(prop, "is_array", False) else -1
+    return struct.id_data, path, _hovered_index(context) if getattr(prop, "is_array", False) and not is_drawing else -1
 
 
 def _hovered_index(context):

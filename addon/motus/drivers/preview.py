@@ -1,8 +1,7 @@
 """The dialog of motus.driver_add: the rows of the chosen function, and its graph."""
 
-from ..core import graph, ui
+from ..core import graph, native, ui
 from ..core.lazy import numpy as np
-from ..core import native
 from . import expressions
 
 SECONDS = 6.0
