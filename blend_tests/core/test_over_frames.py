@@ -61,7 +61,8 @@ def steps_that_raise(error, after, closed):
 
 def operators():
     return (support.addon("core.bake.operators").MOTUS_OT_bake, support.addon("ik.checking.operators").MOTUS_OT_ik_check,
-            support.addon("ik.matching.operators").MOTUS_OT_ik_match_fk)
+            support.addon("ik.matching.operators").MOTUS_OT_ik_match_fk,
+            support.addon("core.tracks.operators").MOTUS_OT_track_record)
 
 
 class TidyTest(unittest.TestCase):

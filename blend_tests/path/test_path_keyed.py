@@ -109,9 +109,9 @@ class KeyedSpeed(KeyedCase):
 
     def test_cost(self):
         car = self.keyed([(1 + 25 * index, 3.0 + index % 4) for index in range(11)], 'BEZIER')
-        keyed = support.addon("path.keyed")
-        curve = keyed.find(car, car.motus.path, "speed")
-        best = min(_seconds(lambda: keyed.integral(curve, 1.0, 251.0)) for _ in range(20))
+        curve = support.addon("path.keyed").find(car, car.motus.path, "speed")
+        keys = support.addon("core.tracks.keys")
+        best = min(_seconds(lambda: keys.integral(curve, 1.0, 251.0)) for _ in range(20))
         self.assertLess(best, 2e-3, "an order of magnitude above what it should take")
         print(f"250 frames of a keyed speed: {best * 1e3:.3f} ms")
 
@@ -143,7 +143,7 @@ class FarStart(KeyedCase):
         return result
 
     def integral_from(self, first, last):
-        return self.counted(lambda curve: support.addon("path.keyed").integral(curve, first, last))
+        return self.counted(lambda curve: support.addon("core.tracks.keys").integral(curve, first, last))
 
     def cyclic(self, before, after, count=0):
         self.keyed([(10.0, 2.0), (14.25, 30.0), (20.0, 5.0)], 'BEZIER')
@@ -195,7 +195,6 @@ class FarStart(KeyedCase):
 
     def test_other_modifiers(self):
         """Frame by frame near the keys, as ever; far away the mean of a noise and the slope of a line are still right."""
-        keyed = support.addon("path.keyed")
         self.keyed([(1, 2.0), (11, 3.0)], 'LINEAR')
         noise = self.curve.modifiers.new('NOISE')
         noise.strength, noise.scale = 1.0, 30.0
@@ -209,7 +208,7 @@ class FarStart(KeyedCase):
         line.use_additive, line.coefficients = True, (0.0, 0.01)
         wanted = 2.0 * (1.0 + 9e5) + 25.0 + 0.5 * 0.01 * (11.0 ** 2 - 9e5 ** 2)
         self.assertAlmostEqual(self.integral_from(-9e5, 11.0) / wanted, 1.0, places=5)
-        self.assertEqual(len(keyed.bounds(self.curve, -5.0, 5.0)), 11)
+        self.assertEqual(len(support.addon("core.tracks.keys").bounds(self.curve, -5.0, 5.0)), 11)
 
     def test_keys_far_apart(self):
         for interpolation in ('LINEAR', 'SINE', 'BEZIER'):

@@ -103,6 +103,14 @@ def number_of(evaluated):
     return mark[0]
 
 
+def number_of_action(action):
+    """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy."""
+    number = action.get(KEY)
+    if not _is_given(number):
+        number = action[KEY] = _new_number()
+    return number
+
+
 def _mark(datablock):
     """The memory of its number; None where the custom property is missing, or is not what prepare() makes."""
     try:
@@ -135,10 +143,9 @@ def _acting(animation):
         return _ANYTHING
     if action is None:
         return _NOTHING
-    number = action.get(KEY)
-    known = _actions.get(number) if _is_given(number) else None
+    number = number_of_action(action)
+    known = _actions.get(number)
     if known is None:
-        number = action[KEY] = _new_number()
         known = _actions[number] = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
         if len(_actions) > LARGEST:
             _actions.popitem(last=False)

@@ -2,7 +2,8 @@
 
 import bpy
 
-from . import bake, deleted, menus, overlay, preferences, settings, system, teardown, translations, ui, wiring
+from . import (
+    bake, deleted, menus, overlay, preferences, settings, system, teardown, tracks, translations, ui, wiring)
 
 _undo = []
 
@@ -29,10 +30,12 @@ def _register(systems, extra_classes, extra_add_menu):
         system.registered[one.name] = one
         _undo.append(lambda name=one.name: system.registered.pop(name))
         _register_classes(one.classes)
-    _register_classes(preferences.classes + ui.classes + bake.classes + overlay.classes + menus.classes + extra_classes)
+    _register_classes(
+        preferences.classes + ui.classes + bake.classes + tracks.classes + overlay.classes + menus.classes + extra_classes)
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
+    _call(tracks.register, tracks.unregister)
     _call(overlay.register, overlay.unregister)
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
     _call(translations.register, translations.unregister)

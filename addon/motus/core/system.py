@@ -217,7 +217,8 @@ class System(Feature):
 
     moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. unbakeable: a sentence
     that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
-    (Context.wants_to_settle), with the owner. bone_renamed: called with the owner, a rig, and the old and the new name of a
+    (Context.wants_to_settle), with the owner. over_time: called with the owner, a driven object and the scene; gives what
+    core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner, a rig, and the old and the new name of a
     bone of it that the owner drives or reads.
     """
 
@@ -234,6 +235,7 @@ class System(Feature):
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
     settle: Optional[Callable] = None
+    over_time: Optional[Callable] = None
     unbakeable: str = ""
 
 

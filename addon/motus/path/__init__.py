@@ -1,7 +1,8 @@
 """Follow Path: objects on curves by arc length, with ease, banking, trains and meeting pins."""
 
 from ..core.system import System
-from . import bezier, edit_views, lists, members, operators, overlay, panel, presets, properties, solve, train
+from . import (
+    bezier, edit_views, lists, members, operators, over_time, overlay, panel, presets, properties, solve, train)
 
 SYSTEM = System(
     name="path",
@@ -20,6 +21,7 @@ SYSTEM = System(
     channels=members.channels,
     members=members.members,
     member_data=members.offsets,
+    over_time=over_time.over_time,
     overlay=overlay.overlay,
     add_menu=("motus.path_new_bezier",),
     object_menu=("motus.path_follow_add", "motus.path_train_add", "motus.path_follow_remove", "motus.path_edit_views"),

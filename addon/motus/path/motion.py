@@ -7,6 +7,7 @@ from typing import Any, Optional
 from ..core import native
 from ..core.lazy import numpy as np
 from ..core.system import Problem
+from ..core.tracks import keys
 from . import keyed
 
 NO_PINS = Problem("Add a pin: a frame and the place to be at")
@@ -83,12 +84,12 @@ def _by_speed(context, numbers, _length, past):
     now = max(start, context.frame)
     if now == start:
         return Motion(native.module.Timing.constant(curve.evaluate(start)), 0.0)
-    distance = keyed.integral(curve, start, now) / context.fps
+    distance = keys.integral(curve, start, now) / context.fps
     if not is_finite(distance):
         return NOT_FINITE
     if not past:
         return Motion(native.module.Timing.constant(curve.evaluate(now)), 0.0, distance)
-    frames, speeds = keyed.samples(curve, max(start, now - past * context.fps), now)
+    frames, speeds = keys.samples(curve, max(start, now - past * context.fps), now)
     times = (np.array(frames) - start) / context.fps
     timing = native.module.Timing.speeds(times, speeds)
     return Motion(timing, times[-1], distance - timing.distance(times[-1]))
@@ -117,14 +118,14 @@ def _by_hand(context, numbers, length, past):
     if curve is None or in_strips:
         return Motion(native.module.Timing.constant(0.0), 0.0, distance, FRACTION_IN_STRIPS if in_strips else None)
     if not past or len(curve.keyframe_points) == 0:
-        speed = keyed.rate(curve, context.frame) * length * context.fps
+        speed = keys.rate(curve, context.frame) * length * context.fps
         return Motion(native.module.Timing.constant(speed), 0.0, distance)
     first = curve.keyframe_points[0].co[0]
     now = max(first, context.frame)
     # To beyond the present frame, which then has neighbours on both sides, and the same ones until the next whole frame;
     # and so at the other end.
     oldest = max(first, math.floor(max(first, now - past * context.fps)) - 2.0)
-    frames = keyed.bounds(curve, oldest, math.floor(now) + 2.0)
+    frames = keys.bounds(curve, oldest, math.floor(now) + 2.0)
     timing = native.module.Timing.pins(
         (np.array(frames) - first) / context.fps, [curve.evaluate(frame) * length for frame in frames])
     time = (now - first) / context.fps

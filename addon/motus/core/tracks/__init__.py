@@ -1,0 +1,19 @@
+"""Inputs over time: what a property or transform is at any times, for solvers that need its past or future.
+
+    property_track, own_track, world_track   a number, the channels of an object or bone, its world matrix: each a Track
+    kept                                     keeps what a solver made of a Track until the keys change
+    animation, keys                          which F-curve animates a property, and its integral and bounds
+    draw, classes, register                  for the panel: what kind it is, and the buttons that record it
+
+A Track is EXACT (read from keys, NLA strips and parents), or it is RECORDED: then an operator has gone through the frames and
+keeps samples in the file.
+"""
+
+from .operators import classes
+from .panel import draw, is_outdated, register, unregister
+from .track import Kind, Track, kept, own_track, property_track, world_track
+
+__all__ = (
+    "Kind", "Track", "classes", "draw", "is_outdated", "kept", "own_track", "property_track", "register", "unregister",
+    "world_track",
+)

@@ -1,0 +1,187 @@
+"""What animates one number of a datablock, and its values at any times."""
+
+import re
+from typing import Any, NamedTuple
+
+import bpy
+
+from .. import actions
+from ..lazy import numpy as np
+from ..refusals import Refused
+from ..translations import tr
+from . import keys, strips
+from .reason import Reason
+
+_CUSTOM = re.compile(r'\["(?:[^"\\]|\\.)*"\]$')
+TRUE = 1.0 - 2.0**-23
+"""Above it Blender takes a number for True."""
+
+
+class Number(NamedTuple):
+    """A number property of a datablock: what holds it, its name there, its type, and between which values Blender keeps it.
+
+    index: in an array; -1 where it is none. subtype: of RNA. default: its value in the NLA, where no strip sets it.
+    """
+
+    holder: Any
+    name: str
+    index: int
+    type: str
+    least: float
+    most: float
+    subtype: str
+    default: float
+
+    @property
+    def present(self):
+        """Its value now."""
+        value = self.holder[_key(self.name)] if self.name.startswith("[") else getattr(self.holder, self.name)
+        if self.type == 'ENUM':
+            return float(self.holder.bl_rna.properties[self.name].enum_items[value].value)
+        return float(value if self.index < 0 else value[self.index])
+
+    def rounded(self, values):
+        """What Blender makes of an F-curve's values when it writes them into the property."""
+        if self.type == 'BOOLEAN':
+            return (values > TRUE).astype(float)
+        if self.type in {'INT', 'ENUM'}:
+            values = np.trunc(values)
+        return np.clip(values, self.least, self.most)
+
+
+class Channel:
+    """A number over time. reason: why nobody knows it ahead; None where keys tell it, or nothing animates it.
+
+    values(times) and bounds(first, last) are there where reason is None; stamp changes whenever what they say may.
+    """
+
+    def __init__(self, id_data, data_path, index):
+        self._id, self._path = id_data, data_path
+        self._curve = self._stack = self.reason = None
+        self.number = number(id_data, data_path, index)
+        animation = id_data.animation_data
+        if animation is None:
+            return
+        place = max(index, 0)
+        if is_driven(id_data, data_path, place):
+            self.reason = Reason(Reason.DRIVEN, thing=id_data.name, path=data_path)
+        elif is_in_strips(id_data, data_path, place):
+            found = strips.Stack.of(animation, data_path, self.number, acting_curve(id_data, data_path, place))
+            if isinstance(found, Reason):
+                self.reason = found
+            else:
+                self._stack = found
+        else:
+            self._curve = acting_curve(id_data, data_path, place)
+
+    @property
+    def is_constant(self):
+        """Whether nothing animates it."""
+        return self._curve is None and self._stack is None and self.reason is None
+
+    def values(self, times):
+        """(n,) float64 at times of the scene (n,)."""
+        if self._stack is not None:
+            return self.number.rounded(self._stack.values(times))
+        if self._curve is not None:
+            return self.number.rounded(keys.values(self._curve, times))
+        return np.full(len(times), self.number.present)
+
+    def bounds(self, first, last):
+        """Rising times from first to last, between which it is smooth, as far as they are not too many."""
+        if self._stack is not None:
+            return self._stack.bounds(first, last)
+        return keys.bounds(self._curve, first, last) if self._curve is not None else [first, last]
+
+    @property
+    def stamp(self):
+        """Of an evaluated datablock: something hashable that changes whenever values() may; None of an original."""
+        if not self._id.is_evaluated:
+            return None
+        if self._stack is not None:
+            return strips.together((self._path, self.number.index, self._stack.stamp))
+        if self._curve is not None:
+            return self._path, self.number.index, strips.stamp_of_action(self._id.animation_data)
+        return self.number.present
+
+
+def number(id_data, data_path, index=-1):
+    """The Number at a data path; refuses what is none. index: in an array, -1 for a property that is none."""
+    try:
+        holder, name = _holder(id_data, data_path)
+        found = (_custom if name.startswith("[") else _declared)(holder, name, index)
+        found.present  # whether it is there at all
+    except (AttributeError, KeyError, IndexError, TypeError, ValueError):
+        raise Refused(tr("{object} has no number {path}").format(object=id_data.name, path=data_path)) from None
+    return found
+
+
+def acting_curve(id_data, data_path, index=0):
+    """The F-curve of the active action that animates a number, or None. `id_data` may be evaluated."""
+    return strips.acting(actions.fcurves(id_data), data_path, index)
+
+
+def is_driven(id_data, data_path, index=0):
+    """Whether a driver sets a number."""
+    animation = id_data.animation_data
+    driver = animation and animation.drivers.find(data_path, index=index)
+    return driver is not None and not driver.mute
+
+
+def is_in_strips(id_data, data_path, index=0):
+    """Whether strips of the NLA take part in a number's value, or the action above them is more than laid over all."""
+    animation = id_data.animation_data
+    if animation is None or not animation.use_nla:
+        return False
+    played = [strip for track in animation.nla_tracks if not track.mute for strip in track.strips]
+    if not played:
+        return False
+    if acting_curve(id_data, data_path, index):
+        return (animation.use_tweak_mode or animation.action_blend_type != 'REPLACE' or animation.action_influence != 1.0
+                or animation.action_extrapolation != 'HOLD')
+    return any(strips.animates(strip, data_path, index) for strip in played)
+
+
+def _holder(id_data, data_path):
+    """What holds the property at a data path, and its name there; of a custom property with its brackets."""
+    custom = _CUSTOM.search(data_path)
+    path, _, name = data_path.rpartition(".")
+    if custom:
+        path, name = data_path[:custom.start()], custom[0]
+    return (id_data.path_resolve(path) if path else id_data), name
+
+
+def _key(name):
+    return bpy.utils.unescape_identifier(name[2:-2])
+
+
+def _declared(holder, name, index):
+    declared = holder.bl_rna.properties[name]
+    if declared.type == 'ENUM' and not declared.is_enum_flag:
+        return Number(holder, name, -1, 'ENUM', -np.inf, np.inf, 'NONE', 0.0)
+    is_array = getattr(declared, "is_array", False)
+    if declared.type not in {'FLOAT', 'INT', 'BOOLEAN'} or is_array != (index >= 0):
+        raise TypeError
+    least, most = (0.0, 1.0) if declared.type == 'BOOLEAN' else (declared.hard_min, declared.hard_max)
+    if isinstance(holder, bpy.types.ShapeKey) and name == "value":
+        least, most = holder.slider_min, holder.slider_max
+    default = declared.default_array[index] if is_array else declared.default
+    # Blender warns of a subtype that is a unit, which no array of four has.
+    subtype = declared.subtype if is_array and len(declared.default_array) == 4 else 'NONE'
+    if subtype == 'QUATERNION':
+        default = float(index == 0)
+    return Number(holder, name, index, declared.type, least, most, subtype, float(default))
+
+
+def _custom(holder, name, index):
+    value = holder[_key(name)]
+    if (index >= 0) != hasattr(value, "__len__"):
+        raise TypeError
+    one = value if index < 0 else value[index]
+    kind = {bool: 'BOOLEAN', int: 'INT', float: 'FLOAT'}[type(one)]
+    limits = holder.id_properties_ui(_key(name)).as_dict()
+    default = limits.get("default", 0.0)
+    if hasattr(default, "__len__"):  # empty where an array has none (3.4)
+        default = default[index] if len(default) else 0.0
+    return Number(holder, name, index, kind, limits.get("min", -np.inf), limits.get("max", np.inf),
+                  limits.get("subtype", 'NONE'), float(default))

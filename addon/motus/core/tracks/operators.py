@@ -1,0 +1,134 @@
+"""motus.track_record and motus.track_clear: samples of what is not known ahead, kept in the file."""
+
+import math
+
+import bpy
+
+from ..over_frames import OverFrames
+from ..refusals import Refused, check_bone, check_evaluated, check_local, check_posed
+from ..translations import tr
+from . import digest, recordings
+from .track import own_track, property_track, world_track
+
+TRANSFORMS = (
+    ('WORLD', "World Matrix", "Where it stands, with parents and constraints"),
+    ('OWN', "Own Transform", "Its own location, rotation and scale"),
+)
+
+
+class _OfATrack:
+    """Mixin with the keywords that name a track."""
+
+    datablock: bpy.props.StringProperty(
+        name="Datablock", description="Name of the object or other datablock; empty takes the active object",
+        options={'SKIP_SAVE'})
+    collection: bpy.props.StringProperty(
+        name="Collection", description="Which of the file's collections the datablock stands in, such as materials",
+        default="objects", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(
+        name="Bone", description="Name of a bone; empty means the object itself", options={'SKIP_SAVE'})
+    transform: bpy.props.EnumProperty(
+        name="Transform", description="Which transform, where no data path is given", items=TRANSFORMS,
+        options={'SKIP_SAVE'})
+    data_path: bpy.props.StringProperty(
+        name="Data Path", description="Path of a property of the datablock; empty means a transform",
+        options={'SKIP_SAVE'})
+    index: bpy.props.IntProperty(
+        name="Index", description="Index of a number in an array property; -1 for a property that is no array", default=-1,
+        min=-1, options={'SKIP_SAVE'})
+
+    def id_data(self, context):
+        """The datablock that is named."""
+        if not self.datablock:
+            if context.object is None:
+                raise Refused(tr("Select an object, or name one"))
+            return context.object
+        listed = bpy.data.bl_rna.properties.get(self.collection)
+        found = getattr(bpy.data, self.collection).get(self.datablock) if listed and listed.type == 'COLLECTION' else None
+        if found is None:
+            raise Refused(tr("There is no {object} in {collection}").format(
+                object=self.datablock, collection=self.collection))
+        return found
+
+    def track(self, id_data, scene):
+        """The track of the datablock, original or evaluated."""
+        if self.data_path:
+            return property_track(id_data, self.data_path, self.index)
+        if not isinstance(id_data, bpy.types.Object):
+            raise Refused(tr("Only objects and bones have a transform: give a data path"))
+        if self.bone:
+            check_bone(id_data, self.bone)
+        thing = id_data.pose.bones[self.bone] if self.bone else id_data
+        return own_track(thing) if self.transform == 'OWN' else world_track(thing, scene)
+
+
+class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
+    bl_idname = "motus.track_record"
+    bl_label = "Record"
+    bl_description = "Go through the frames and keep in the file what is not known ahead, such as what constraints do"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    step: bpy.props.FloatProperty(
+        name="Step", description="Frames from one sample to the next, less than one for sub-frames", default=1.0, min=0.001,
+        soft_min=0.1, soft_max=10.0)
+
+    def steps(self, context, frames):
+        id_data = self.id_data(context)
+        self._check(context, id_data, len(frames))
+        self._samples, self._frames_done = [], frames
+        return self._record(context, id_data, frames)
+
+    def result(self, context):
+        id_data = self.id_data(context)
+        track = self.track(id_data, context.scene)
+        length = context.scene.render.frame_map_old / context.scene.render.frame_map_new
+        size = recordings.write(
+            id_data, track.what, self._frames_done[0] * length, self.step * length, self._samples, digest.of(id_data))
+        self.report({'INFO'}, tr("Recorded {frames} frames of {object}: {size} KB").format(
+            frames=len(self._samples), object=id_data.name, size=math.ceil(size / 1024)))
+
+    def _check(self, context, id_data, count):
+        check_local(id_data)
+        track = self.track(id_data, context.scene)
+        if track.reason is None:
+            raise Refused(tr("{object} is known at any frame: there is nothing to record").format(object=id_data.name))
+        most = recordings.most_samples(track.width)
+        if count > most:
+            raise Refused(tr("{count} samples are too many for a file: {most} at most").format(count=count, most=most))
+        check_evaluated(id_data, context.view_layer)
+        if self.bone:
+            check_posed(id_data, context.view_layer)
+
+    def _record(self, context, id_data, frames):
+        scene = context.scene
+        before = scene.frame_current, scene.frame_subframe
+        try:
+            for index, frame in enumerate(frames):
+                whole = math.floor(frame)
+                scene.frame_set(whole, subframe=frame - whole)
+                evaluated = id_data.evaluated_get(context.view_layer.depsgraph)
+                self._samples.append(self.track(evaluated, scene).present())
+                yield index + 1
+        finally:
+            scene.frame_set(before[0], subframe=before[1])
+
+
+class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
+    bl_idname = "motus.track_clear"
+    bl_label = "Clear Recording"
+    bl_description = "Take the recorded samples out of the file"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    def execute(self, context):
+        try:
+            id_data = self.id_data(context)
+            check_local(id_data)
+            if not recordings.remove(id_data, self.track(id_data, context.scene).what):
+                raise Refused(tr("Nothing was recorded of {object}").format(object=id_data.name))
+        except Refused as refusal:
+            self.report({'ERROR'}, str(refusal))
+            return {'CANCELLED'}
+        return {'FINISHED'}
+
+
+classes = (recordings.MOTUS_PG_recording, MOTUS_OT_track_record, MOTUS_OT_track_clear)

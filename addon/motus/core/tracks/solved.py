@@ -1,0 +1,58 @@
+"""Objects that a system of Motus's drives: the system itself is asked where they are at any times.
+
+What System.over_time gives is None, or has
+
+    reason             as Channel.reason
+    poses(times)       (locations (n, 3), rotations (n, 4) or None, acts (n,) whether it drives the object) in world space
+    bounds, stamp      as those of Channel
+"""
+
+from .. import wiring
+from ..lazy import numpy as np
+from ..system import registered
+from . import rotations
+
+
+class Solved:
+    """What a system makes of an object, as a part of a chain of parents. label: of the system."""
+
+    def __init__(self, system, source):
+        self.label, self._source = system.label, source
+        self.bounds = source.bounds
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        return self._source.reason
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return self._source.stamp
+
+    def applied(self, times, matrices):
+        """World matrices (n, 4, 4) of the object, from those that its own channels and parents make; the scale is these'."""
+        locations, turns, acts = self._source.poses(times)
+        found = np.broadcast_to(matrices, (len(times), 4, 4)).copy()
+        if turns is not None:
+            sizes = np.sqrt((found[:, :3, :3] ** 2).sum(axis=1, keepdims=True))
+            found[acts, :3, :3] = (rotations.matrices(turns) * sizes)[acts]
+        found[acts, :3, 3] = locations[acts]
+        return found
+
+
+def of(obj, scene):
+    """The Solved of an object, original or evaluated; None where no system drives it that can be asked, or not it alone."""
+    acting = [constraint for constraint in obj.constraints if not constraint.mute]
+    if not acting or not obj.is_property_set("motus"):
+        return None
+    for system in registered.values():
+        if getattr(system, "over_time", None) is None:
+            continue
+        settings = getattr(obj.motus, system.name)
+        owner = obj if settings.is_active else settings.leader
+        sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj)} if owner else ()
+        source = system.over_time(owner, obj, scene) if sinks and all(one in sinks for one in acting) else None
+        if source is not None:
+            return Solved(system, source)
+    return None

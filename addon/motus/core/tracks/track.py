@@ -1,0 +1,152 @@
+"""One input over time: exact from keys, or from a recording; and what the panel says of it."""
+
+import enum
+import functools
+from collections import OrderedDict
+
+from .. import stored
+from ..lazy import numpy as np
+from ..translations import tr
+from . import recordings
+from .animation import Channel
+from .transforms import Own, Transforms, World
+
+LARGEST_CACHE = 1024  # of what kept() keeps: the bones of some rigs, in a viewport and a render
+
+_kept = OrderedDict()
+
+
+class Kind(enum.Enum):
+    """EXACT: read from keys, or constant. SOLVED: a system of Motus's is asked. RECORDED: it has to be recorded, or was."""
+
+    EXACT = enum.auto()
+    SOLVED = enum.auto()
+    RECORDED = enum.auto()
+
+
+class Track:
+    """A number or transform at any times of the scene (frames as drivers see them, with their fractions), in any order.
+
+    Reading it in a solver is right if the thing itself is one of the declared inputs, so that Blender has made the copies
+    that are read here before, and `thing` or `id_data` is the evaluated one. Built anew for each use, as it refers to
+    Blender's data; kept() keeps what was made of it.
+    """
+
+    def __init__(self, source, id_data, what, width):
+        self._source, self.id_data, self.what, self.width = source, id_data, what, width
+
+    @functools.cached_property
+    def reason(self):
+        """The Reason for which it has to be recorded; None where it is exact."""
+        return self._source.reason
+
+    @property
+    def kind(self):
+        if self.reason is not None:
+            return Kind.RECORDED
+        return Kind.SOLVED if self._solvers else Kind.EXACT
+
+    @property
+    def _solvers(self):
+        return getattr(self._source, "solvers", ())
+
+    @functools.cached_property
+    def recording(self):
+        """What was recorded of it; None where nothing was, or where it is damaged."""
+        try:
+            return recordings.read(self.id_data, self.what, self.width)
+        except stored.Damaged:
+            return None
+
+    @property
+    def is_known(self):
+        """Whether values() may be called."""
+        return self.reason is None or self.recording is not None
+
+    @property
+    def sentence(self):
+        """What the panel says, in the user's language."""
+        if self.reason is None:
+            if self._solvers:
+                return tr("Exact at any frame: solved by {systems}").format(systems=", ".join(map(tr, self._solvers)))
+            return tr("Exact at any frame: read from keys")
+        if self.recording:
+            start, end, step = (f"{round(value, 3):g}" for value in (
+                self.recording.start, self.recording.end, self.recording.step))
+            return tr("Recorded {start}-{end} by steps of {step}; beyond, the first and last value hold").format(
+                start=start, end=end, step=step)
+        return tr("Needs recording: {reason}").format(reason=self.reason.sentence)
+
+    def values(self, times):
+        """At times (n,): numbers (n,), Transforms, or world matrices (n, 4, 4). ValueError where they are not known."""
+        times = np.asarray(times, float)
+        if self.reason is None:
+            return self._source.values(times)
+        if self.recording is None:
+            raise ValueError(f"{self.what} has to be recorded")
+        if self.what.endswith("world"):
+            return recordings.matrices(self.recording, times)
+        if self.what.endswith("own"):
+            return Transforms(*recordings.transforms(self.recording, times))
+        return recordings.numbers(self.recording, times)[:, 0]
+
+    def bounds(self, first, last):
+        """Rising times from first to last between which it is smooth: where to take samples of it; a bounded number."""
+        if self.reason is None:
+            return self._source.bounds(first, last)
+        return recordings.bounds(self.recording, first, last) if self.recording else [first, last]
+
+    @property
+    def stamp(self):
+        """Of an evaluated thing: something hashable that changes whenever values() may; None where that is not known."""
+        if self.reason is None:
+            return self._source.stamp
+        return self.recording and self.recording.stamp
+
+    def present(self):
+        """A sample for a recording, (width,), of an evaluated thing."""
+        return self._source.present
+
+
+def property_track(id_data, data_path, index=-1):
+    """The Track of a float, int, bool or enum property; index: in an array. Refuses what is no number."""
+    return Track(_Number(id_data, data_path, index), id_data, f"{data_path}[{index}]", 1)
+
+
+def own_track(thing):
+    """The Track of what the channels of an Object or PoseBone make, delta transforms included, as Transforms."""
+    return Track(Own(thing), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
+
+
+def world_track(thing, scene):
+    """The Track of the world matrix of an Object or PoseBone. scene: whose frame rate counts for what systems drive."""
+    return Track(World(thing, scene), thing.id_data, _what(thing, "world"), recordings.WIDTHS["world"])
+
+
+def kept(track, name, make):
+    """What make() gives, for as long as the track stays what it is; make() is called anew where nobody can tell.
+
+    name: hashable, of all else that make() depends on. What is kept is shared by threads, and must not be changed.
+    """
+    stamp = track.stamp
+    if stamp is None:
+        return make()
+    place = name, stamp
+    found = _kept.get(place)
+    if found is None:
+        found = _kept[place] = make()
+        if len(_kept) > LARGEST_CACHE:
+            _kept.popitem(last=False)
+    return found
+
+
+class _Number(Channel):
+    """A Channel with what a recording needs."""
+
+    @property
+    def present(self):
+        return np.array([self.number.present])
+
+
+def _what(thing, kind):
+    return kind if thing == thing.id_data else f"{thing.path_from_id()}.{kind}"

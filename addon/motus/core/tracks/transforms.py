@@ -1,0 +1,401 @@
+"""Location, rotation and scale of objects and bones over time, and their world matrices, as Blender makes them."""
+
+import functools
+from collections import OrderedDict
+from typing import Any, NamedTuple
+
+import bpy
+from mathutils import Matrix
+
+from .. import actions, copies
+from ..lazy import numpy as np
+from . import keys, rotations, solved, strips
+from .animation import Channel, is_driven
+from .reason import Reason
+
+ROTATIONS = {'QUATERNION': ("rotation_quaternion", 4), 'AXIS_ANGLE': ("rotation_axis_angle", 4)}
+DELTA_ROTATIONS = {'QUATERNION': ("delta_rotation_quaternion", 4), 'AXIS_ANGLE': None}
+"""Blender has no channel for a delta by axis and angle."""
+DEEPEST = 256
+"""Parents above each other; of bones too. What hangs deeper is taken for a loop."""
+LARGEST_CACHE = 1024  # bones of some rigs, in a viewport and a render
+
+_keys = OrderedDict()
+"""(an evaluated action, beginning of data paths, rotation mode) -> which channels have keys there (Own._keys_at)."""
+
+
+class Transforms(NamedTuple):
+    """locations (n, 3), rotations (n, 4; w, x, y, z; unit), scales (n, 3), float64."""
+
+    locations: Any
+    rotations: Any
+    scales: Any
+
+    @property
+    def matrices(self):
+        """(n, 4, 4) in rows."""
+        found = np.zeros((len(self.locations), 4, 4))
+        found[:, :3, :3] = rotations.matrices(self.rotations) * self.scales[:, None, :]
+        found[:, :3, 3] = self.locations
+        found[:, 3, 3] = 1.0
+        return found
+
+
+class Own:
+    """The transform that the channels of an Object or PoseBone make, delta transforms included: below parents and constraints."""
+
+    def __init__(self, thing):
+        self._thing = thing
+        self._id = thing.id_data
+        self._prefix = "" if thing == self._id else f"{thing.path_from_id()}."
+        self._mode = thing.rotation_mode
+
+    @functools.cached_property
+    def channels(self):
+        """{property: its Channels}, of those that count in the rotation mode."""
+        return {name: [Channel(self._id, self._prefix + name, index) for index in range(size)]
+                for name, size in self._names().items()}
+
+    @functools.cached_property
+    def reason(self):
+        """As Channel.reason, of the first channel that has one."""
+        if self._is_simple:
+            changes_mode = self._keys_at[1]
+        else:
+            changes_mode = not Channel(self._id, f"{self._prefix}rotation_mode", -1).is_constant
+        if changes_mode:
+            return Reason(Reason.MODE, thing=self._thing.name)
+        if self._is_simple:
+            return None
+        return next((one.reason for group in self.channels.values() for one in group if one.reason), None)
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        if not self._id.is_evaluated:
+            return None
+        if not self._is_simple:
+            return strips.together((self._mode, *(one.stamp for group in self.channels.values() for one in group)))
+        return self._mode, self._prefix, self._action, *self._still_values()
+
+    def values(self, times):
+        """Transforms at times (n,)."""
+        if self._is_simple:
+            return self._combined({name: self._keyed(name, size, times) for name, size in self._names().items()})
+        return self._combined({
+            name: np.stack([one.values(times) for one in group], axis=1) for name, group in self.channels.items()})
+
+    def _keyed(self, name, size, times):
+        """(n, size) of a property that at most keys of the active action animate. Transforms have no limits."""
+        found = np.empty((len(times), size))
+        found[:] = getattr(self._thing, name)
+        for index, curve in enumerate(self._curves(name, size)):
+            if curve is not None:
+                found[:, index] = keys.values(curve, times)
+        return found
+
+    def _curves(self, name, size):
+        curves = actions.curves_of(self._id.animation_data)
+        return [strips.acting(curves, self._prefix + name, index) for index in range(size)]
+
+    def _combined(self, found):
+        locations, scales = found["location"], found["scale"]
+        if self._prefix == "":
+            locations = locations + found["delta_location"]
+            scales = scales * found["delta_scale"]
+        return Transforms(locations, self._quaternions(found), scales)
+
+    def bounds(self, first, last):
+        """As Channel.bounds()."""
+        if self._is_simple:
+            found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
+            return keys.union([[first, last], *(keys.bounds(curve, first, last) for curve in found)])
+        return keys.union([one.bounds(first, last) for group in self.channels.values() for one in group])
+
+    @property
+    def present(self):
+        """A row of location, rotation and scale as they are now."""
+        found = {name: np.array([[one.number.present for one in group]]) for name, group in self.channels.items()}
+        return np.concatenate([part[0] for part in self._combined(found)])
+
+    @functools.cached_property
+    def _is_simple(self):
+        """Whether nothing but keys of the active action animates it."""
+        animation = self._id.animation_data
+        if animation is None:
+            return True
+        if animation.use_nla and len(animation.nla_tracks):
+            return False
+        return not len(animation.drivers) or not self._has_drivers()
+
+    def _has_drivers(self):
+        """Whether a driver sets a channel; known for as long as Blender keeps an evaluated copy that can be told from others."""
+        copy = copies.of(self._id) if self._id.is_evaluated else None
+        known = {} if copy is None else copy.found
+        place = "own drivers", self._prefix, self._mode
+        if place not in known:
+            known[place] = any(is_driven(self._id, self._prefix + name, index)
+                               for name, size in (*self._names().items(), ("rotation_mode", 1)) for index in range(size))
+        return known[place]
+
+    @functools.cached_property
+    def _action(self):
+        """What tells the action of an evaluated thing, and the slot of it, from all others; () without one."""
+        animation = self._id.animation_data
+        return strips.stamp_of_action(animation) if animation and animation.action else ()
+
+    @functools.cached_property
+    def _keys_at(self):
+        """({property: indices that have no keys}, whether the rotation mode has some)."""
+        if self._id.animation_data is None:
+            return {name: range(size) for name, size in self._names().items()}, False
+        place = (self._action, self._prefix, self._mode) if self._id.is_evaluated and self._action else None
+        found = _keys.get(place)
+        if found is None:
+            still = {name: [index for index, curve in enumerate(self._curves(name, size)) if curve is None]
+                     for name, size in self._names().items()}
+            found = still, any(self._curves("rotation_mode", 1))
+            if place:
+                _keys[place] = found
+                if len(_keys) > LARGEST_CACHE:
+                    _keys.popitem(last=False)
+        return found
+
+    def _still_values(self):
+        """Values of the channels that nothing animates."""
+        for name, indices in self._keys_at[0].items():
+            values = getattr(self._thing, name)
+            yield tuple([values[index] for index in indices])
+
+    def _names(self):
+        mode = self._mode
+        rotation, size = ROTATIONS.get(mode, ("rotation_euler", 3))
+        names = {"location": 3, rotation: size, "scale": 3}
+        if self._prefix == "":
+            names |= {"delta_location": 3, "delta_scale": 3}
+            delta = DELTA_ROTATIONS.get(mode, ("delta_rotation_euler", 3))
+            names |= dict([delta] if delta else [])
+        return names
+
+    def _quaternions(self, found):
+        mode = self._mode
+        if mode == 'QUATERNION':
+            names = "rotation_quaternion", "delta_rotation_quaternion"
+            parts = [rotations.unit(found[name]) for name in names if name in found]
+        elif mode == 'AXIS_ANGLE':
+            parts = [rotations.from_axis_angle(found["rotation_axis_angle"])]
+        else:
+            names = "rotation_euler", "delta_rotation_euler"
+            parts = [rotations.from_euler(found[name], mode) for name in names if name in found]
+        return parts[0] if len(parts) == 1 else rotations.product(parts[1], parts[0])
+
+
+class World:
+    """The world matrix of an Object or PoseBone, from the channels of it and of all that it hangs on."""
+
+    def __init__(self, thing, scene):
+        self._thing, self._scene = thing, scene
+        self._is_bone = isinstance(thing, bpy.types.PoseBone)
+
+    @functools.cached_property
+    def _links(self):
+        """The objects from the topmost parent down."""
+        found, obj = [], self._thing.id_data
+        bone = self._thing if self._is_bone else None
+        while obj is not None and len(found) < DEEPEST:
+            link = _Link(obj, bone, self._scene)
+            found.insert(0, link)
+            bone = link.parent_bone
+            obj = obj.parent
+        return found
+
+    @functools.cached_property
+    def reason(self):
+        """As Channel.reason."""
+        return next((link.reason for link in reversed(self._links) if link.reason), None)
+
+    @property
+    def solvers(self):
+        """Names of the systems that are asked for it."""
+        return [link.solved.label for link in self._links if link.solved]
+
+    def values(self, times):
+        """(n, 4, 4) in rows."""
+        found = None
+        for link in self._links:
+            found = link.matrices(times, found)
+        return found
+
+    def bounds(self, first, last):
+        """As Channel.bounds()."""
+        return keys.union([link.bounds(first, last) for link in self._links])
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return strips.together(link.stamp for link in self._links)
+
+    @property
+    def present(self):
+        """The evaluated matrix, without its last row, in one row."""
+        thing = self._thing
+        matrix = thing.id_data.matrix_world @ thing.matrix if self._is_bone else thing.matrix_world
+        return np.array(matrix)[:3].ravel()
+
+
+class _Link:
+    """An object, and the bone of it that the next one hangs on, or None for the object itself."""
+
+    def __init__(self, obj, bone, scene):
+        self._object, self._bone, self._scene = obj, bone, scene
+        self._own = Own(obj)
+        self._bones = _chain(bone) if bone else []
+        self._posed = [Own(one) for one in self._bones]
+
+    @property
+    def parent_bone(self):
+        """The bone that the object hangs on."""
+        obj = self._object
+        if obj.parent and obj.parent_type == 'BONE' and obj.parent.pose:
+            return obj.parent.pose.bones.get(obj.parent_bone)
+        return None
+
+    @functools.cached_property
+    def reason(self):
+        return self._of_parent() or self._of_object() or self._of_bones() or next(
+            (own.reason for own in (self._own, *self._posed) if own.reason), None)
+
+    def _of_parent(self):
+        obj, parent = self._object, self._object.parent
+        if parent is None:
+            return None
+        if obj.parent_type in {'VERTEX', 'VERTEX_3'}:
+            return Reason(Reason.VERTICES, thing=obj.name, name=parent.name)
+        if obj.parent_type == 'OBJECT' and parent.type == 'CURVE' and parent.data.use_path:
+            return Reason(Reason.ALONG_CURVE, thing=obj.name, name=parent.name)
+        return None
+
+    def _of_object(self):
+        if self._object.rigid_body:
+            return Reason(Reason.PHYSICS, thing=self._object.name)
+        return self.solved.reason if self.solved else _constrained(self._object)
+
+    @functools.cached_property
+    def solved(self):
+        """What a system of Motus's makes of the object; None where none drives it, or something else does too."""
+        return solved.of(self._object, self._scene) if len(self._object.constraints) else None
+
+    def _of_bones(self):
+        if self._bone is None or self._object.data.pose_position == 'REST':
+            return None
+        for bone in self._bones:
+            found = _constrained(bone)
+            if found:
+                return found
+        names = {bone.name for bone in self._bones}
+        for bone in self._object.pose.bones:
+            for constraint in bone.constraints:
+                if constraint.type in {'IK', 'SPLINE_IK'} and not names.isdisjoint(_turned_by(bone, constraint)):
+                    return Reason(Reason.SOLVED_BONE, thing=self._bone.name, bone=bone.name, name=constraint.name)
+        return None
+
+    def matrices(self, times, parent):
+        """World matrices of the bone or object; parent: of what it hangs on, or None."""
+        obj = self._object
+        found = self._own.values(times).matrices
+        if parent is not None:
+            for matrix in (_array(obj.matrix_parent_inverse), self._from_parent(), parent):
+                found = rotations.chained(matrix, found)
+        if self.solved:
+            found = self.solved.applied(times, found)
+        return rotations.chained(found, self._poses(times)) if self._bone else found
+
+    def _from_parent(self):
+        """From what _poses() gives of a parent to where its children begin."""
+        bone = self.parent_bone
+        if bone is None:
+            return _array(Matrix())
+        if bone.bone.use_relative_parent:
+            return _array(bone.bone.matrix_local.inverted_safe())
+        return _array(Matrix.Translation((0.0, bone.bone.length, 0.0)))
+
+    def _poses(self, times):
+        """Matrices of the bone in the rig's space."""
+        if self._object.data.pose_position == 'REST':
+            return _array(self._bone.bone.matrix_local)
+        found = None
+        for bone, own in zip(self._bones, self._posed):
+            found = _posed(bone.bone, _basis(bone, own, times), found)
+        return found
+
+    def bounds(self, first, last):
+        parts = [self._own, *self._posed, *([self.solved] if self.solved else [])]
+        return keys.union([part.bounds(first, last) for part in parts])
+
+    @property
+    def stamp(self):
+        obj = self._object
+        bones = tuple((_numbers(bone.bone.matrix_local), bone.bone.inherit_scale, bone.bone.use_inherit_rotation,
+                       bone.bone.use_local_location, bone.bone.use_connect, bone.bone.use_relative_parent, bone.bone.length)
+                      for bone in self._bones)
+        pose = obj.data.pose_position if bones else ""
+        solver = self.solved.stamp if self.solved else ()
+        return strips.together((
+            self._own.stamp, *(own.stamp for own in self._posed), solver, obj.parent_type, _numbers(obj.matrix_parent_inverse),
+            bones, pose))
+
+
+def _array(matrix):
+    """(1, 4, 4)"""
+    return np.array(matrix, float)[None]
+
+
+def _numbers(matrix):
+    return tuple(map(tuple, matrix))
+
+
+def _constrained(thing):
+    """Why a constraint makes it unknown; None without one that acts."""
+    for constraint in thing.constraints:
+        if not constraint.mute:
+            return Reason(Reason.CONSTRAINED, thing=thing.name, name=constraint.name)
+    return None
+
+
+def _chain(bone):
+    """The bone and all above it, the topmost first."""
+    return [*reversed(bone.parent_recursive), bone]
+
+
+def _turned_by(bone, constraint):
+    """Names of the bones that Blender's own solver turns."""
+    if constraint.mute:
+        return []
+    chain = ([bone] if getattr(constraint, "use_tail", True) else []) + bone.parent_recursive
+    return [one.name for one in chain[:constraint.chain_count or None]]
+
+
+def _basis(bone, own, times):
+    transforms = own.values(times)
+    if bone.bone.use_connect:
+        transforms = transforms._replace(locations=np.zeros_like(transforms.locations))
+    return transforms.matrices
+
+
+def _posed(bone, basis, parent):
+    """Poses in the rig's space of a bone (n, 4, 4), by those of its parent, or None."""
+    above = bone.parent
+    is_plain = bone.inherit_scale == 'FULL' and bone.use_inherit_rotation or above is None
+    if is_plain and bone.use_local_location:
+        if above is None:
+            return rotations.chained(_array(bone.matrix_local), basis)
+        below = _array(above.matrix_local.inverted_safe() @ bone.matrix_local)
+        return rotations.chained(parent, rotations.chained(below, basis))
+    # Whatever else a bone inherits, Blender itself says by matrices in single precision.
+    parents = [None] * len(basis) if parent is None else parent
+    return np.array([_converted(bone, above, *pair) for pair in zip(basis, parents)])
+
+
+def _converted(bone, above, basis, parent):
+    more = {} if above is None else {"parent_matrix": Matrix(parent), "parent_matrix_local": above.matrix_local}
+    return bone.convert_local_to_pose(Matrix(basis), bone.matrix_local, **more)

@@ -1,0 +1,104 @@
+"""Where a follower is at any times, for systems that need its past: the solver is asked for each time."""
+
+import functools
+from types import SimpleNamespace
+
+from mathutils import Matrix
+
+from ..core import copies, curves
+from ..core.lazy import numpy as np
+from ..core.system import Context
+from ..core.tracks import world_track
+from ..core.tracks.animation import Channel
+from ..core.tracks.keys import union, whole
+from ..core.tracks.reason import Reason
+from ..core.tracks.strips import together
+from . import members, solve
+
+CHOICES = ("timing", "extend", "pins_by", "orientation", "forward_axis", "up_axis", "lag_by")
+
+
+def over_time(owner, thing, scene):
+    """System.over_time; None for what is no member of the owner, such as the copy of a wagon."""
+    return OverTime(owner, thing, scene) if thing in members.members(owner) else None
+
+
+class OverTime:
+    """A follower or wagon of an owner; see core/tracks/solved.py. Both original or both evaluated."""
+
+    def __init__(self, owner, thing, scene):
+        self._owner, self._thing, self._scene = owner, thing, scene
+        self._settings = owner.motus.path
+        self._index = members.members(owner).index(thing)
+
+    @functools.cached_property
+    def _numbers(self):
+        return {name: self._channel(name) for name in solve.NUMBERS}
+
+    def _channel(self, name):
+        return Channel(self._owner, f"{self._settings.path_from_id()}.{name}", -1)
+
+    @functools.cached_property
+    def _curve(self):
+        curve = self._settings.curve
+        return world_track(curve, self._scene) if curve and curve.type == 'CURVE' else None
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        settings, thing = self._settings, self._thing.name
+        if not self._channel("influence").is_constant or settings.influence != 1.0:
+            return Reason(Reason.INFLUENCE, thing=thing, name=self._owner.name)
+        if self._curve and _changes_shape(settings.curve):
+            return Reason(Reason.GEOMETRY, thing=thing, name=settings.curve.name)
+        tracks = [*self._numbers.values(), *([self._curve] if self._curve else [])]
+        return next((track.reason for track in tracks if track.reason), None)
+
+    def poses(self, times):
+        """(locations, rotations, whether it is driven) at times (n,)."""
+        offsets, count = members.offsets(self._owner), len(times)
+        values = np.stack([track.values(times) for track in self._numbers.values()], axis=1).tolist()
+        matrices = self._curve.values(times) if self._curve else [None] * count
+        locations, rotations, acts = np.zeros((count, 3)), np.zeros((count, 4)), np.zeros(count, bool)
+        room = np.zeros((len(offsets), 3)), np.zeros((len(offsets), 4))
+        for row, (time, numbers, matrix) in enumerate(zip(times.tolist(), values, matrices)):
+            context = Context(self._settings, self._owner, time, SimpleNamespace(scene=self._scene), *room,
+                              outputs=np.zeros(len(solve.OUTPUTS)), member_data=offsets)
+            problem = solve.solve(
+                context, None if matrix is None else Matrix(matrix), self._curve and self._settings.curve.data.splines, None,
+                **dict(zip(self._numbers, numbers)))
+            acts[row] = problem is None or not problem.blocking
+            locations[row], rotations[row] = (part[self._index] for part in room)
+        is_turned = "rotation" in members.channels(self._settings)
+        return locations, rotations if is_turned else None, acts
+
+    def bounds(self, first, last):
+        """As Channel.bounds(): where a number or the curve bends, and at each frame."""
+        found = [track.bounds(first, last) for track in self._numbers.values()]
+        if self._curve:
+            found.append(self._curve.bounds(first, last))
+        return union([[first, *whole(first, last), last], *found])
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        settings, render = self._settings, self._scene.render
+        return together((
+            self._index, tuple(members.offsets(self._owner)), render.fps, render.fps_base, settings.influence,
+            *(getattr(settings, name) for name in CHOICES),
+            *((pin.frame, pin.fraction, pin.distance) for pin in settings.pins),
+            *(track.stamp for track in self._numbers.values()),
+            *((self._curve.stamp, self._shape()) if self._curve else ())))
+
+    def _shape(self):
+        """Something hashable that says how the curve runs."""
+        curve = self._settings.curve
+        try:
+            read = curves.read(curve, curve.data.splines, None, self._settings.spline, Matrix())
+        except curves.Unreadable as unreadable:
+            return unreadable.problem
+        return read.curve.control_points.tobytes(), read.curve.cyclic, read.tilt.tobytes()
+
+
+def _changes_shape(curve):
+    return bool(curve.modifiers) or curve.data.shape_keys is not None or copies.has_animation(curve.data)
