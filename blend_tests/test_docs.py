@@ -75,6 +75,18 @@ class ExamplesTest(support.SceneTestCase):
         self.assertAlmostEqual(self.height_of(land, top, 25), 1.0, places=5)
         self.assertEqual(scene.frame_current, 25)
 
+    def test_the_scripted_example_drives_the_lamp(self):
+        scripted, = [code for code in examples(DOCS / "drivers.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": seen.append}
+        exec(compile(scripted, "drivers.md", "exec"), scope)
+        swing = support.addon("core.native").module.pendulum_angle(1.0, 0.5, length=2.0)
+        self.assertAlmostEqual(seen[0], swing, places=6)
+        lamp = scope["lamp"]
+        self.assertAlmostEqual(lamp.rotation_euler[0], swing, places=6)
+        self.assertFalse(lamp.animation_data and lamp.animation_data.drivers)
+        self.assertEqual([curve.data_path for curve in lamp.data.animation_data.drivers], ["energy"])
+
     def height_of(self, land, vertex, frame):
         """Height of a vertex on a frame, as it is seen."""
         bpy.context.scene.frame_set(frame)

@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import ik, lattice, look_at, path, pull
+from . import drivers, ik, lattice, look_at, path, pull
 
 SYSTEMS = (
     path.SYSTEM,
@@ -8,4 +8,5 @@ SYSTEMS = (
     look_at.SYSTEM,
     pull.SYSTEM,
     lattice.SYSTEM,
+    drivers.FEATURE,
 )

@@ -23,6 +23,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_picker(m);  // before pull(): Picker
     bind_pull(m);
     bind_lattice(m);
+    bind_noise(m);
     bind_pendulum(m);
     bind_second_order(m);
     bind_thread_state(m);

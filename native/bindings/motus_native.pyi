@@ -527,6 +527,13 @@ def pull_forces(
 # Keeps the calling thread's Python state, until the interpreter ends; for threads that Python has not started.
 def keep_thread_state() -> bool: ...
 
+# --- Noise ---------------------------------------------------------------------------------------------------------------
+
+# In [-1, 1]. seed: 0 to 2^32 - 1. A float for one place, else (m,).
+def noise1(x: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...
+def noise2(xy: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (2,) or (m, 2)
+def noise3(xyz: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (3,) or (m, 3)
+
 # --- Dynamics -----------------------------------------------------------------------------------------------------------
 
 # times: a number or (m,), s. Results (2,) or (m, 2): angle, angular velocity.
@@ -534,6 +541,9 @@ def single_pendulum(
     times: ArrayLike, theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
     pivot_step: float = 0.0, pivot_accelerations: ArrayLike | None = None,
 ) -> _Array: ...
+def pendulum_angle(
+    time: float, theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
+) -> float: ...
 def pendulum_period(theta: float, omega: float = 0.0, length: float = 1.0, gravity: float = 9.81) -> float: ...
 def pivot_accelerations(step: float, positions: ArrayLike) -> _Array: ...  # (k, 2) of (k, 2)
 
@@ -544,6 +554,10 @@ def double_pendulum(
     most_acceleration: float | None = None, most_velocity: float | None = None, pivot_step: float = 0.0,
     pivot_accelerations: ArrayLike | None = None,
 ) -> _Array: ...
+def double_pendulum_value(  # which: 0 to 3, a column of double_pendulum()
+    time: float, which: int, theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0,
+    mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0, gravity: float = 9.81, damping: float = 0.0,
+) -> float: ...
 def double_pendulums(  # starts (n, 4) -> (n, 4)
     time: float, starts: ArrayLike, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0,
     gravity: float = 9.81, damping: float = 0.0, most_acceleration: float | None = None,

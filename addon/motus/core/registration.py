@@ -58,7 +58,8 @@ def _register_classes(classes):
 def _register_settings(systems):
     """Object.motus holds one group a system and what baking remembers; Scene.motus the viewport switches and tools."""
     annotations = {
-        one.name: bpy.props.PointerProperty(type=one.settings, override={'LIBRARY_OVERRIDABLE'}) for one in systems}
+        one.name: bpy.props.PointerProperty(type=one.settings, override={'LIBRARY_OVERRIDABLE'}) for one in systems
+        if one.settings is not None}
     annotations["bake"] = bpy.props.PointerProperty(type=bake.MOTUS_PG_bake)
     group = type("MOTUS_PG_object", (bpy.types.PropertyGroup,), {"__annotations__": annotations})
     _register_classes((group,))

@@ -195,13 +195,14 @@ class Entry:
 class Feature:
     """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/architecture.md.
 
-    scene_settings: a PropertyGroup that becomes Scene.motus.<name>. extras: with register() and unregister() of their own.
+    settings: a PropertyGroup that becomes Object.motus.<name>. scene_settings: one that becomes Scene.motus.<name>.
+    extras: with register() and unregister() of their own.
     """
 
     name: str
     label: str
-    settings: type
     classes: tuple
+    settings: Optional[type] = None
     scene_settings: Optional[type] = None
     extras: tuple = ()
     overlay: Optional[Callable] = None

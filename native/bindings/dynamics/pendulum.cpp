@@ -3,6 +3,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <array>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -115,6 +117,15 @@ then be >= 0.
 Returns (2,) or (m, 2). Undamped on a fixed pivot in closed form (Jacobi's elliptic functions), else integrated.
 Raises ValueError where a value is not finite or outside its domain, or a time is out of the integration's reach.)");
     m.def(
+        "pendulum_angle",
+        [](double time, double theta, double omega, double length, double gravity, double damping) {
+            PendulumState state;
+            single_pendulum({length, gravity, damping}, {theta, omega}, {&time, 1}, {&state, 1});
+            return state.angle;
+        },
+        "time"_a, "theta"_a, "omega"_a = 0.0, "length"_a = 1.0, "gravity"_a = 9.81, "damping"_a = 0.0, R"(
+The angle that single_pendulum() gives for one time, as a float, without the cost of arrays.  Arguments and errors as there.)");
+    m.def(
         "pendulum_period",
         [](const py::object& theta, const py::object& omega, const py::object& length,
            const py::object& gravity) {
@@ -173,6 +184,20 @@ single_pendulum().
 Returns (4,) or (m, 4). By Gauss's method of order 16; the energy stays within some 1e-11 of its range. The same bits on
 every machine.  Raises ValueError where a value is not finite or outside its domain, and for times beyond
 double_pendulum_longest_time().)");
+    m.def(
+        "double_pendulum_value",
+        [](double time, std::size_t which, double theta1, double theta2, double omega1, double omega2,
+           double mass1, double mass2, double length1, double length2, double gravity, double damping) {
+            if (which > 3) value_error("which", "must be 0 to 3");
+            DoublePendulumState state;
+            double_pendulum({mass1, mass2, length1, length2, gravity, damping},
+                            {theta1, theta2, omega1, omega2}, {&time, 1}, {&state, 1});
+            return std::array{state.theta1, state.theta2, state.omega1, state.omega2}[which];
+        },
+        "time"_a, "which"_a, "theta1"_a, "theta2"_a, "omega1"_a = 0.0, "omega2"_a = 0.0, "mass1"_a = 1.0,
+        "mass2"_a = 1.0, "length1"_a = 1.0, "length2"_a = 1.0, "gravity"_a = 9.81, "damping"_a = 0.0, R"(
+The number that double_pendulum() gives for one time in its column `which` (0 to 3), as a float, without the cost of arrays.
+Arguments and errors as there; ValueError for another `which`.)");
     m.def(
         "double_pendulums",
         [](const py::object& time, const py::object& starts, const py::object& mass1, const py::object& mass2,

@@ -19,6 +19,18 @@ class PendulumTest(unittest.TestCase):
         np.testing.assert_array_equal(native.double_pendulum(-1.0, 2.0, 1.0, mass2=0.5), double[2])
         self.assertEqual(native.single_pendulum([], 0.5).shape, (0, 2))
 
+    def test_one_number_is_that_of_the_arrays(self):
+        angle = native.pendulum_angle(1.5, 0.5, 0.1, 2.0, damping=0.2)
+        self.assertEqual(angle, native.single_pendulum(1.5, 0.5, 0.1, 2.0, damping=0.2)[0])
+        state = native.double_pendulum(2.5, 2.0, 1.0, mass2=0.5)
+        for which in range(4):
+            self.assertEqual(native.double_pendulum_value(2.5, which, 2.0, 1.0, mass2=0.5), state[which])
+        for call, name in ((lambda: native.pendulum_angle(1.0, 0.5, length=0.0), "length"),
+                           (lambda: native.pendulum_angle(float("inf"), 0.5), "times"),
+                           (lambda: native.double_pendulum_value(1.0, 4, 0.5, 0.5), "which")):
+            with self.assertRaisesRegex(ValueError, name):
+                call()
+
     def test_period(self):
         period = native.pendulum_period(math.radians(90.0))
         self.assertAlmostEqual(period, 2.3678419475762374, 14)

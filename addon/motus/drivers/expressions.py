@@ -1,0 +1,131 @@
+"""Driver expressions of our functions: composed of an operator's keywords, and read back into them."""
+
+import ast
+import re
+from dataclasses import dataclass
+
+LONGEST = 255  # characters that Blender takes
+
+
+@dataclass(frozen=True)
+class Function:
+    """One of the functions that a driver can call.
+
+    identifier: the operator's `function`. name: in expressions. arguments: the keywords it is given, in its order, after
+    `frame`. defaults: of the last of them, which are left out where they are the same. has_start: whether frames count from
+    a start of one's own.
+    """
+
+    identifier: str
+    name: str
+    label: str
+    description: str
+    arguments: tuple
+    defaults: tuple = ()
+    has_start: bool = True
+
+
+FUNCTIONS = (
+    Function(
+        'PENDULUM', "motus_pendulum", "Pendulum", "Swing like a bob on a rod; the value is its angle",
+        ("theta", "length", "omega", "gravity", "damping", "speed"), (0.0, 9.81, 0.0, 1.0)),
+    Function(
+        'DOUBLE_PENDULUM', "motus_double_pendulum", "Double Pendulum",
+        "Swing like one of two bobs, the second of which hangs on the first: chaotic, and the same every time",
+        ("which", "theta1", "theta2", "omega1", "omega2", "mass1", "mass2", "length1", "length2", "gravity", "damping",
+         "speed"), (0.0, 0.0, 1.0, 1.0, 1.0, 1.0, 9.81, 0.0, 1.0)),
+    Function(
+        'EASE', "motus_ease", "Ease", "Go from 0 to 1 with a soft start and a soft stop",
+        ("frame_start", "frame_end", "ease_in", "ease_out"), (0.3, 0.3), has_start=False),
+    Function(
+        'NOISE', "motus_noise", "Noise", "Wander smoothly between -1 and 1",
+        ("speed", "seed"), (1.0, 0)),
+)
+BY_IDENTIFIER = {one.identifier: one for one in FUNCTIONS}
+BY_NAME = {one.name: one for one in FUNCTIONS}
+_CALL = re.compile(r"motus_\w+\(")
+_ENUMS = {"which": ('THETA1', 'THETA2', 'OMEGA1', 'OMEGA2')}
+"""Keywords that are a number in expressions."""
+
+
+def names_ours(expression):
+    """Whether an expression calls one of the functions."""
+    return any(found.group()[:-1] in BY_NAME for found in _CALL.finditer(expression))
+
+
+def compose(keywords):
+    """The expression of an operator's keywords: `base` plus `amplitude` times the function's value."""
+    function = BY_IDENTIFIER[keywords["function"]]
+    values = [_number(name, keywords[name]) for name in function.arguments]
+    first_default = len(values) - len(function.defaults)
+    while len(values) > first_default and values[-1] == _text(function.defaults[len(values) - 1 - first_default]):
+        values.pop()
+    start = keywords["start"] if function.has_start else 0.0
+    frame = "frame" if start == 0.0 else f"frame - {_text(start)}" if start > 0.0 else f"frame + {_text(-start)}"
+    call = f"{function.name}({', '.join([frame, *values])})"
+    if keywords["amplitude"] != 1.0:
+        call = f"{_text(keywords['amplitude'])} * {call}"
+    return call if keywords["base"] == 0.0 else f"{_text(keywords['base'])} + {call}"
+
+
+def _number(name, value):
+    return str(_ENUMS[name].index(value)) if name in _ENUMS else _text(value)
+
+
+def _text(value):
+    # Operators keep single precision: 0.1 and not 0.10000000149.
+    return f"{value:.7g}"
+
+
+def read(expression):
+    """The keywords that compose() makes this expression of; None where it is not one of those."""
+    try:
+        tree = ast.parse(expression, mode='eval').body
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
+        return None
+    base, call = _split(tree, ast.Add, 0.0)
+    amplitude, call = _split(call, ast.Mult, 1.0)
+    if not isinstance(call, ast.Call) or call.keywords or not isinstance(call.func, ast.Name):
+        return None
+    function = BY_NAME.get(call.func.id)
+    if function is None or base is None or amplitude is None or not call.args:
+        return None
+    start = _start(call.args[0])
+    given = [_constant(one) for one in call.args[1:]]
+    least = len(function.arguments) - len(function.defaults)
+    if start is None or None in given or not least <= len(given) <= len(function.arguments):
+        return None
+    given += function.defaults[len(given) - least:]
+    keywords = {"function": function.identifier, "base": base, "amplitude": amplitude, "start": start}
+    for name, value in zip(function.arguments, given):
+        if name in _ENUMS:
+            if value not in range(len(_ENUMS[name])):
+                return None
+            value = _ENUMS[name][int(value)]
+        keywords[name] = value
+    return keywords
+
+
+def _split(tree, operator, neutral):
+    """(number, what it is added to or multiplied with); None for the number where it is none."""
+    if isinstance(tree, ast.BinOp) and isinstance(tree.op, operator):
+        return _constant(tree.left), tree.right
+    return neutral, tree
+
+
+def _start(tree):
+    if isinstance(tree, ast.Name) and tree.id == "frame":
+        return 0.0
+    is_moved = isinstance(tree, ast.BinOp) and isinstance(tree.left, ast.Name) and tree.left.id == "frame"
+    start = _constant(tree.right) if is_moved else None
+    if start is None or not isinstance(tree.op, (ast.Add, ast.Sub)):
+        return None
+    return start if isinstance(tree.op, ast.Sub) else -start
+
+
+def _constant(tree):
+    if isinstance(tree, ast.UnaryOp) and isinstance(tree.op, ast.USub):
+        value = _constant(tree.operand)
+        return None if value is None else -value
+    is_number = isinstance(tree, ast.Constant) and type(tree.value) in (int, float)
+    return tree.value if is_number else None

@@ -1,0 +1,76 @@
+"""The keywords of motus.driver_add, which are the arguments of its functions."""
+
+import bpy
+
+from . import expressions
+
+WHICH = (
+    ('THETA1', "Upper Angle", "Angle of the upper rod"),
+    ('THETA2', "Lower Angle", "Angle of the lower rod, from hanging down too"),
+    ('OMEGA1', "Upper Velocity", "Angular velocity of the upper rod"),
+    ('OMEGA2', "Lower Velocity", "Angular velocity of the lower rod"),
+)
+
+
+class DriverKeywords:
+    """Mixin of an operator: which function, and its arguments."""
+
+    function: bpy.props.EnumProperty(
+        name="Motion", description="What moves the property",
+        items=[(one.identifier, one.label, one.description) for one in expressions.FUNCTIONS])
+    base: bpy.props.FloatProperty(
+        name="Base", description="Value that the motion is added to; the property's own where it is not given",
+        options={'SKIP_SAVE'})
+    amplitude: bpy.props.FloatProperty(
+        name="Amplitude", description="What the motion is multiplied by", default=1.0)
+    start: bpy.props.FloatProperty(
+        name="Start", description="Frame at which the time begins", subtype='TIME')
+    theta: bpy.props.FloatProperty(
+        name="Angle", description="Angle at the start, from hanging down", subtype='ANGLE', default=0.5)
+    omega: bpy.props.FloatProperty(
+        name="Push", description="Angular velocity at the start, per second", subtype='ANGLE')
+    length: bpy.props.FloatProperty(
+        name="Length", description="Of the rod: a long pendulum swings slowly", subtype='DISTANCE', default=1.0, min=0.0,
+        soft_min=0.01)
+    which: bpy.props.EnumProperty(name="Value", description="What of the double pendulum moves the property", items=WHICH)
+    theta1: bpy.props.FloatProperty(
+        name="Upper Angle", description="Of the upper rod at the start, from hanging down", subtype='ANGLE', default=2.0)
+    theta2: bpy.props.FloatProperty(
+        name="Lower Angle", description="Of the lower rod at the start, from hanging down", subtype='ANGLE', default=2.0)
+    omega1: bpy.props.FloatProperty(
+        name="Upper Push", description="Angular velocity of the upper rod at the start, per second", subtype='ANGLE')
+    omega2: bpy.props.FloatProperty(
+        name="Lower Push", description="Angular velocity of the lower rod at the start, per second", subtype='ANGLE')
+    mass1: bpy.props.FloatProperty(
+        name="Upper Mass", description="Of the upper bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
+    mass2: bpy.props.FloatProperty(
+        name="Lower Mass", description="Of the lower bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
+    length1: bpy.props.FloatProperty(
+        name="Upper Length", description="Of the upper rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
+    length2: bpy.props.FloatProperty(
+        name="Lower Length", description="Of the lower rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
+    gravity: bpy.props.FloatProperty(
+        name="Gravity", description="What pulls the bobs down", unit='ACCELERATION', default=9.81, min=0.0)
+    damping: bpy.props.FloatProperty(
+        name="Damping", description="Share of the velocity that is lost in a second", default=0.0, min=0.0, soft_max=5.0)
+    speed: bpy.props.FloatProperty(
+        name="Speed", description="Of time; of noise about how often it goes up and down in a second", default=1.0,
+        soft_min=0.0, soft_max=10.0)
+    frame_start: bpy.props.FloatProperty(name="Start", description="Frame with the value 0", default=1.0)
+    frame_end: bpy.props.FloatProperty(name="End", description="Frame with the value 1", default=50.0)
+    ease_in: bpy.props.FloatProperty(
+        name="Ease In", description="Fraction of the time in which the motion speeds up", subtype='FACTOR', default=0.3,
+        min=0.0, max=1.0)
+    ease_out: bpy.props.FloatProperty(
+        name="Ease Out", description="Fraction of the time in which the motion slows down", subtype='FACTOR', default=0.3,
+        min=0.0, max=1.0)
+    seed: bpy.props.IntProperty(
+        name="Seed", description="Another number gives another noise", default=0, min=0)
+
+
+NAMES = tuple(DriverKeywords.__annotations__)
+
+
+def given(operator):
+    """All keywords by name."""
+    return {name: getattr(operator, name) for name in NAMES}

@@ -1,0 +1,33 @@
+"""Entries in the menu that the right mouse button opens on a property."""
+
+import bpy
+
+from . import expressions, places
+from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
+
+
+def _draw(menu, context):
+    hovered = places.hovered(context, is_drawing=True)
+    if hovered is None:
+        return
+    datablock, path, index = hovered
+    animation = getattr(datablock, "animation_data", None)
+    is_ours = any(
+        curve.data_path == path and index in (-1, curve.array_index) and expressions.names_ours(curve.driver.expression)
+        for curve in (animation.drivers if animation else ()))
+    layout = menu.layout
+    layout.separator()
+    layout.operator_context = 'INVOKE_DEFAULT'
+    layout.operator(MOTUS_OT_driver_add.bl_idname, text="Edit Motion Driver" if is_ours else "Add Motion Driver", icon='DRIVER')
+    if is_ours:
+        layout.operator(MOTUS_OT_driver_remove.bl_idname, icon='X')
+
+
+def register():
+    """Show them."""
+    bpy.types.UI_MT_button_context_menu.append(_draw)
+
+
+def unregister():
+    """Hide them."""
+    bpy.types.UI_MT_button_context_menu.remove(_draw)

@@ -1,0 +1,227 @@
+"""The property that a driver is put on, found by its data path, and what is there already."""
+
+import re
+from dataclasses import dataclass
+from typing import Any
+
+import bpy
+
+from ..core.refusals import Refused
+from ..core.translations import tr
+from . import expressions
+
+_PATH = re.compile(r'(?:(?P<owner>.*)\.)?(?P<name>\w+)$|(?P<holder>.*?)(?P<key>\["(?:[^"\\]|\\.)*"\])$', re.DOTALL)
+_INDEX = re.compile(r"\[(\d{1,9})\]$")
+_NUMBERS = {'FLOAT', 'INT', 'BOOLEAN'}
+
+
+@dataclass(frozen=True)
+class Place:
+    """A number. struct: whose property it is. name: of the property, or ["its name"]. index: in an array; -1 in none."""
+
+    struct: Any
+    name: str
+    index: int
+
+    @property
+    def holder(self):
+        """The datablock with the driver."""
+        return self.struct.id_data
+
+    @property
+    def path(self):
+        """From the datablock."""
+        own = "" if self.struct == self.holder else self.struct.path_from_id()
+        return own + self.name if self.name.startswith("[") or not own else f"{own}.{self.name}"
+
+    @property
+    def curve(self):
+        """The F-curve of the driver that is there; None without one."""
+        animation = self.holder.animation_data
+        return animation and animation.drivers.find(self.path, index=max(self.index, 0))
+
+    @property
+    def value(self):
+        """As it stands."""
+        return _at(_values(self.struct, self.name), self.index)
+
+    def rest_at(self, number):
+        """Give it a value."""
+        if self.index >= 0:
+            _values(self.struct, self.name)[self.index] = number
+        elif self.name.startswith("["):
+            self.struct[_key(self.name)] = number
+        else:
+            setattr(self.struct, self.name, number)
+
+    def evaluated(self, depsgraph):
+        """The value as it was evaluated; as it stands where the datablock was not."""
+        try:
+            return _at(self.holder.evaluated_get(depsgraph).path_resolve(self.path), self.index)
+        except (ValueError, TypeError, IndexError, RuntimeError):
+            return self.value
+
+    def add(self, expression):
+        """Drive it by the expression, in place of what drives it."""
+        if self.curve:
+            self.remove()
+        made = self.struct.driver_add(self.name, self.index)
+        while made.modifiers:
+            made.modifiers.remove(made.modifiers[0])
+        for key in reversed(made.keyframe_points):
+            made.keyframe_points.remove(key)
+        made.driver.type = 'SCRIPTED'
+        made.driver.expression = expression
+
+    def remove(self):
+        """Drive it no more."""
+        self.struct.driver_remove(self.name, self.index)
+
+
+def _key(name):
+    return bpy.utils.unescape_identifier(name[2:-2])
+
+
+def _values(struct, name):
+    return struct[_key(name)] if name.startswith("[") else getattr(struct, name)
+
+
+def _at(value, index):
+    return value[index] if index >= 0 else value
+
+
+def find(id_data, data_path, index=-1):
+    """The Places of a property: one, or of an array one for each component where index is -1. Raises Refused."""
+    path = data_path
+    found = _INDEX.search(path)
+    if found and index < 0:
+        path, index = path[:found.start()], int(found[1])
+    match = _PATH.match(path)
+    if match is None:
+        raise Refused(_unknown(id_data, data_path))
+    owner = match["owner"] if match["name"] else match["holder"]
+    try:
+        struct = id_data.path_resolve(owner) if owner else id_data
+        value = _values(struct, match["name"] or match["key"])
+    except (ValueError, AttributeError, KeyError, TypeError) as error:
+        raise Refused(_unknown(id_data, data_path)) from error
+    name = match["name"] or match["key"]
+    size = _size(struct, name, value)
+    if size is None:
+        raise Refused(tr("{path} is no number that can be driven").format(path=data_path))
+    if index >= max(size, 1):
+        raise Refused(tr("{path} has {count} components: index goes from 0 to {last}").format(
+            path=data_path, count=max(size, 1), last=max(size, 1) - 1))
+    indices = [-1] if size == 0 else range(size) if index < 0 else [index]
+    return [Place(struct, name, one) for one in indices]
+
+
+def _unknown(id_data, data_path):
+    return tr("{object} has no property {path}").format(object=id_data.name, path=data_path)
+
+
+def _size(struct, name, value):
+    """How many components a property has, 0 where it is a single number; None where it is none that can be driven."""
+    if name.startswith("["):
+        if isinstance(value, (int, float)):
+            return 0
+        return len(value) if getattr(value, "typecode", None) in {"d", "f", "i", "b"} else None
+    prop = struct.bl_rna.properties[name]
+    if prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
+        return None
+    return prop.array_length if prop.is_array else 0
+
+
+def datablocks(id_type):
+    """The datablocks of a type that driver targets name, such as OBJECT; None where there is no such type."""
+    return next((getattr(bpy.data, prop.identifier) for name, _, prop in _types() if name == id_type), None)
+
+
+def type_of(datablock):
+    """The type of a datablock, as driver targets name it."""
+    return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
+
+
+def hovered(context, is_drawing=False):
+    """(datablock, data path, index) of the property under the mouse, or whose menu is open; None without one.
+
+    is_drawing: while a menu is drawn 3.4 tells no index.
+    """
+    if hasattr(context, "property"):  # from 4.0 on
+        return context.property
+    struct, prop = getattr(context, "button_pointer", None), getattr(context, "button_prop", None)
+    if struct is None or prop is None or struct.id_data is None:
+        return None
+    try:
+        path = prop.identifier if struct == struct.id_data else struct.path_from_id(prop.identifier)
+    except ValueError:
+        return None
+    return struct.id_data, path, _hovered_index(context) if getattr(prop, "is_array", False) and not is_drawing else -1
+
+
+def _hovered_index(context):
+    """Which component of an array is meant; only the path that Blender copies tells."""
+    manager = context.window_manager
+    before = manager.clipboard
+    try:
+        if not bpy.ops.ui.copy_data_path_button.poll():
+            return -1
+        bpy.ops.ui.copy_data_path_button(full_path=True)
+        found = _INDEX.search(manager.clipboard)
+    finally:
+        manager.clipboard = before
+    return int(found[1]) if found else -1
+
+
+def named_by(datablock, path):
+    """A datablock that can be found by its name, and the path from there: node trees lie within others."""
+    if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:
+        return datablock, path
+    for _, _, prop in _types():
+        for one in getattr(bpy.data, prop.identifier):
+            if getattr(one, "node_tree", None) == datablock:
+                return one, f"node_tree.{path}"
+    return datablock, path
+
+
+def _types():
+    """(name, class, property of bpy.data) of each type of datablock."""
+    for prop in bpy.data.bl_rna.properties:
+        if prop.type == 'COLLECTION':
+            kind = prop.fixed_type
+            yield kind.name.upper().replace(" ", ""), getattr(bpy.types, kind.identifier), prop
+
+
+@dataclass(frozen=True)
+class Found:
+    """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array."""
+
+    datablock: Any
+    path: str
+    index: int
+    expression: str
+
+
+def of_object(obj):
+    """The drivers of our functions on an object, its data, its shape keys and its materials."""
+    data = obj.data
+    holders = [(obj, ""), (data, ""), (getattr(data, "shape_keys", None), "")]
+    for slot in obj.material_slots:
+        holders += [(slot.material, ""), (slot.material, "node_tree")]
+    return [one for datablock, within in dict.fromkeys(holders) if datablock for one in _on(datablock, within)]
+
+
+def _on(datablock, within):
+    holder = getattr(datablock, within) if within else datablock
+    animation = holder and holder.animation_data
+    for curve in animation.drivers if animation else ():
+        if expressions.names_ours(curve.driver.expression):
+            path = f"{within}.{curve.data_path}" if within else curve.data_path
+            yield Found(datablock, path, curve.array_index if _is_array(datablock, path) else -1, curve.driver.expression)
+
+
+def _is_array(datablock, path):
+    try:
+        return hasattr(datablock.path_resolve(path), "__len__")
+    except ValueError:
+        return False

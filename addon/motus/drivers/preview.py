@@ -1,0 +1,62 @@
+"""The dialog of motus.driver_add: the rows of the chosen function, and its graph."""
+
+from ..core import graph, native, ui
+from ..core.lazy import numpy as np
+from . import expressions
+
+SECONDS = 6.0
+COUNT = 256
+
+
+def sample(keywords, times):
+    """Values of the function, without base and amplitude, at times in seconds. Raises ValueError, naming the argument."""
+    call = getattr(native.module, _NATIVE[keywords["function"]][0])
+    return _NATIVE[keywords["function"]][1](call, keywords, np.asarray(times, dtype=float))
+
+
+def _pendulum(call, k, times):
+    return call(times * k["speed"], k["theta"], k["omega"], k["length"], k["gravity"], k["damping"])[:, 0]
+
+
+def _double_pendulum(call, k, times):
+    states = call(
+        times * k["speed"], k["theta1"], k["theta2"], k["omega1"], k["omega2"], k["mass1"], k["mass2"], k["length1"],
+        k["length2"], k["gravity"], k["damping"])
+    return states[:, ('THETA1', 'THETA2', 'OMEGA1', 'OMEGA2').index(k["which"])]
+
+
+def _ease(call, k, times):
+    return call(times / SECONDS, k["ease_in"], k["ease_out"])
+
+
+def _noise(call, k, times):
+    return call(np.float32(times * k["speed"]), k["seed"])
+
+
+_NATIVE = {
+    'PENDULUM': ("single_pendulum", _pendulum), 'DOUBLE_PENDULUM': ("double_pendulum", _double_pendulum),
+    'EASE': ("ease", _ease), 'NOISE': ("noise1", _noise)}
+
+
+def draw(layout, _context, operator):
+    """Rows that matter for the function, then the graph, or the sentence that says why there is none."""
+    column = ui.split(layout)
+    column.prop(operator, "function")
+    column.separator()
+    function = expressions.BY_IDENTIFIER[operator.function]
+    for name in function.arguments:
+        column.prop(operator, name)
+    column.separator()
+    if function.has_start:
+        column.prop(operator, "start")
+    column.prop(operator, "base")
+    column.prop(operator, "amplitude")
+    if not ui.draw_native_status(layout):
+        return
+    try:
+        values = sample({name: getattr(operator, name) for name in (*function.arguments, "function")},
+                        np.linspace(0.0, SECONDS, COUNT))
+    except ValueError as error:
+        ui.draw_message(layout, str(error), 'ERROR')
+        return
+    layout.template_icon(graph.icon("drivers", values), scale=8.0)

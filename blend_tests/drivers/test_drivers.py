@@ -1,0 +1,216 @@
+"""Motion drivers: typed by hand and put on properties, also where scripts may not run by themselves."""
+
+import json
+import math
+
+import bpy
+import support
+
+MARK = "values: "
+EXPRESSIONS = {
+    "motus_pendulum(frame, 0.5, 2.0)": lambda n, t: n.single_pendulum(t, 0.5, length=2.0)[0],
+    "motus_pendulum(frame - 12, 0.5, 2.0, 0.1, 1.6, 0.2, 2)":
+        lambda n, t: n.single_pendulum((t - 0.5) * 2.0, 0.5, 0.1, 2.0, 1.6, 0.2)[0],
+    "motus_pendulum(frame, theta=0.5, length=2.0, damping=0.1)":
+        lambda n, t: n.single_pendulum(t, 0.5, length=2.0, damping=0.1)[0],
+    "motus_double_pendulum(frame, 0, 2.0, 1.0)": lambda n, t: n.double_pendulum(t, 2.0, 1.0)[0],
+    "motus_double_pendulum(frame, 3, 2.0, 1.0, 0, 0, 1, 0.5)": lambda n, t: n.double_pendulum(t, 2.0, 1.0, mass2=0.5)[3],
+    "0.5 + 2 * motus_ease(frame, 24, 48, 0.2, 0.4)": lambda n, t: 0.5 + 2.0 * n.ease(t - 1.0, 0.2, 0.4),
+    "motus_noise(frame, 1.5, 7)": lambda n, t: n.noise1(t * 1.5, 7),
+}
+"""(native module, time in seconds at 24 frames a second) -> value."""
+
+
+def driven_cubes():
+    """An object for each of EXPRESSIONS, typed by hand on its location."""
+    cubes = []
+    for index, expression in enumerate(EXPRESSIONS):
+        cube = bpy.data.objects.new(f"Cube {index}", None)
+        bpy.context.scene.collection.objects.link(cube)
+        cube.driver_add("location", 0).driver.expression = expression
+        cubes.append(cube)
+    return cubes
+
+
+def locations(frames):
+    """x of all objects by name, on each frame."""
+    found = []
+    for frame in frames:
+        bpy.context.scene.frame_set(int(frame), subframe=frame % 1.0)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        found.append({obj.name: obj.evaluated_get(depsgraph).matrix_world.translation.x for obj in bpy.data.objects})
+    return found
+
+
+def print_locations(path, frames, use_scripts):
+    bpy.ops.wm.open_mainfile(filepath=path, use_scripts=use_scripts)
+    print(MARK + json.dumps(locations(frames)), flush=True)
+
+
+def native():
+    return support.addon("core.native").module
+
+
+class DriverTestCase(support.SceneTestCase):
+    def setUp(self):
+        super().setUp()
+        self.cube = self.new_object("Cube")
+        bpy.context.view_layer.objects.active = self.cube
+
+    @staticmethod
+    def new_object(name, data=None):
+        obj = bpy.data.objects.new(name, data)
+        bpy.context.scene.collection.objects.link(obj)
+        return obj
+
+    def value(self, frame, path="location", index=0, obj=None):
+        bpy.context.scene.frame_set(int(frame), subframe=frame % 1.0)
+        evaluated = (obj or self.cube).evaluated_get(bpy.context.evaluated_depsgraph_get())
+        found = evaluated.path_resolve(path)
+        return found[index] if index >= 0 else found
+
+    def refused(self, sentence, operator=bpy.ops.motus.driver_add, **keywords):
+        with self.assertRaisesRegex(RuntimeError, sentence):
+            operator(**keywords)
+
+
+class Functions(DriverTestCase):
+    def test_by_hand_at_any_frame_and_frame_rate(self):
+        cubes = driven_cubes()
+        for fps, base in ((24, 1.0), (30, 1.001)):
+            bpy.context.scene.render.fps, bpy.context.scene.render.fps_base = fps, base
+            for frame in (30, 1, 100.25, -7):
+                found, = locations([frame])
+                for cube, (expression, wanted) in zip(cubes, EXPRESSIONS.items()):
+                    if fps != 24 and ("ease" in expression or "frame -" in expression):
+                        continue  # what counts in frames
+                    with self.subTest(expression, frame=frame, fps=fps):
+                        self.assertAlmostEqual(found[cube.name], wanted(native(), frame * base / fps), 4)
+
+    def test_without_auto_run(self):
+        driven_cubes()
+        frames = [30, 1, 77.5]
+        wanted = locations(frames)
+        path = str(self.folder / "driven.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        status, output = support.run_blender(
+            "import support\nfrom drivers import test_drivers as tests\nsupport.enable()\n"
+            f"tests.print_locations({path!r}, {frames!r}, False)\n", arguments=("--factory-startup", "--disable-autoexec"))
+        self.assertEqual(status, 0, output)
+        self.assertEqual(json.loads(output.split(MARK)[1].splitlines()[0]), wanted)
+
+    def test_bad_arguments_leave_the_driver_alive(self):
+        driver = self.cube.driver_add("location", 0).driver
+        for bad, rest in (("motus_pendulum(frame, 0.5, 0)", 0.5), ("motus_pendulum(frame, 0.5, -2)", 0.5),
+                          ("motus_pendulum(frame, 0.25, 'a')", 0.25), ("motus_pendulum(frame, 1e400, 1)", 0.0),
+                          ("motus_double_pendulum(frame, 7, 0.5, 0.5)", 0.0),
+                          ("motus_double_pendulum(frame * 1e12, 1, 2, 0.75)", 0.75),
+                          ("motus_ease(frame, 10, 5, 0.9, 0.9)", 1.0), ("motus_ease(frame, 1, 50, 0.9, 0.9)", 0.0),
+                          ("motus_noise(frame, 1, -3)", 0.0)):
+            with self.subTest(bad):
+                driver.expression = bad
+                self.assertAlmostEqual(self.value(20), rest, 6)
+                self.assertTrue(driver.is_valid)
+        driver.expression = "motus_pendulum(frame, 0.5, 2)"
+        self.assertNotEqual(self.value(20), self.value(25))
+
+
+class Add(DriverTestCase):
+    def test_each_function_on_any_property(self):
+        material = bpy.data.materials.new("Paint")
+        material.use_nodes = True
+        curve = self.new_object("Curve", bpy.data.curves.new("Curve", 'CURVE'))
+        self.cube["own"] = 0.0
+        self.cube["own row"] = [0.0, 1.0]
+        curve.modifiers.new("Wave", 'WAVE')
+        for names, function in (
+                ({"object": "Cube", "data_path": "rotation_euler", "index": 1}, 'PENDULUM'),
+                ({"object": "Cube", "data_path": "location[2]"}, 'DOUBLE_PENDULUM'),
+                ({"object": "Cube", "data_path": '["own"]'}, 'NOISE'),
+                ({"object": "Cube", "data_path": '["own row"][1]'}, 'EASE'),
+                ({"object": "Curve", "data_path": 'modifiers["Wave"].height'}, 'NOISE'),
+                ({"id_type": 'CURVE', "id_name": "Curve", "data_path": "bevel_depth"}, 'PENDULUM'),
+                ({"id_type": 'MATERIAL', "id_name": "Paint",
+                  "data_path": f'node_tree.nodes["{material.node_tree.nodes[0].name}"].inputs[0].default_value[0]'}, 'NOISE'),
+                ({"id_type": 'SCENE', "id_name": "Scene", "data_path": "gravity", "index": 2}, 'NOISE')):
+            with self.subTest(names["data_path"]):
+                self.assertEqual(bpy.ops.motus.driver_add(function=function, **names), {'FINISHED'})
+        tree = material.node_tree
+        self.assertEqual([len(one.animation_data.drivers) for one in (self.cube, curve, curve.data, tree, bpy.context.scene)],
+                         [4, 1, 1, 1, 1])
+        self.assertTrue(all(one.driver.is_valid for one in self.cube.animation_data.drivers))
+
+    def test_the_motion_is_about_the_value_that_is_there(self):
+        self.cube.location = 1.0, 2.0, 3.0
+        bpy.ops.motus.driver_add(object="Cube", data_path="location", index=1, function='PENDULUM', theta=0.5, length=2.0,
+                                 amplitude=3.0, start=10.0)
+        wanted = 2.0 + 3.0 * native().single_pendulum((37.0 - 10.0) / 24.0, 0.5, length=2.0)[0]
+        self.assertAlmostEqual(self.value(37, index=1), wanted, 5)
+        self.assertEqual(self.value(37, index=0), 1.0)
+        bpy.ops.motus.driver_add(object="Cube", data_path="location", index=1, replace=True, base=0.0, theta=0.5,
+                                 length=2.0)
+        self.assertAlmostEqual(self.value(10, index=1), native().single_pendulum(10.0 / 24.0, 0.5, length=2.0)[0], 6)
+
+    def test_all_components_at_once_each_by_a_noise_of_its_own(self):
+        bpy.ops.motus.driver_add(object="Cube", data_path="location", function='NOISE', speed=2.0)
+        found = [self.value(33, index=index) for index in range(3)]
+        for index in range(3):
+            self.assertAlmostEqual(found[index], native().noise1(33.0 / 12.0, index), 6)
+
+    def test_removed_with_the_value_kept(self):
+        bpy.ops.motus.driver_add(object="Cube", data_path="location", function='NOISE')
+        shown = [self.value(50, index=index) for index in range(3)]
+        self.assertEqual(bpy.ops.motus.driver_remove(object="Cube", data_path="location"), {'FINISHED'})
+        self.assertFalse(self.cube.animation_data and self.cube.animation_data.drivers)
+        self.assertEqual([self.value(80, index=index) for index in range(3)], shown)
+        self.refused("has no motion driver", bpy.ops.motus.driver_remove, object="Cube", data_path="location")
+
+    def test_refused(self):
+        self.cube.driver_add("location", 0).driver.expression = "frame"
+        self.cube["word"] = "a"
+        self.refused("location has a driver already", object="Cube", data_path="location", index=0)
+        self.refused("location has a driver already", object="Cube", data_path="location")
+        self.assertEqual(len(self.cube.animation_data.drivers), 1)
+        for sentence, keywords in (
+                ("There is no object Gone", {"object": "Gone", "data_path": "location"}),
+                ("Cube has no property nothing", {"data_path": "nothing"}),
+                ("Cube has no property", {"data_path": 'modifiers["Gone"].strength'}),
+                ("Cube has no property", {"data_path": "__class__.x"}),
+                ("name is no number", {"data_path": "name"}), ("parent is no number", {"data_path": "parent"}),
+                ("matrix_world is no number", {"data_path": "matrix_world"}),
+                (r'\["word"\] is no number', {"data_path": '["word"]'}),
+                ("location has 3 components", {"data_path": "location", "index": 5}),
+                ("There is no Gone of the type MATERIAL", {"id_type": 'MATERIAL', "id_name": "Gone", "data_path": "roughness"}),
+                ("length must be greater than 0", {"data_path": "scale", "index": 0, "length": 0.0}),
+                ("is not a finite number", {"data_path": "scale", "index": 0, "theta": math.inf}),
+                ("Point at a property", {})):
+            with self.subTest(sentence, **keywords):
+                self.refused(sentence, **keywords)
+        self.assertEqual(len(self.cube.animation_data.drivers), 1)
+
+    def test_linked_data_is_refused(self):
+        path = str(self.folder / "library.blend")
+        bpy.data.libraries.write(path, {self.cube})
+        support.empty_scene()
+        with bpy.data.libraries.load(path, link=True) as (_, into):
+            into.objects = ["Cube"]
+        self.refused("is linked from another file", object="Cube", data_path="location", index=0)
+
+
+@support.in_one_blender
+class Expressions(DriverTestCase):
+    def test_composed_and_read_back(self):
+        expressions = support.addon("drivers.expressions")
+        for text in ("motus_pendulum(frame, 0.5, 1)", "2 * motus_pendulum(frame - 12, 0.5, 2, 0, 1.6)",
+                     "0.1 + 0.5 * motus_noise(frame + 3, 2, 5)", "-1 + motus_ease(frame, 1, 50, 0.25)",
+                     "motus_double_pendulum(frame, 3, 2, -1, 0, 0, 1, 0.5)"):
+            with self.subTest(text):
+                self.assertEqual(expressions.compose(self._filled(expressions.read(text))), text)
+        for text in ("", "frame", "motus_pendulum(", "motus_pendulum(frame)", "motus_noise(frame, var)", "motus_gone(frame, 1)",
+                     "motus_pendulum(frame, 0.5, 2, key=1)", "(" * 5000, "motus_double_pendulum(frame, 9, 1, 1)"):
+            with self.subTest(text[:40]):
+                self.assertIsNone(expressions.read(text))
+
+    @staticmethod
+    def _filled(keywords):
+        return {"seed": 0, **keywords}

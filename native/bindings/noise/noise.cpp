@@ -1,0 +1,109 @@
+// Smooth noise of one, two and three variables.
+#include "motus/noise/noise.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "areas.hpp"
+#include "core/arrays.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+
+using FloatArray = py::array_t<float, py::array::c_style>;
+
+constexpr double noise_cost = 60.0;  // ns, rough
+
+[[nodiscard]] std::uint32_t seed_of(const py::object& object) {
+    const double given = number(object, "seed");
+    if (!(given >= 0.0 && given < 0x1p32) || given != std::floor(given))
+        value_error("seed", "must be a whole number from 0 to 2^32 - 1");
+    return static_cast<std::uint32_t>(given);
+}
+
+/// A copy of places as rows of float32, in an array of the shape of the result: `rows` without the last axis
+/// where a place has several coordinates.
+struct Places {
+    Places(const py::object& object, const char* name, py::ssize_t coordinates) {
+        const DoubleArray given = doubles(object, name);
+        if (coordinates > 1 &&
+            (given.ndim() < 1 || given.ndim() > 2 || given.shape(given.ndim() - 1) != coordinates))
+            value_error(name, "must have the shape (" + std::to_string(coordinates) + ",) or (m, " +
+                                  std::to_string(coordinates) + "), not " + shape_of(given));
+        if (coordinates == 1 && given.ndim() > 1)
+            value_error(name, "must be a number or (m,), not " + shape_of(given));
+        is_single = given.ndim() == (coordinates == 1 ? 0 : 1);
+        count = static_cast<std::size_t>(given.size() / coordinates);
+        rows.resize(static_cast<std::size_t>(given.size()));
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            rows[i] = static_cast<float>(given.data()[i]);
+            if (!std::isfinite(rows[i])) value_error(name, "every value must be finite in single precision");
+        }
+    }
+
+    template <class Place>
+    [[nodiscard]] std::span<const Place> as() const {
+        static_assert(sizeof(Place) % sizeof(float) == 0);
+        return {reinterpret_cast<const Place*>(rows.data()), count};
+    }
+
+    std::vector<float> rows;
+    std::size_t count = 0;
+    bool is_single = false;
+};
+
+template <class Place>
+[[nodiscard]] py::object values_at(const py::object& places, const char* name, const py::object& seed) {
+    const std::uint32_t from = seed_of(seed);
+    const Places at(places, name, sizeof(Place) / sizeof(float));
+    FloatArray result(static_cast<py::ssize_t>(at.count));
+    {
+        const std::span<float> out{result.mutable_data(), at.count};
+        const ReleaseGil released(at.count, noise_cost);
+        noise::values(at.as<Place>(), from, out);
+    }
+    if (at.is_single) return py::float_(*result.data());
+    return result;
+}
+
+}  // namespace
+
+void bind_noise(py::module_& m) {
+    m.def(
+        "noise1",
+        [](const py::object& x, const py::object& seed) -> py::object {
+            // A single number keeps its precision: seconds times a speed grow large.
+            if (PyFloat_Check(x.ptr()) != 0) return py::float_(noise::value(number(x, "x"), seed_of(seed)));
+            return values_at<float>(x, "x", seed);
+        },
+        "x"_a, "seed"_a = 0, R"(
+Smooth noise of one variable, in [-1, 1]: two continuous derivatives, no period, most of its power below one wave a unit.
+
+x: a float, taken in double precision, or (m,), taken in float32.  seed: a whole number from 0 to 2^32 - 1; different ones
+give noises that have nothing to do with each other.
+Returns a float or (m,) float32; beyond 2^30 the noise is constant. The same bits on every machine.
+Raises ValueError where a value is not finite, in float32 too, or a shape is another.)");
+    m.def(
+        "noise2",
+        [](const py::object& xy, const py::object& seed) { return values_at<glm::vec2>(xy, "xy", seed); },
+        "xy"_a, "seed"_a = 0, R"(
+The same of two variables.  xy: (2,) or (m, 2), taken in float32.  Returns a float or (m,) float32.)");
+    m.def(
+        "noise3",
+        [](const py::object& xyz, const py::object& seed) { return values_at<glm::vec3>(xyz, "xyz", seed); },
+        "xyz"_a, "seed"_a = 0, R"(
+The same of three variables.  xyz: (3,) or (m, 3), taken in float32.  Returns a float or (m,) float32.)");
+}
+
+}  // namespace motus::bindings

@@ -1,0 +1,33 @@
+// Smooth noise of one, two and three variables.
+//
+// Around each point of two lattices, the whole numbers and those halfway between them, lies a bump of radius
+// 1 whose height and slope are drawn from a hash of the point: Perlin, "An Image Synthesizer" (1985). Heights
+// are in such proportion to slopes that the variance is nearly the same everywhere, so the lattice does not
+// show, as it does in noise that is 0 at each of its points. The noise has two continuous derivatives, no
+// period, and most of its power below one wave a unit.
+#pragma once
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+namespace motus::noise {
+
+/// Noise at a place, in [-1, 1]; its standard deviation is 0.31, 0.23 and 0.20 in one, two and three
+/// dimensions. Different seeds give noises that have nothing to do with each other. The place has to be
+/// finite; beyond 2^30 the noise is constant. The same bits on every machine.
+[[nodiscard]] float value(double place, std::uint32_t seed) noexcept;
+[[nodiscard]] float value(const glm::dvec2& place, std::uint32_t seed) noexcept;
+[[nodiscard]] float value(const glm::dvec3& place, std::uint32_t seed) noexcept;
+
+/// The derivatives of value() by the place, per unit.
+[[nodiscard]] float gradient(double place, std::uint32_t seed) noexcept;
+[[nodiscard]] glm::vec2 gradient(const glm::dvec2& place, std::uint32_t seed) noexcept;
+[[nodiscard]] glm::vec3 gradient(const glm::dvec3& place, std::uint32_t seed) noexcept;
+
+/// value() at many places; out.size() == places.size().
+void values(std::span<const float> places, std::uint32_t seed, std::span<float> out) noexcept;
+void values(std::span<const glm::vec2> places, std::uint32_t seed, std::span<float> out) noexcept;
+void values(std::span<const glm::vec3> places, std::uint32_t seed, std::span<float> out) noexcept;
+
+}  // namespace motus::noise
