@@ -4,6 +4,8 @@ import math
 
 import bpy
 
+from ..datablocks import OfADatablock
+from ..operators import Operator
 from ..over_frames import OverFrames
 from ..refusals import Refused, check_bone, check_evaluated, check_local, check_posed
 from ..translations import tr
@@ -16,39 +18,14 @@ TRANSFORMS = (
 )
 
 
-class _OfATrack:
+class _OfATrack(OfADatablock):
     """Mixin with the keywords that name a track."""
 
-    datablock: bpy.props.StringProperty(
-        name="Datablock", description="Name of the object or other datablock; empty takes the active object",
-        options={'SKIP_SAVE'})
-    collection: bpy.props.StringProperty(
-        name="Collection", description="Which of the file's collections the datablock stands in, such as materials",
-        default="objects", options={'SKIP_SAVE'})
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of a bone; empty means the object itself", options={'SKIP_SAVE'})
     transform: bpy.props.EnumProperty(
         name="Transform", description="Which transform, where no data path is given", items=TRANSFORMS,
         options={'SKIP_SAVE'})
-    data_path: bpy.props.StringProperty(
-        name="Data Path", description="Path of a property of the datablock; empty means a transform",
-        options={'SKIP_SAVE'})
-    index: bpy.props.IntProperty(
-        name="Index", description="Index of a number in an array property; -1 for a property that is no array", default=-1,
-        min=-1, options={'SKIP_SAVE'})
-
-    def id_data(self, context):
-        """The datablock that is named."""
-        if not self.datablock:
-            if context.object is None:
-                raise Refused(tr("Select an object, or name one"))
-            return context.object
-        listed = bpy.data.bl_rna.properties.get(self.collection)
-        found = getattr(bpy.data, self.collection).get(self.datablock) if listed and listed.type == 'COLLECTION' else None
-        if found is None:
-            raise Refused(tr("There is no {object} in {collection}").format(
-                object=self.datablock, collection=self.collection))
-        return found
 
     def track(self, id_data, scene):
         """The track of the datablock, original or evaluated."""
@@ -66,11 +43,7 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
     bl_idname = "motus.track_record"
     bl_label = "Record"
     bl_description = "Go through the frames and keep in the file what is not known ahead, such as what constraints do"
-    bl_options = {'REGISTER', 'UNDO'}
-
-    step: bpy.props.FloatProperty(
-        name="Step", description="Frames from one sample to the next, less than one for sub-frames", default=1.0, min=0.001,
-        soft_min=0.1, soft_max=10.0)
+    for_scripts = ("transform",)
 
     def steps(self, context, frames):
         id_data = self.id_data(context)
@@ -113,22 +86,17 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
             scene.frame_set(before[0], subframe=before[1])
 
 
-class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
+class MOTUS_OT_track_clear(_OfATrack, Operator, bpy.types.Operator):
     bl_idname = "motus.track_clear"
     bl_label = "Clear Recording"
     bl_description = "Take the recorded samples out of the file"
-    bl_options = {'REGISTER', 'UNDO'}
+    for_scripts = ("transform",)
 
-    def execute(self, context):
-        try:
-            id_data = self.id_data(context)
-            check_local(id_data)
-            if not recordings.remove(id_data, self.track(id_data, context.scene).what):
-                raise Refused(tr("Nothing was recorded of {object}").format(object=id_data.name))
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
-        return {'FINISHED'}
+    def run(self, context):
+        id_data = self.id_data(context)
+        check_local(id_data)
+        if not recordings.remove(id_data, self.track(id_data, context.scene).what):
+            raise Refused(tr("Nothing was recorded of {object}").format(object=id_data.name))
 
 
 classes = (recordings.MOTUS_PG_recording, MOTUS_OT_track_record, MOTUS_OT_track_clear)

@@ -1,0 +1,54 @@
+"""How operators name a datablock of any type, and one of its properties."""
+
+import bpy
+
+from .refusals import Refused
+from .translations import tr
+
+
+class OfADatablock:
+    """Mixin of an operator: the keywords that name a property of a datablock."""
+
+    datablock: bpy.props.StringProperty(
+        name="Datablock", description="Name of the object or other datablock; empty takes the active object",
+        options={'SKIP_SAVE'})
+    collection: bpy.props.StringProperty(
+        name="Collection", description="Which of the file's collections the datablock stands in, such as materials",
+        default="objects", options={'SKIP_SAVE'})
+    data_path: bpy.props.StringProperty(
+        name="Data Path", description="Path of a property from the datablock", options={'SKIP_SAVE'})
+    index: bpy.props.IntProperty(
+        name="Index", description="Index of a number in an array property; -1 for a property that is no array, or all",
+        default=-1, min=-1, options={'SKIP_SAVE'})
+
+    def id_data(self, context):
+        """The datablock that is named."""
+        if not self.datablock:
+            if context.object is None:
+                raise Refused(tr("Select an object, or name one"))
+            return context.object
+        listed = bpy.data.bl_rna.properties.get(self.collection)
+        found = getattr(bpy.data, self.collection).get(self.datablock) if listed and listed.type == 'COLLECTION' else None
+        if found is None:
+            raise Refused(tr("There is no {object} in {collection}").format(
+                object=self.datablock, collection=self.collection))
+        return found
+
+
+def collection_of(datablock):
+    """Name of the file's collection that a datablock stands in."""
+    for prop in bpy.data.bl_rna.properties:
+        if prop.type == 'COLLECTION' and isinstance(datablock, getattr(bpy.types, prop.fixed_type.identifier)):
+            return prop.identifier
+    raise ValueError(f"{datablock!r} stands in no collection")
+
+
+def named_by(datablock, path):
+    """A datablock that can be found by its name, and the path from there: node trees lie within others."""
+    if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:
+        return datablock, path
+    for prop in bpy.data.bl_rna.properties:
+        for one in getattr(bpy.data, prop.identifier) if prop.type == 'COLLECTION' else ():
+            if getattr(one, "node_tree", None) == datablock:
+                return one, f"node_tree.{path}"
+    return datablock, path
