@@ -12,7 +12,8 @@ def owner_of(system, obj):
 
 def is_baked(system, obj):
     """Whether the system's motion of an object stands in keyframes."""
-    return of_owner(system, owner_of(system, obj)).is_baked
+    # To ask an object for its settings would give it some.
+    return obj.is_property_set("motus") and of_owner(system, owner_of(system, obj)).is_baked
 
 
 def frames(system, obj):
