@@ -130,6 +130,15 @@ OTHER = {'BOOLEAN': None, 'STRING': "Course", 'INT': 1, 'FLOAT': 1.0}
 """Values that are no defaults, by the type of the keyword; of a switch it is the other one."""
 
 
+class Operators(support.SceneTestCase):
+    def test_refusals_are_reported_in_one_place(self):
+        for operator in operators():
+            with self.subTest(operator.bl_idname):
+                own = {name for cls in operator.__mro__ if cls.__module__.startswith(f"{package}.")
+                       and cls.__module__ not in {core.__name__, over_frames.__name__} for name in vars(cls)}
+                self.assertFalse(own & {"execute", "poll", "draw"})
+
+
 class RedoPanel(support.SceneTestCase):
     """The panel Adjust Last Operation."""
 

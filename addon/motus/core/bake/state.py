@@ -12,7 +12,10 @@ def owner_of(system, obj):
 
 def is_baked(system, obj):
     """Whether the system's motion of an object stands in keyframes."""
-    return isinstance(system, System) and of_owner(system, owner_of(system, obj)).is_baked
+    # To ask an object for its settings would give it some.
+    if not isinstance(system, System) or not obj.is_property_set("motus"):
+        return False
+    return of_owner(system, owner_of(system, obj)).is_baked
 
 
 def frames(system, obj):
