@@ -41,6 +41,7 @@ INTERFACE = {
     "{name} drives {thing} by a part alone: its influence is not always 1":
         "{name} mueve {thing} solo en parte: su influencia no es siempre 1",
     "the shape of {name} changes, on which {thing} goes": "cambia la forma de {name}, por donde va {thing}",
+    "{thing} hangs on itself": "{thing} cuelga de sí mismo",
     "{thing} changes its rotation mode": "{thing} cambia de modo de rotación",
     # What the panel says
     "Exact at any frame: read from keys": "Exacto en cualquier fotograma: se lee de las claves",
