@@ -10,7 +10,7 @@ import support
 
 IDENTIFIERS = {"text", "heading", "title"}
 """Keyword arguments of layout functions that Blender translates."""
-SENTENCES = {"tr", "Problem", "Status", "Key", "poll_message_set", "pgettext_iface", "pgettext_tip"}
+SENTENCES = {"tr", "Problem", "Modes", "Status", "Key", "poll_message_set", "pgettext_iface", "pgettext_tip"}
 """Functions whose first string is shown to the user."""
 UNTRANSLATED = {"", "Motus", "X", "Y", "Z", "-X", "-Y", "-Z"}
 """Names and letters, the same in every language."""

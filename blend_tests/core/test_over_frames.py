@@ -9,16 +9,17 @@ package = support.addon().__name__
 
 
 class Recorder:
-    """In place of the context: notes the timers that run, whether progress is shown, and the status bar's text."""
+    """In place of the context, with a user who says OK to every question: notes the timers that run, whether progress is shown, and the status bar's text."""
 
     def __init__(self):
         self.timers, self.has_progress, self.status = set(), False, None
         self.window = object()
-        self.scene = types.SimpleNamespace(frame_start=1, frame_end=3, frame_current=1, frame_subframe=0.0)
+        self.scene = types.SimpleNamespace(
+            frame_start=1, frame_end=3, frame_current=1, frame_subframe=0.0, use_preview_range=False)
         self.window_manager = types.SimpleNamespace(
             event_timer_add=self._add, event_timer_remove=self.timers.remove, modal_handler_add=lambda _operator: True,
             progress_begin=lambda _first, _last: self._show(True), progress_update=lambda _value: None,
-            progress_end=lambda: self._show(False))
+            progress_end=lambda: self._show(False), invoke_props_dialog=lambda operator: operator.execute(self))
         self.workspace = types.SimpleNamespace(status_text_set=lambda text: setattr(self, "status", text))
 
     def _add(self, _seconds, window):
@@ -40,7 +41,7 @@ def stand_in(operator, steps):
     own = {name: value for name, value in vars(operator).items() if isinstance(value, types.FunctionType)}
     made = type("StandIn", bases, own)()
     made.properties = types.SimpleNamespace(is_property_set=lambda name: False)
-    made.step, made.use_range, made.reports = 1.0, True, []
+    made.step, made.range, made.use_range, made.reports = 1.0, 'GIVEN', True, []
     made.steps = lambda _context, _frames: steps()
     made.report = lambda kinds, sentence: made.reports.append((kinds, sentence))
     made.result = lambda _context: None

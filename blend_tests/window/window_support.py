@@ -94,7 +94,7 @@ def open_tab(category):
 
 @contextmanager
 def drawn_settings(panels):
-    """Opens these panels, each of a mixin that draws it; gives {name of the panel: names of the properties drawn in it}.
+    """Opens these panels, each of a mixin that draws it, and before its sub-panels; gives {name of the panel: names of the properties drawn in it}.
 
     UILayout.introspect() would tell too, but crashes Blender 5.2.
     """
@@ -102,7 +102,7 @@ def drawn_settings(panels):
     kept = {panel: panel.__dict__.get("draw") for panel in panels}
     for panel in panels:
         panel.draw = _noting_draw(panel, found)
-    _registered_anew(closed, lambda panel: setattr(panel, "bl_options", set()))
+    _registered_anew(panels, closed, lambda panel: setattr(panel, "bl_options", set()))
     try:
         yield found
     finally:
@@ -110,13 +110,16 @@ def drawn_settings(panels):
             del panel.draw
             if draw:
                 panel.draw = draw
-        _registered_anew(closed, lambda panel: delattr(panel, "bl_options"))
+        _registered_anew(panels, closed, lambda panel: setattr(panel, "bl_options", {'DEFAULT_CLOSED'}))
 
 
-def _registered_anew(panels, change):
-    for panel in panels:
+def _registered_anew(panels, changed, change):
+    """All of them, though only some are changed: sub-panels would lose the one that they are in."""
+    for panel in reversed(panels):
         bpy.utils.unregister_class(panel)
+    for panel in changed:
         change(panel)
+    for panel in panels:
         bpy.utils.register_class(panel)
 
 

@@ -3,14 +3,14 @@
 from bpy_extras.view3d_utils import region_2d_to_location_3d
 from mathutils import Vector
 
+from .refusals import Refused
 from .viewports import view_at
 
 
 class PointDrag:
     """Mixin of a modal operator: press on something, drag, release; Esc or the right button restores what was.
 
-    The operator has: _refusal, the exception that its functions raise with a sentence, and _refused(refusal), what it
-    then answers; _hold(context, region, view, mouse) -> (point in the world, the same in the region) of what lies there and
+    The operator is one of core's (operators.py), and has: _hold(context, region, view, mouse) -> (point in the world, the same in the region) of what lies there and
     is kept as self._held, whose restore() puts all back, or None; _move(place), called with where the point goes; _finish(
     context), called when it was let go after a move; _show_keys(context). It may have _press(event): whether a key has
     changed a setting before anything is held.
@@ -60,9 +60,9 @@ class PointDrag:
             return {'PASS_THROUGH'}  # the view can be turned in the meantime
         try:
             self._take(context, event)
-        except self._refusal as refusal:
+        except Refused as refusal:
             self.cancel(context)
-            return self._refused(refusal)
+            return self.refuse(refusal)
         # A press beside it is meant for what lies there.
         return {'RUNNING_MODAL'} if self._held else {'PASS_THROUGH'}
 

@@ -1,6 +1,8 @@
-"""The Motus entries of the Add, Object and Pose menus; F3 search finds what stands in a menu."""
+"""The Motus entries of the Add, Object and Pose menus, system by system; F3 search finds what stands in a menu."""
 
 import bpy
+
+from . import operators, panels
 
 _entries = {"add": (), "object": (), "pose": ()}
 
@@ -9,30 +11,36 @@ class MOTUS_MT_add(bpy.types.Menu):
     bl_label = "Motus"
 
     def draw(self, context):
-        _draw(self.layout, _entries["add"])
+        _draw(self.layout, context, "add")
 
 
 class MOTUS_MT_object(bpy.types.Menu):
     bl_label = "Motus"
 
     def draw(self, context):
-        _draw(self.layout, _entries["object"])
+        _draw(self.layout, context, "object")
 
 
 class MOTUS_MT_pose(bpy.types.Menu):
     bl_label = "Motus"
 
     def draw(self, context):
-        _draw(self.layout, _entries["pose"])
+        _draw(self.layout, context, "pose")
 
 
-def _draw(layout, operators):
+def _draw(layout, context, kind):
+    operators.offer(layout, context)
     layout.operator_context = 'INVOKE_DEFAULT'
-    for identifier in operators:
-        if identifier is None:
+    for index, ((label, label_context), identifiers) in enumerate(_entries[kind]):
+        if index:
             layout.separator()
-        else:
-            layout.operator(identifier)
+        if label:
+            layout.label(text=label, text_ctxt=label_context)
+        for identifier in identifiers:
+            if identifier is None:
+                layout.separator()
+            else:
+                layout.operator(identifier)
 
 
 def _draw_add(menu, _context):
@@ -51,17 +59,23 @@ def _draw_pose(menu, _context):
 
 
 classes = (MOTUS_MT_add, MOTUS_MT_object, MOTUS_MT_pose)
+_WITHOUT_LABEL = "", "*"
+_OF_ALL = ("motus.bake", "motus.unbake")
 
 
 def register(systems, extra_add=()):
-    """Show the systems' operators (identifiers; None draws a separator) in the menus."""
-    _entries["add"] = tuple(name for one in systems for name in one.add_menu) + tuple(extra_add)
-    for menu in ("object", "pose"):
-        _entries[menu] = tuple(name for one in systems for name in getattr(one, f"{menu}_menu")) + (
-            None, "motus.bake", "motus.unbake")
+    """Show the systems' operators (None draws a separator) under each system's label, and those of all at the end."""
+    for kind, shared in (("add", tuple(extra_add)), ("object", _OF_ALL), ("pose", _OF_ALL)):
+        groups = [(panels.title(one), getattr(one, f"{kind}_menu")) for one in systems]
+        _entries[kind] = (*((title, names) for title, names in groups if names), (_WITHOUT_LABEL, shared))
     bpy.types.VIEW3D_MT_add.append(_draw_add)
     bpy.types.VIEW3D_MT_object.append(_draw_object)
     bpy.types.VIEW3D_MT_pose.append(_draw_pose)
+
+
+def entries(kind):
+    """Identifiers of all operators in a menu: "add", "object" or "pose"."""
+    return [name for _, names in _entries[kind] for name in names if name]
 
 
 def unregister():

@@ -5,7 +5,9 @@ import time
 
 import bpy
 
+from .operators import Operator
 from .refusals import Refused, check_finite
+from .rows import Row, Rows, is_not, is_one_of
 from .translations import tr
 
 SLICE = 0.05
@@ -20,25 +22,71 @@ def frame_range(start, end, step):
     return [start + step * index for index in range(count)]
 
 
-class OverFrames:
-    """Mixin of an operator that has a property `step`, and these functions.
+def current(scene):
+    """The current frame alone, with its fraction."""
+    return [scene.frame_current + scene.frame_subframe]
+
+
+RANGES = (
+    ('GIVEN', "Start to End", "The frames that are given, or else the scene's"),
+    ('PREVIEW', "Preview Range", "The scene's preview range; all frames of the scene where there is none"),
+    ('SCENE', "Scene", "All frames of the scene"),
+    ('CURRENT', "Current Frame", "The frame that is shown"),
+)
+
+
+def span(operator, scene):
+    """(first, last) frame of the operator's range."""
+    if operator.range == 'CURRENT':
+        return 2 * current(scene)
+    if operator.range == 'PREVIEW' and scene.use_preview_range:
+        return scene.frame_preview_start, scene.frame_preview_end
+    given = operator.given(("frame_start", "frame_end")) if operator.range == 'GIVEN' else {}
+    return given.get("frame_start", scene.frame_start), given.get("frame_end", scene.frame_end)
+
+
+class OverFrames(Operator):
+    """Mixin of an operator that goes through frames.
 
     steps(context, frames): a generator of how many of self.total steps are done (as many as frames, unless it says
     otherwise), which puts everything back where it is closed before its end. result(context) reports what came of them.
+    In the window it asks for the range first, unless the caller has given it.
     """
 
+    range: bpy.props.EnumProperty(
+        name="Frames", description="Which frames", items=RANGES, default='GIVEN', options={'SKIP_SAVE'})
     frame_start: bpy.props.IntProperty(
         name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
     frame_end: bpy.props.IntProperty(
         name="End", description="Last frame; the scene's where it is not given", options={'SKIP_SAVE'})
+    step: bpy.props.FloatProperty(
+        name="Step", description="Frames from one to the next, less than one for sub-frames", default=1.0, min=0.001,
+        soft_min=0.1, soft_max=10.0)
+    redo = (Rows((
+        "range", Row("frame_start", when=is_one_of("range", 'GIVEN')), Row("frame_end", when=is_one_of("range", 'GIVEN')),
+        Row("step", when=is_not("range", 'CURRENT')))),)
+
+    _steps = _timer = None
+    _is_asked = False
 
     def execute(self, context):
-        return self._guarded(context, self._run)
+        is_asked, self._is_asked = self._is_asked, False
+        return self._guarded(context, self._run_in_window if is_asked else self._run)
 
     def invoke(self, context, _event):
         if context.window is None:
             return self.execute(context)
-        return self._guarded(context, self._run_in_window)
+        if any(self.is_given(name) for name in ("range", "frame_start", "frame_end", *self.for_scripts)):
+            return self._guarded(context, self._run_in_window)
+        self._suggest(context.scene)
+        self._is_asked = True
+        return context.window_manager.invoke_props_dialog(self)
+
+    def draw(self, context):
+        super().draw(context)
+        first, last = span(self, context.scene)
+        text = bpy.app.translations.pgettext_iface("Frames {first}-{last}")
+        self.layout.label(text=text.format(first=f"{first:g}", last=f"{last:g}"), icon='TIME', translate=False)
 
     def modal(self, context, event):
         if event.type == 'ESC':
@@ -50,8 +98,9 @@ class OverFrames:
         return self._guarded(context, self._go_on)
 
     def cancel(self, context):
-        if self._steps:
-            self._steps.close()
+        if self._steps is None:
+            return  # it has not begun
+        self._steps.close()
         context.window_manager.progress_end()
         if self._timer:
             context.window_manager.event_timer_remove(self._timer)
@@ -64,8 +113,7 @@ class OverFrames:
             return function(context)
         except Refused as refusal:
             self.cancel(context)
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+            return self.refuse(refusal)
         except Exception:
             self.cancel(context)
             raise
@@ -93,17 +141,23 @@ class OverFrames:
 
     def _start(self, context):
         self._timer = self._steps = None
-        frames = self._frames(context.scene)
+        frames = self.frames(context.scene)
         self.total = len(frames)
         self._steps = self.steps(context, frames)
         context.window_manager.progress_begin(0, self.total)
 
-    def _frames(self, scene):
+    def frames(self, scene):
+        """The frames to go through, in their order. Raises Refused."""
         check_finite(self, ("step",))
-        for name in ("frame_start", "frame_end"):
-            if not self.properties.is_property_set(name):
-                setattr(self, name, getattr(scene, name))
-        return frame_range(self.frame_start, self.frame_end, self.step)
+        if self.range == 'CURRENT':
+            return current(scene)
+        first, last = span(self, scene)
+        self.frame_start, self.frame_end = first, last
+        return frame_range(first, last, self.step)
+
+    def _suggest(self, scene):
+        self.range = 'PREVIEW' if scene.use_preview_range else 'SCENE'
+        self.frame_start, self.frame_end = span(self, scene)
 
     def _show(self, context, done):
         context.window_manager.progress_update(done)

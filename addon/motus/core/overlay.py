@@ -1,16 +1,16 @@
 """One draw handler for all systems: each gives batches of lines and points for a selected object."""
 
 import logging
-from typing import Any, NamedTuple
+from dataclasses import dataclass
+from typing import Any, Callable, NamedTuple
 
 import bpy
 
 from . import capabilities, native
+from .bake import state
 from .system import registered
 
 log = logging.getLogger(__name__)
-
-classes = ()
 
 
 class Batch(NamedTuple):
@@ -24,6 +24,48 @@ class Batch(NamedTuple):
     points: Any
     colors: Any
     width: float = 1.0
+
+
+class Switch(NamedTuple):
+    """A part of a system's overlay that can be hidden: becomes Scene.motus.<name>."""
+
+    name: str
+    label: str
+    description: str
+    default: bool = True
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """What a system shows of a selected object: draw(context, owner) gives batches."""
+
+    draw: Callable
+    switches: tuple = ()
+
+    def __call__(self, context, owner):
+        return self.draw(context, owner)
+
+
+def switch_of(system):
+    """Name of the property of Scene.motus that shows what the system draws at all."""
+    return f"show_{system.name}"
+
+
+def switches_of(system):
+    """The Switches that a system declares."""
+    return getattr(system.overlay, "switches", ())
+
+
+def properties_of(system):
+    """{name: property} of Scene.motus that the system's overlay has."""
+    if system.overlay is None:
+        return {}
+    found = {switch_of(system): bpy.props.BoolProperty(
+        name="Show", description="Draw what this system computes for the selected objects", default=True, options=set())}
+    for switch in switches_of(system):
+        found[switch.name] = bpy.props.BoolProperty(
+            name=switch.label, description=switch.description, default=switch.default, options=set())
+    return found
 
 
 _handler = []
@@ -43,10 +85,12 @@ def unregister():
 
 
 def batches(context):
-    """All batches for the context's selection."""
+    """All batches for the context's selection; of what is baked nothing is computed."""
     owners = {found.name_full: found for found in [context.object, *context.selected_objects] if found}
-    return [batch for system in registered.values() if system.overlay
-            for owner in owners.values() for batch in system.overlay(context, owner)]
+    shown = [system for system in registered.values()
+             if system.overlay and getattr(context.scene.motus, switch_of(system))]
+    return [batch for system in shown for owner in owners.values() if not state.is_baked(system, owner)
+            for batch in system.overlay(context, owner)]
 
 
 def _draw():

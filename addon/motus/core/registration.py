@@ -3,7 +3,7 @@
 import bpy
 
 from . import (
-    bake, deleted, menus, overlay, preferences, settings, system, teardown, tracks, translations, ui, wiring)
+    bake, deleted, menus, overlay, panels, preferences, settings, system, teardown, tracks, translations, ui, wiring)
 
 _undo = []
 
@@ -31,7 +31,7 @@ def _register(systems, extra_classes, extra_add_menu):
         _undo.append(lambda name=one.name: system.registered.pop(name))
         _register_classes(one.classes)
     _register_classes(
-        preferences.classes + ui.classes + bake.classes + tracks.classes + overlay.classes + menus.classes + extra_classes)
+        preferences.classes + ui.classes + bake.classes + tracks.classes + panels.classes_of_core + menus.classes + extra_classes)
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
@@ -65,10 +65,16 @@ def _register_settings(systems):
     for one in systems:
         if one.scene_settings is not None:
             _register_pointer(preferences.MOTUS_PG_scene, one.name, one.scene_settings)
+        for name, switch in overlay.properties_of(one).items():
+            _register_property(preferences.MOTUS_PG_scene, name, switch)
     for owner, kind in ((bpy.types.Object, group), (bpy.types.Scene, preferences.MOTUS_PG_scene)):
         _register_pointer(owner, "motus", kind, name="Motus", override={'LIBRARY_OVERRIDABLE'})
 
 
 def _register_pointer(owner, attribute, kind, **options):
-    setattr(owner, attribute, bpy.props.PointerProperty(type=kind, **options))
+    _register_property(owner, attribute, bpy.props.PointerProperty(type=kind, **options))
+
+
+def _register_property(owner, attribute, prop):
+    setattr(owner, attribute, prop)
     _undo.append(lambda: delattr(owner, attribute))

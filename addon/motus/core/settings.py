@@ -5,22 +5,35 @@ import bpy
 from . import wiring
 from .system import registered
 
+ANIMATED = {'ANIMATABLE'}
+OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
+EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+"""Options of properties: keyed or driven, changed by overrides, and lists that overrides add to."""
 
-def _system_of(settings):
+
+def _system_of(item):
     """The system of a group of settings, or of one within it, such as an entry of a list."""
-    return registered[settings.path_from_id().split(".")[1].partition("[")[0]]
+    return registered[item.path_from_id().split(".")[1].partition("[")[0]]
 
 
-def rewire(settings, _context):
+def rewire(item, _context):
     """`update` of a property whose change needs other drivers or sinks (targets, members, channels)."""
-    wiring.refresh(_system_of(settings), settings.id_data)
+    if not _is_keyword(item):
+        wiring.refresh(_system_of(item), item.id_data)
 
 
-def touch(settings, _context):
+def touch(item, _context):
     """`update` of a property whose change only needs a new evaluation."""
-    system = _system_of(settings)
-    if wiring.is_attached(system, settings.id_data):
-        wiring.touch(system, settings.id_data)
+    if _is_keyword(item):
+        return
+    system = _system_of(item)
+    if wiring.is_attached(system, item.id_data):
+        wiring.touch(system, item.id_data)
+
+
+def _is_keyword(item):
+    """Whether it is an operator, which may have the same properties as the settings: there is nothing to evaluate."""
+    return not isinstance(item, bpy.types.PropertyGroup)
 
 
 class MOTUS_PG_helper(bpy.types.PropertyGroup):

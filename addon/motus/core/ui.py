@@ -1,9 +1,10 @@
 """Panel parts that all systems share."""
 
+from typing import NamedTuple
+
 import bpy
 
 from . import native, wiring
-from .system import of_owner
 
 TAB = "Motus"
 CHARACTER_WIDTH = 6.5  # pixels, of the interface's font at a scale of 1
@@ -48,39 +49,6 @@ class MOTUS_OT_copy_text(bpy.types.Operator):
         return {'FINISHED'}
 
 
-class MOTUS_PT_sidebar(Sidebar, bpy.types.Panel):
-    bl_label = "Motus"
-
-    def draw(self, context):
-        layout = self.layout
-        if not draw_native_status(layout):
-            return
-        if context.object is None:
-            layout.label(text="Select an object", icon='INFO')
-            return
-        layout.label(text=context.object.name, icon='OBJECT_DATA', translate=False)
-
-
-class MOTUS_PT_overlay(Sidebar, bpy.types.Panel):
-    bl_label = "Overlay"
-    bl_order = 100
-    bl_options = {'DEFAULT_CLOSED'}
-
-    def draw_header(self, context):
-        self.layout.prop(context.scene.motus, "show_overlay", text="")
-
-    def draw(self, context):
-        settings = context.scene.motus
-        layout = self.layout
-        layout.use_property_split = True
-        layout.use_property_decorate = False
-        layout.active = settings.show_overlay
-        column = layout.column(heading="Show")
-        for name in ("show_curve", "show_control_points", "show_tangents", "show_frames", "show_speed", "show_reach",
-                     "show_pole", "show_residual"):
-            column.prop(settings, name)
-
-
 def draw_native_status(layout):
     """Say what is wrong with the native module, with a copy button; True where all is well."""
     if native.module is not None:
@@ -98,13 +66,42 @@ def draw_problem(layout, context, system, owner):
     return problem
 
 
-def draw_bake(layout, system, owner):
-    """Bake and unbake buttons."""
-    row = layout.row(align=True)
-    if of_owner(system, owner).is_baked:
-        row.operator("motus.unbake", icon='LOOP_BACK').system = system.name
-    else:
-        row.operator("motus.bake", icon='KEYFRAME').system = system.name
+def draw_bake(layout, system):
+    """The button that bakes; what is baked has a box with the one that unbakes (panels.py)."""
+    layout.operator("motus.bake", icon='KEYFRAME').system = system.name
+
+
+def draw_list(layout, kind, settings, name, active, add, remove, rows=3):
+    """A list with the buttons that add and remove; gives these two, and the column that they stand in.
+
+    kind: class name of the list. name, active: properties of the settings. add, remove: operators.
+    """
+    row = layout.row()
+    row.template_list(kind, "", settings, name, settings, active, rows=rows)
+    column = row.column(align=True)
+    return column.operator(add, text="", icon='ADD'), column.operator(remove, text="", icon='REMOVE'), column
+
+
+class Readout(NamedTuple):
+    """A number that a system has computed. text: its label. value: as it is shown."""
+
+    text: str
+    value: str
+
+
+def draw_readouts(layout, readouts):
+    """A box of Readouts."""
+    grid = layout.box().grid_flow(columns=2, row_major=True, align=True)
+    for readout in readouts:
+        grid.label(text=readout.text)
+        grid.label(text=readout.value, translate=False)
+
+
+def length(context, value):
+    """A length in the scene's units, as text."""
+    units = context.scene.unit_settings
+    name = 'METRIC' if units.system == 'NONE' else units.system
+    return bpy.utils.units.to_string(name, 'LENGTH', value * units.scale_length, precision=4)
 
 
 def split(layout):
@@ -130,4 +127,4 @@ def _characters(context):
     return max(FEWEST, int((context.region.width / scale - 90.0) / CHARACTER_WIDTH))
 
 
-classes = (MOTUS_OT_copy_text, MOTUS_PT_sidebar, MOTUS_PT_overlay)
+classes = (MOTUS_OT_copy_text,)

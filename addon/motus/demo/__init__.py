@@ -2,6 +2,6 @@
 
 from .operators import MOTUS_OT_demo_scene, classes
 
-ADD_MENU = (None, MOTUS_OT_demo_scene.bl_idname)
+ADD_MENU = (MOTUS_OT_demo_scene.bl_idname,)
 
 __all__ = ("ADD_MENU", "classes")

@@ -4,16 +4,18 @@ from importlib import import_module
 
 import bpy
 
+from ..core.operators import Operator
+from ..core.refusals import Refused
+from ..core.rows import Rows
 from ..core.translations import tr
 from .scenes import SCENES
 
 
-class MOTUS_OT_demo_scene(bpy.types.Operator):
+class MOTUS_OT_demo_scene(Operator, bpy.types.Operator):
     """Build an example of a system in a new scene and show it; your own scenes stay as they are"""
 
     bl_idname = "motus.demo_scene"
     bl_label = "Demo Scene"
-    bl_options = {"REGISTER", "UNDO"}
 
     system: bpy.props.EnumProperty(
         name="System",
@@ -21,15 +23,15 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
         items=tuple((scene.identifier, scene.label, scene.description) for scene in SCENES),
         default="PATH",
     )
+    redo = (Rows(("system",)),)
 
     @classmethod
-    def poll(cls, context):
+    def check_place(cls, context):
+        super().check_place(context)
         if context.window is None:
-            cls.poll_message_set("A window is needed to show the new scene")
-            return False
-        return True
+            raise Refused(tr("A window is needed to show the new scene"))
 
-    def execute(self, context):
+    def run(self, context):
         previous = context.window.scene
         try:
             # Imported when one is built, and NumPy with it: most users build none.
@@ -37,10 +39,8 @@ class MOTUS_OT_demo_scene(bpy.types.Operator):
             scene = import_module(f"{__package__}.{module}").build(context)
         except RuntimeError as error:  # one of the operators it calls refused
             _discard(context.window, previous)
-            self.report({"ERROR"}, tr("The demo scene could not be finished: {error}").format(error=error))
-            return {"CANCELLED"}
+            raise Refused(tr("The demo scene could not be finished: {error}").format(error=error)) from error
         self.report({"INFO"}, tr("Built {scene}").format(scene=scene.name))
-        return {"FINISHED"}
 
 
 def _discard(window, previous):

@@ -1,7 +1,7 @@
 """Inverse kinematics: chains of bones that reach for targets, with weights, poles, limits, softness and stretch."""
 
 from ..core.system import System
-from . import groups, operators, overlay, panel, presets, properties, solve, tools_panel
+from . import groups, operators, overlay, panel, presets, properties, solve
 from .checking import operators as checking_operators
 from .dragging import operators as dragging_operators
 from .matching import operators as matching_operators
@@ -16,7 +16,6 @@ SYSTEM = System(
         *properties.classes, *operators.classes,
         *presets.classes, *panel.classes,
         *matching_operators.classes, *switching_operators.classes, *dragging_operators.classes, *checking_operators.classes,
-        *tools_panel.classes,  # sub-panels
     ),
     solve=solve.solve,
     problems=solve.PROBLEMS,

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from ..core import dependencies, rigs
+from ..core.entries import unwired
 from ..core.system import BonesOwn, Entry, Group, Member, Transform
 from . import chains
 
@@ -54,7 +55,7 @@ def groups(owner):
 
 def bone_renamed(owner, rig, old, new):
     """Let the entries follow a bone that was given another name. The wiring wires the rig again by itself."""
-    with owner.motus.ik.unwired() as settings:
+    with unwired(owner.motus.ik) as settings:
         for entry in settings.entries:
             if rig == owner and entry.name == old:
                 entry.name = new

@@ -2,38 +2,24 @@
 
 import bpy
 
-from ..core import wiring
+from ..core import operators, wiring
 from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
+from ..core.rows import Rows
 from ..core.translations import tr
-from . import setup, status, targets
+from . import rows, setup, status, targets
 from .goals import placing
 from .properties import KEYWORDS, IkKeywords
 from .switching import blend_keys, blend_trigger
 
 
-def in_a_mode_of_objects(cls, context):
-    """poll: in the other modes Blender refuses changes of constraints, and an armature's bones are being edited."""
-    if context.mode in {'OBJECT', 'POSE'}:
-        return True
-    cls.poll_message_set(tr("Go to Object Mode or Pose Mode first"))
-    return False
+class OfARig(operators.OfARig):
+    """What all these operators have."""
 
-
-def refused(operator, refusal):
-    """Report why nothing was done."""
-    operator.report({'ERROR'}, str(refusal))
-    return {'CANCELLED'}
-
-
-class OfARig:
-    """The keyword that all these operators have."""
-
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
+    rig_with = staticmethod(targets.rig_with_ik)
 
 
 class OfABone(OfARig):
-    """And the one that those of one chain have."""
+    """And the last bone of a chain, for operators that change it."""
 
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the last bone of the chain; empty takes the active one",
@@ -62,26 +48,29 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         name="Keep Rotation", description="Set the rotation offset so that the target's orientation means that of the "
         "bone as it stands now", default=True, options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
+    redo = rows.ADDING
+    for_scripts = ("hinge_angle", "target_blend", "is_muted")
 
-    def execute(self, context):
-        try:
-            rig, entry, chain = self._add(context)
-        except Refused as refusal:
-            return refused(self, refusal)
+    @classmethod
+    def check_offer(cls, context):
+        rig = targets.rig_for(context, "")
+        targets.bone_for(context, rig, "")
+        targets.check_editable(rig)
+
+    def run(self, context):
+        rig, entry, chain = self._add(context)
         target = f"{entry.target.name}: {entry.target_bone}" if entry.target_bone else entry.target.name
         self.report({'INFO'}, tr("{bone} of {object} reaches for {target}").format(
             bone=entry.name, object=rig.name, target=target))
         context.view_layer.update()
         for sentence in targets.warnings(rig, chain, entry.chain_length) + status.warnings(context, rig, entry):
             self.report({'WARNING'}, sentence)
-        return {'FINISHED'}
 
     def _add(self, context):
         rig = targets.rig_for(context, self.object)
         bone = targets.bone_for(context, rig, self.bone)
         targets.check_editable(rig)
-        changes = {name: getattr(self, name) for name in KEYWORDS if self._is_given(name)}
+        changes = self.given(KEYWORDS)
         check_finite(self, changes)
         before = rig.motus.ik.entries.get(bone)
         chain = targets.chain_for(rig, bone, *(
@@ -116,9 +105,6 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         with setup.at_once(rig):
             entry.pole = placing.new_pole(context, rig, entry, turned)
 
-    def _is_given(self, name):
-        return self.properties.is_property_set(name)
-
     def _keeps_rotation(self, changes):
         return self.keep_rotation and "rotation_offset" not in changes
 
@@ -129,7 +115,7 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         if target is None and before and before.target:
             target = before.target, before.target_bone
         pole = targets.goal_for(context, self.pole, self.pole_bone)
-        if pole is None and before and before.pole and not self._is_given("pole"):
+        if pole is None and before and before.pole and not self.is_given("pole"):
             pole = before.pole, before.pole_bone
         return target, pole
 
@@ -138,7 +124,6 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
     bl_idname = "motus.ik_remove"
     bl_label = "Remove Inverse Kinematics"
     bl_description = "Leave chains to their own animation again"
-    bl_options = {'REGISTER', 'UNDO'}
 
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object",
@@ -146,47 +131,34 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
     remove_controls: bpy.props.BoolProperty(
         name="Remove Controls", description="Delete the targets and poles too that were made along with the chains",
         default=False, options={'SKIP_SAVE'})
+    redo = (Rows(("remove_controls",)),)
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        try:
-            rig = targets.rig_with_ik(context, self.object)
-            targets.check_editable(rig)
-            indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
-            targets.check_removable(rig, indices)
-            check_no_tweak_mode(rig)
-        except Refused as refusal:
-            return refused(self, refusal)
+    def run(self, context):
+        rig = targets.rig_with_ik(context, self.object)
+        targets.check_editable(rig)
+        indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
+        targets.check_removable(rig, indices)
+        check_no_tweak_mode(rig)
         names = [rig.motus.ik.entries[index].name for index in indices]
         setup.remove(rig, indices, self.remove_controls)
         self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(names)))
-        return {'FINISHED'}
 
 
 class MOTUS_OT_ik_refresh(OfARig, bpy.types.Operator):
     bl_idname = "motus.ik_refresh"
     bl_label = "Refresh"
     bl_description = "Wire the rig again, after its bones or what moves the targets were changed"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        try:
-            rig = targets.rig_with_ik(context, self.object)
-            check_local(rig)
-        except Refused as refusal:
-            return refused(self, refusal)
+    def run(self, context):
+        rig = targets.rig_with_ik(context, self.object)
+        check_local(rig)
         wiring.refresh(setup.system(), rig)
-        return {'FINISHED'}
 
 
 class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
     bl_idname = "motus.ik_target_add"
     bl_label = "Add Target"
     bl_description = "Give the chain a further target, which Blend passes to"
-    bl_options = {'REGISTER', 'UNDO'}
 
     target: bpy.props.StringProperty(
         name="Target", description="Name of the object; empty takes what is selected along with the bone",
@@ -194,57 +166,44 @@ class MOTUS_OT_ik_target_add(OfABone, bpy.types.Operator):
     target_bone: bpy.props.StringProperty(
         name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        try:
-            rig = targets.rig_with_ik(context, self.object)
-            targets.check_editable(rig)
-            entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
-            goal = targets.goal_for(context, self.target, self.target_bone, rig)
-            if goal:
-                changes = {"target": goal[0], "target_bone": goal[1]}
-                targets.check_no_loop(rig, entry.name, changes, goal)
-        except Refused as refusal:
-            return refused(self, refusal)
+    def run(self, context):
+        rig = targets.rig_with_ik(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
+        goal = targets.goal_for(context, self.target, self.target_bone, rig)
+        if goal:
+            changes = {"target": goal[0], "target_bone": goal[1]}
+            targets.check_no_loop(rig, entry.name, changes, goal)
         with setup.at_once(rig):
             extra = entry.extra_targets.add()
             if goal:  # else the user chooses it in the list
                 extra.object, extra.bone = goal
             entry.active_extra_target = len(entry.extra_targets) - 1
-        return {'FINISHED'}
 
 
 class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
     bl_idname = "motus.ik_target_remove"
     bl_label = "Remove Target"
     bl_description = "Take a further target off the chain"
-    bl_options = {'REGISTER', 'UNDO'}
 
     index: bpy.props.IntProperty(
         name="Index", description="Which of the further targets; -1 is the active one", default=-1, min=-1,
         options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        try:
-            rig = targets.rig_with_ik(context, self.object)
-            targets.check_editable(rig)
-            entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
-            index = entry.active_extra_target if self.index < 0 else self.index
-            if index >= len(entry.extra_targets):
-                raise Refused(tr("There is no such target"))
-            targets.check_target_removable(rig, entry, index)
-            check_no_tweak_mode(rig)
-        except Refused as refusal:
-            return refused(self, refusal)
+    def run(self, context):
+        rig = targets.rig_with_ik(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
+        index = entry.active_extra_target if self.index < 0 else self.index
+        if index >= len(entry.extra_targets):
+            raise Refused(tr("There is no such target"))
+        targets.check_target_removable(rig, entry, index)
+        check_no_tweak_mode(rig)
         with setup.at_once(rig):
             blend_keys.take_out(rig, entry, index + 1)
             blend_trigger.take_out(rig, entry, index + 1)
             entry.extra_targets.remove(index)
             entry.active_extra_target = max(0, min(entry.active_extra_target, len(entry.extra_targets) - 1))
-        return {'FINISHED'}
 
 
 classes = (

@@ -6,7 +6,7 @@ from mathutils import Quaternion
 
 from ..core import deleted
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch
+from ..core.overlay import Batch, Overlay, Switch
 from . import chains, status
 from .goals import controls, placing
 from .goals import places as goal_places
@@ -20,7 +20,7 @@ POLE_COLOR = (0.30, 0.75, 1.0, 0.8)
 RESIDUAL_COLOR = (0.95, 0.25, 0.30, 1.0)
 
 
-def overlay(context, owner):
+def _batches(context, owner):
     """Batches for the chains of a rig; the circles only for the one that the panel shows."""
     if owner.type != 'ARMATURE' or not owner.motus.ik.is_active:
         return []
@@ -97,3 +97,9 @@ def _circle(centre, normal, radius, color, width):
 
 def _lines(points, color, width):
     return Batch('LINES', np.array(points, dtype=np.float32), color, width)
+
+
+overlay = Overlay(_batches, (
+    Switch("show_reach", "Reach", "Draw how far a chain reaches, and how near"),
+    Switch("show_pole", "Pole", "Draw the line from the middle of a chain to its pole"),
+    Switch("show_residual", "Residual", "Draw what is left between the end of a chain and its target")))

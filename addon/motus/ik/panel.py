@@ -1,38 +1,21 @@
-"""Panels of inverse kinematics: the sidebar's tab and the bone's constraint properties draw the same parts."""
+"""The panel of inverse kinematics, in the sidebar's tab and in the bone's constraint properties."""
 
 import bpy
 
-from ..core import native, ui
-from ..core.translations import OWN_SENSE
-from . import limits_panel, presets, status
+from ..core import panels, ui
+from . import limits_panel, presets, rows, status, tools_panel
 from .setup import system
-
-
-def shown_entry(context):
-    """The entry that the panels are about, or None."""
-    rig = context.object
-    if native.module is None or rig is None or rig.type != 'ARMATURE':
-        return None
-    settings = rig.motus.ik
-    index = settings.active_entry
-    return settings.entries[index] if 0 <= index < len(settings.entries) else None
+from .shown import shown_entry
 
 
 def draw_main(layout, context):
-    """The rig's chains, buttons, and what is wrong."""
-    if not ui.draw_native_status(layout):
-        return
-    rig = context.object
-    settings = rig.motus.ik
-    entry = shown_entry(context)
+    """The rig's chains, what is wrong, and the bones of the active one."""
+    rig, entry = context.object, shown_entry(context)
     if entry is None:
-        _draw_add(layout, context, rig)
         return
-    row = layout.row()
-    row.template_list("MOTUS_UL_ik_entries", "", settings, "entries", settings, "active_entry", rows=3)
-    buttons = row.column(align=True)
-    buttons.operator("motus.ik_add", text="", icon='ADD')
-    remove = buttons.operator("motus.ik_remove", text="", icon='REMOVE')
+    settings = rig.motus.ik
+    _, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_ik_entries", settings, "entries", "active_entry", "motus.ik_add", "motus.ik_remove")
     remove.object, remove.bone = rig.name, entry.name
     icon, sentence = status.sentence(context, rig, entry)
     if sentence:
@@ -41,24 +24,24 @@ def draw_main(layout, context):
         ui.draw_problem(layout, context, system(), rig)
     column = ui.split(layout)
     column.prop_search(entry, "name", rig.data, "bones", text="Bone")
-    column.prop(entry, "chain_length", text="Length")
-    column.prop(entry, "use_tail")
+    rows.CHAIN.draw(column, entry)
     column.prop(settings, "influence", slider=True)
-    ui.draw_bake(layout, system(), rig)
-    column = layout.column(align=True)
-    column.operator("motus.ik_refresh", icon='FILE_REFRESH')
-    everything = column.operator("motus.ik_remove", text="Remove All", icon='X')
-    everything.object = rig.name
 
 
-def _draw_add(layout, context, rig):
-    active = rig.data.bones.active
-    if active is None or context.mode not in {'POSE', 'OBJECT'}:
-        layout.label(text="Select a bone in Pose Mode", icon='INFO')
-        return
-    layout.label(text=active.name, icon='BONE_DATA', translate=False)
+def draw_actions(layout, context):
+    """Baking and removing."""
     column = layout.column(align=True)
-    column.operator("motus.ik_add", text="Add", icon='CON_KINEMATIC')
+    ui.draw_bake(column, system())
+    column.operator("motus.ik_remove", text="Remove All", icon='X').object = context.object.name
+
+
+def draw_add(layout, context):
+    """The bone that a chain would end with, and the buttons that add it."""
+    active = context.object.data.bones.active
+    column = layout.column(align=True)
+    if active:
+        column.label(text=active.name, icon='BONE_DATA', translate=False)
+    column.operator("motus.ik_add", icon='CON_KINEMATIC')
     column.operator("motus.ik_add", text="Add with a Pole", icon='EMPTY_AXIS').make_pole = True
 
 
@@ -74,14 +57,13 @@ def draw_target(layout, context):
     """What the chain goes to, and what else it can go to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
-    ui.split(layout).prop(entry, "rotation_offset", text="Offset", text_ctxt=OWN_SENSE)
+    rows.OFFSET.draw(ui.split(layout), entry)
     layout.use_property_split = False
     layout.label(text="Further Targets")
-    row = layout.row()
-    row.template_list("MOTUS_UL_ik_targets", "", entry, "extra_targets", entry, "active_extra_target", rows=2)
-    buttons = row.column(align=True)
-    for operator, icon in (("motus.ik_target_add", 'ADD'), ("motus.ik_target_remove", 'REMOVE')):
-        button = buttons.operator(operator, text="", icon=icon)
+    add, remove, _ = ui.draw_list(
+        layout, "MOTUS_UL_ik_targets", entry, "extra_targets", "active_extra_target", "motus.ik_target_add",
+        "motus.ik_target_remove", rows=2)
+    for button in (add, remove):
         button.object, button.bone = context.object.name, entry.name
     if not entry.extra_targets:
         return
@@ -94,49 +76,27 @@ def draw_pole(layout, context):
     """Where the chain bends to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "pole", "pole_bone")
-    column = ui.split(layout)
-    if entry.pole:
-        column.prop(entry, "bend")
-    column.prop(entry, "pole_angle")
-    column.prop(entry, "hinge_angle")
+    rows.POLE.draw(ui.split(layout), entry)
 
 
-def draw_reach(layout, context):
-    """Softness and stretch, and how far the chain reaches."""
+def _draw_rows(group):
+    """A part that draws these rows of the shown entry."""
+    return lambda layout, context: group.draw(ui.split(layout), shown_entry(context))
+
+
+def draw_readouts(layout, context):
+    """How far the chain reaches, and what is left."""
     entry = shown_entry(context)
-    column = ui.split(layout)
-    column.prop(entry, "softness", slider=True)
-    column.prop(entry, "stretch", slider=True)
     report = status.report(context.object, entry.name, context.view_layer.depsgraph)
     if report is None or report.reason < 0.0:
         return
-    grid = layout.box().grid_flow(columns=2, row_major=True, align=True)
-    _draw_number(grid, status.length(context, report.reach), text="Reach")
-    _draw_number(grid, status.length(context, report.distance), text="Distance")
-    _draw_number(grid, status.length(context, report.residual), text="Residual")
+    found = [
+        ui.Readout(text="Reach", value=ui.length(context, report.reach)),
+        ui.Readout(text="Distance", value=ui.length(context, report.distance)),
+        ui.Readout(text="Residual", value=ui.length(context, report.residual))]
     if entry.rotation_weight > 0.0:
-        _draw_number(grid, status.angle(report.angle), text="Angle Left")
-
-
-def _draw_number(grid, value, text):
-    grid.label(text=text)
-    grid.label(text=value, translate=False)
-
-
-def draw_weights(layout, context):
-    """Between animation and solution."""
-    entry = shown_entry(context)
-    column = ui.split(layout)
-    column.prop(entry, "position_weight", slider=True)
-    column.prop(entry, "rotation_weight", slider=True)
-
-
-def draw_precision(layout, context):
-    """When the search stops."""
-    entry = shown_entry(context)
-    column = ui.split(layout)
-    column.prop(entry, "tolerance")
-    column.prop(entry, "iterations")
+        found.append(ui.Readout(text="Angle Left", value=status.angle(report.angle)))
+    ui.draw_readouts(layout, found)
 
 
 class MOTUS_UL_ik_entries(bpy.types.UIList):
@@ -155,88 +115,26 @@ class MOTUS_UL_ik_targets(bpy.types.UIList):
         layout.label(text=f"{index + 1}  {name}  {extra.bone}", translate=False)
 
 
-class _Main:
-    bl_label = "Inverse Kinematics"
-
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and context.object.type == 'ARMATURE'
-
-    def draw_header_preset(self, context):
-        if shown_entry(context):
-            presets.PANEL.draw_panel_header(self.layout)
-
-    def draw(self, context):
-        draw_main(self.layout, context)
+def _draw_limits(layout, context):
+    limits_panel.draw(layout, context, shown_entry(context))
 
 
-class _Part:
-    bl_options = {'DEFAULT_CLOSED'}
+PANEL = panels.SystemPanel(
+    name="ik", prefix="MOTUS_PT_ik", label="Inverse Kinematics",
+    editors={"": ui.Sidebar, "_constraint": ui.BoneConstraints},
+    suits=lambda obj: obj.type == 'ARMATURE',
+    is_used=lambda rig: len(rig.motus.ik.entries) > 0,
+    draw=draw_main,
+    parts=(
+        panels.Part("target", "Target", draw_target, is_open=True),
+        panels.Part("weights", "Weights", _draw_rows(rows.WEIGHTS), is_open=True),
+        panels.Part("pole", "Pole", draw_pole),
+        panels.Part("reach", "Reach", _draw_rows(rows.REACH)),
+        panels.Part("limits", "Limits", _draw_limits, draw_header=lambda layout, context: layout.prop(
+            shown_entry(context), "use_limits", text="")),
+        panels.Part("precision", "Precision", _draw_rows(rows.PRECISION)),
+        panels.Part("tools", "Tools", tools_panel.draw, is_open=True, is_action=True),
+    ),
+    readouts=draw_readouts, actions=draw_actions, refresh="motus.ik_refresh", presets=presets.PANEL, draw_add=draw_add)
 
-    @classmethod
-    def poll(cls, context):
-        return shown_entry(context) is not None
-
-    def draw(self, context):
-        type(self).draw_part(self.layout, context)
-
-
-class _Target(_Part):
-    bl_label = "Target"
-    bl_options = set()
-    draw_part = staticmethod(draw_target)
-
-
-class _Weights(_Part):
-    bl_label = "Weights"
-    bl_options = set()
-    draw_part = staticmethod(draw_weights)
-
-
-class _Pole(_Part):
-    bl_label = "Pole"
-    draw_part = staticmethod(draw_pole)
-
-
-class _Reach(_Part):
-    bl_label = "Reach"
-    draw_part = staticmethod(draw_reach)
-
-
-class _Limits(_Part):
-    bl_label = "Limits"
-    draw_part = staticmethod(lambda layout, context: limits_panel.draw(layout, context, shown_entry(context)))
-
-    def draw_header(self, context):
-        self.layout.prop(shown_entry(context), "use_limits", text="")
-
-
-class _Precision(_Part):
-    bl_label = "Precision"
-    draw_part = staticmethod(draw_precision)
-
-
-_PARTS = {"target": _Target, "weights": _Weights, "pole": _Pole, "reach": _Reach, "limits": _Limits,
-          "precision": _Precision}
-
-
-class MOTUS_PT_ik(_Main, ui.Sidebar, bpy.types.Panel):
-    pass
-
-
-class MOTUS_PT_ik_constraint(_Main, ui.BoneConstraints, bpy.types.Panel):
-    pass
-
-
-def _parts(parent, editor):
-    """A sub-panel of each part for one of the editors."""
-    return [type(f"{parent}_{name}", (part, editor, bpy.types.Panel), {"bl_parent_id": parent, "__module__": __name__})
-            for name, part in _PARTS.items()]
-
-
-classes = (
-    MOTUS_UL_ik_entries, MOTUS_UL_ik_targets,
-    # Panels before their sub-panels.
-    MOTUS_PT_ik, *_parts("MOTUS_PT_ik", ui.Sidebar),
-    MOTUS_PT_ik_constraint, *_parts("MOTUS_PT_ik_constraint", ui.BoneConstraints),
-)
+classes = (MOTUS_UL_ik_entries, MOTUS_UL_ik_targets, *panels.classes(PANEL))

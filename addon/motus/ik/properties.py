@@ -1,17 +1,13 @@
 """Settings of inverse kinematics: Object.motus.ik, with an entry for each chain."""
 
 import math
-from contextlib import contextmanager
 
 import bpy
 
-from ..core.settings import SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import chains
 from .checking import results as check_results
 
-ANIMATED = {'ANIMATABLE'}
-OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
-EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
 LONGEST_CHAIN = 255
 
 BENDS = (
@@ -20,31 +16,20 @@ BENDS = (
 )
 
 
-def _touch(item, context):
-    # Operators have the same properties, and nothing to evaluate.
-    if isinstance(item, bpy.types.PropertyGroup):
-        touch(item.id_data.motus.ik, context)
-
-
-def _rewire(item, context):
-    if isinstance(item, bpy.types.PropertyGroup):
-        rewire(item.id_data.motus.ik, context)
-
-
 def _change_stretch(item, context):
     # A chain that cannot stretch needs fewer drivers, so the step from 0 wires the rig again.
     if isinstance(item, bpy.types.PropertyGroup) and item.is_elastic != (item.stretch > 0.0):
         item.is_elastic = item.stretch > 0.0
-        _rewire(item, context)
-    _touch(item, context)
+        rewire(item, context)
+    touch(item, context)
 
 
 # What is read when the rig is wired, not at every frame.
-_WIRED = {"update": _rewire, "options": set()}
+_WIRED = {"update": rewire, "options": set()}
 
 
 def _number(name, description, default, **options):
-    options = {"update": _touch, "options": ANIMATED, **options}
+    options = {"update": touch, "options": ANIMATED, **options}
     return bpy.props.FloatProperty(
         name=name, description=description, default=default, override=OVERRIDABLE, **options)
 
@@ -59,12 +44,12 @@ def _angle(name, description, **options):
 
 def _object(name, description):
     return bpy.props.PointerProperty(
-        type=bpy.types.Object, name=name, description=description, update=_rewire, override=OVERRIDABLE)
+        type=bpy.types.Object, name=name, description=description, update=rewire, override=OVERRIDABLE)
 
 
 def _bone(description):
     return bpy.props.StringProperty(
-        name="Bone", description=description, update=_rewire, options=set(), override=OVERRIDABLE)
+        name="Bone", description=description, update=rewire, options=set(), override=OVERRIDABLE)
 
 
 class IkKeywords:
@@ -72,13 +57,13 @@ class IkKeywords:
 
     chain_length: bpy.props.IntProperty(
         name="Chain Length", description="Bones in the chain, counted upwards; 0 takes all of them up to the root",
-        default=2, min=0, max=LONGEST_CHAIN, update=_rewire, options=ANIMATED, override=OVERRIDABLE)
+        default=2, min=0, max=LONGEST_CHAIN, update=rewire, options=ANIMATED, override=OVERRIDABLE)
     use_tail: bpy.props.BoolProperty(
         name="Use Tail", description="The bone's tail goes to the target; off, its head does, and the chain ends with "
-        "the bone above it", default=True, update=_rewire, options=set(), override=OVERRIDABLE)
+        "the bone above it", default=True, update=rewire, options=set(), override=OVERRIDABLE)
     bend: bpy.props.EnumProperty(
         name="Bend", description="Which side of the line from root to target the chain bends to", items=BENDS,
-        default='TOWARDS', override=OVERRIDABLE, update=_touch, options=ANIMATED)
+        default='TOWARDS', override=OVERRIDABLE, update=touch, options=ANIMATED)
     pole_angle: _angle("Pole Angle", "Turns the chain about the line from its root to the target")
     hinge_angle: _angle(
         "Bend Axis", "Direction about the first bone's length, from its X axis, about which the chain bends where the "
@@ -88,14 +73,14 @@ class IkKeywords:
     stretch: _factor("Stretch", "How much of what is missing the bones lengthen by", 0.0, update=_change_stretch)
     use_limits: bpy.props.BoolProperty(
         name="Use Limits", description="Keep the limits that the bones have for inverse kinematics", default=False,
-        override=OVERRIDABLE, update=_touch, options=ANIMATED)
+        override=OVERRIDABLE, update=touch, options=ANIMATED)
     position_weight: _factor(
         "Position", "From the animated pose (0) to the one that reaches the target (1)", 1.0)
     rotation_weight: _factor(
         "Rotation", "How far the last bone takes the target's orientation; the rest of the chain still reaches", 0.0)
     rotation_offset: bpy.props.FloatVectorProperty(
         name="Offset", description="Turns the orientation that is taken, in the target's own space", size=3,
-        subtype='EULER', update=_touch, options=ANIMATED, override=OVERRIDABLE)
+        subtype='EULER', update=touch, options=ANIMATED, override=OVERRIDABLE)
     target_blend: _number(
         "Blend", "0 is the target, 1 the first of the further targets, and between them the way from one to the other",
         0.0, min=0.0, soft_max=4.0)
@@ -106,7 +91,7 @@ class IkKeywords:
         name="Iterations", description="When the search of a chain of more than two bones gives up", default=100, min=1,
         max=10000, soft_max=500, override=OVERRIDABLE, **_WIRED)
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Leave this chain to its animation", default=False, update=_touch, options=ANIMATED,
+        name="Mute", description="Leave this chain to its animation", default=False, update=touch, options=ANIMATED,
         override=OVERRIDABLE)
 
 
@@ -120,7 +105,7 @@ class MOTUS_PG_ik_target(bpy.types.PropertyGroup):
 
 class MOTUS_PG_ik_entry(IkKeywords, check_results.CheckResults, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Bone", description="Bone at the end of the chain", update=_rewire, override=OVERRIDABLE)
+        name="Bone", description="Bone at the end of the chain", update=rewire, override=OVERRIDABLE)
     target: _object("Target", "What the end of the chain goes to")
     target_bone: _bone("Bone of the target; empty takes its origin")
     extra_targets: bpy.props.CollectionProperty(
@@ -150,19 +135,10 @@ def _set_active(settings, index):
 class MOTUS_PG_ik(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
         name="Influence", description="How much all chains of the rig act; 0 leaves it to its animation", default=1.0,
-        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=_touch)
+        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=touch)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_ik_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Chain", options={'HIDDEN'})
     active_entry: bpy.props.IntProperty(name="Active Chain", options={'SKIP_SAVE'}, get=_get_active, set=_set_active)
-
-    @contextmanager
-    def unwired(self):
-        """Changes within do not wire the rig again, each by itself."""
-        was_active, self.is_active = self.is_active, False
-        try:
-            yield self
-        finally:
-            self.is_active = was_active
 
 
 classes = (MOTUS_PG_ik_target, MOTUS_PG_ik_entry, MOTUS_PG_ik)

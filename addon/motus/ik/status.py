@@ -3,10 +3,9 @@
 import math
 from typing import NamedTuple
 
-import bpy
-
 from ..core import deleted, dependencies, native, wiring
 from ..core.translations import tr
+from ..core.ui import length
 from . import chains, reasons
 from .goals import stations
 from .goals import places as goal_places
@@ -212,13 +211,6 @@ def warnings(context, owner, entry):
         return []
     _, text = sentence(context, owner, entry)
     return [text] if text else []
-
-
-def length(context, value):
-    """A length in the scene's units."""
-    units = context.scene.unit_settings
-    name = 'METRIC' if units.system == 'NONE' else units.system
-    return bpy.utils.units.to_string(name, 'LENGTH', value * units.scale_length, precision=4)
 
 
 def angle(value):

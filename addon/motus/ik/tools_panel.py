@@ -1,12 +1,10 @@
-"""The sub-panel with the tools of inverse kinematics, in the sidebar and in the bone's constraint properties."""
-
-import bpy
+"""The tools of inverse kinematics, as its panels draw them."""
 
 from ..core import ui
 from ..core.translations import tr
 from . import status
 from .checking import results as check_results
-from .panel import shown_entry
+from .shown import shown_entry
 
 ICONS = {'NONE': 'CHECKMARK', 'ANIMATED': 'INFO'}
 """Of what a check can find, all that is no error."""
@@ -19,11 +17,9 @@ def draw(layout, context):
     column.operator("motus.ik_drag", icon='VIEW_PAN').object = rig.name
     _of_chain(column.operator("motus.ik_switch_target", icon='UV_SYNC_SELECT'), rig, entry)
     column = layout.column(align=True)
-    for name, icon in (("motus.ik_match_fk", 'CON_KINEMATIC'), ("motus.fk_match_ik", 'BONE_DATA')):
-        row = column.split(factor=0.75, align=True)
-        _of_chain(row.operator(name, icon=icon), rig, entry).use_range = True
-        _of_chain(row.operator(name, text="Frame"), rig, entry).use_range = False
-    _of_chain(layout.operator("motus.ik_check", icon='VIEWZOOM'), rig, entry)
+    for name, icon in (("motus.ik_match_fk", 'CON_KINEMATIC'), ("motus.fk_match_ik", 'BONE_DATA'),
+                       ("motus.ik_check", 'VIEWZOOM')):
+        _of_chain(column.operator(name, icon=icon), rig, entry)
     sentence = check_results.sentence(entry, lambda value: status.length(context, value))
     if sentence and is_outdated(context, rig, entry):
         ui.draw_message(layout, tr("Something has changed since the last check: check again"), 'INFO')
@@ -44,25 +40,3 @@ def is_outdated(context, rig, entry):
 def _of_chain(button, rig, entry):
     button.object, button.bone = rig.name, entry.name
     return button
-
-
-class _Tools:
-    bl_label = "Tools"
-
-    @classmethod
-    def poll(cls, context):
-        return shown_entry(context) is not None
-
-    def draw(self, context):
-        draw(self.layout, context)
-
-
-class MOTUS_PT_ik_tools(_Tools, ui.Sidebar, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_ik"
-
-
-class MOTUS_PT_ik_constraint_tools(_Tools, ui.BoneConstraints, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_ik_constraint"
-
-
-classes = (MOTUS_PT_ik_tools, MOTUS_PT_ik_constraint_tools)

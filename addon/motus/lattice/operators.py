@@ -2,8 +2,9 @@
 
 import bpy
 
-from ..core import native
+from ..core.operators import OBJECT_MODE, OBJECT_OR_EDIT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, named
+from ..core.rows import Rows
 from ..core.translations import tr
 from . import fitting, pulling, removal, targets
 from .properties import FitKeywords
@@ -11,7 +12,7 @@ from .properties import FitKeywords
 KEYWORDS = tuple(FitKeywords.__annotations__)
 
 
-class MOTUS_OT_lattice_fit(FitKeywords, bpy.types.Operator):
+class MOTUS_OT_lattice_fit(Operator, FitKeywords, bpy.types.Operator):
     bl_idname = "motus.lattice_fit"
     bl_label = "Fit Lattice"
     bl_description = ("Lay a lattice around the selected objects, or the selected vertices in Edit Mode, and let it "
@@ -25,29 +26,24 @@ class MOTUS_OT_lattice_fit(FitKeywords, bpy.types.Operator):
         name="Vertex Group", description="Deform only the vertices of the vertex group of this name",
         options={'SKIP_SAVE'})
 
-    @classmethod
-    def poll(cls, context):
-        if native.module is None:
-            cls.poll_message_set(native.status.sentence)
-            return False
-        if context.mode not in {'OBJECT', 'EDIT_MESH'}:
-            cls.poll_message_set(tr("Go to Object Mode, or to Edit Mode of a mesh"))
-            return False
-        return True
+    modes = OBJECT_OR_EDIT_MODE
+    needs_native = True
+    redo = (Rows(KEYWORDS),)
 
-    def execute(self, context):
-        try:
-            lattice, objects = self._fit(context)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    @classmethod
+    def check_offer(cls, context):
+        if context.mode != 'EDIT_MESH':
+            for obj in _any(targets.objects_for(context, "")):
+                targets.check_fittable(obj)
+
+    def run(self, context):
+        lattice, objects = self._fit(context)
         for obj in context.selected_objects:
             obj.select_set(False)
         lattice.select_set(True)
         context.view_layer.objects.active = lattice
         self.report({'INFO'}, tr("{lattice} deforms {objects}").format(
             lattice=lattice.name, objects=", ".join(obj.name for obj in objects)))
-        return {'FINISHED'}
 
     def _fit(self, context):
         check_finite(self, ("margin",))
@@ -58,9 +54,7 @@ class MOTUS_OT_lattice_fit(FitKeywords, bpy.types.Operator):
         else:
             objects = targets.objects_for(context, self.objects)
             vertices = targets.group_vertices(objects, self.vertex_group) if self.vertex_group else {}
-        if not objects:
-            raise Refused(tr("Select a mesh, a curve, a surface, a text or a lattice"))
-        for obj in objects:
+        for obj in _any(objects):
             targets.check_fittable(obj)
             if vertices:
                 targets.check_grouped(obj)
@@ -76,11 +70,16 @@ class MOTUS_OT_lattice_fit(FitKeywords, bpy.types.Operator):
             raise
 
 
-class MOTUS_OT_lattice_remove(bpy.types.Operator):
+def _any(objects):
+    if not objects:
+        raise Refused(tr("Select a mesh, a curve, a surface, a text or a lattice"))
+    return objects
+
+
+class MOTUS_OT_lattice_remove(Operator, bpy.types.Operator):
     bl_idname = "motus.lattice_remove"
     bl_label = "Remove Lattice"
     bl_description = "Take fitted lattices off again: the objects are as they were before, or keep the deformation"
-    bl_options = {'REGISTER', 'UNDO'}
 
     objects: bpy.props.StringProperty(
         name="Objects", options={'SKIP_SAVE'},
@@ -91,47 +90,45 @@ class MOTUS_OT_lattice_remove(bpy.types.Operator):
     use_apply: bpy.props.BoolProperty(
         name="Apply", description="Keep the deformation", options={'SKIP_SAVE'})
 
-    poll = classmethod(pulling.in_object_mode)
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows(("use_apply",)),)
 
-    def execute(self, context):
-        try:
-            uses = removal.uses_for(targets.objects_for(context, self.objects))
-            if self.modifier:
-                uses = [use for use in uses if use[1] == self.modifier]
-            if not uses:
-                raise Refused(tr("Nothing here has a lattice that Motus has fitted"))
-            removal.check_removable(uses, self.use_apply)
-            names = ", ".join(obj.name for obj, _ in uses)
-            removal.remove(context, uses, self.use_apply)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    @classmethod
+    def check_offer(cls, context):
+        _fitted(context)
+
+    def run(self, context):
+        uses = _fitted(context, self.objects, self.modifier)
+        removal.check_removable(uses, self.use_apply)
+        names = ", ".join(obj.name for obj, _ in uses)
+        removal.remove(context, uses, self.use_apply)
         self.report({'INFO'}, tr("{objects} without a lattice").format(objects=names))
-        return {'FINISHED'}
 
 
-class MOTUS_OT_lattice_reset(bpy.types.Operator):
+def _fitted(context, names="", modifier=""):
+    """(object, modifier) of the lattices that Motus has fitted. Raises Refused where there is none."""
+    uses = [use for use in removal.uses_for(targets.objects_for(context, names)) if modifier in {"", use[1]}]
+    if not uses:
+        raise Refused(tr("Nothing here has a lattice that Motus has fitted"))
+    return uses
+
+
+class MOTUS_OT_lattice_reset(Operator, bpy.types.Operator):
     bl_idname = "motus.lattice_reset"
     bl_label = "Reset Lattice"
     bl_description = "Put the lattice's points back to where they deform nothing"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the lattice; empty takes the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the lattice; empty takes the active one")
+    modes = OBJECT_MODE
+    needs_native = True
 
-    poll = classmethod(pulling.in_object_mode)
-
-    def execute(self, context):
-        try:
-            lattice = named(self.object) if self.object else context.object
-            if lattice is None or lattice.type != 'LATTICE':
-                raise Refused(tr("Select a lattice"))
-            pulling.check_pullable(lattice)
-            removal.reset(lattice)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
-        return {'FINISHED'}
+    def run(self, context):
+        lattice = named(self.object) if self.object else context.object
+        if lattice is None or lattice.type != 'LATTICE':
+            raise Refused(tr("Select a lattice"))
+        pulling.check_pullable(lattice)
+        removal.reset(lattice)
 
 
 classes = (MOTUS_OT_lattice_fit, MOTUS_OT_lattice_remove, MOTUS_OT_lattice_reset)

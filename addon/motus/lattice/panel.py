@@ -1,8 +1,6 @@
-"""Panels of lattices: the sidebar's tab and the object's properties draw the same parts."""
+"""The panel of lattices, in the sidebar's tab and in the object's own properties."""
 
-import bpy
-
-from ..core import ui
+from ..core import panels, ui
 from ..core.translations import tr
 from . import removal, targets
 
@@ -17,14 +15,19 @@ class ObjectProperties:
 
 def draw_main(layout, context):
     """The lattices that deform the object, or what the lattice itself does."""
-    if not ui.draw_native_status(layout):
-        return
     obj = context.object
     if obj.type == 'LATTICE':
         _draw_lattice(layout, obj)
-    for modifier in obj.modifiers:
-        if modifier.type == 'LATTICE' and modifier.object:
-            _draw_modifier(layout, obj, modifier)
+    for modifier in _modifiers(obj):
+        _draw_modifier(layout, obj, modifier)
+
+
+def _modifiers(obj):
+    return [modifier for modifier in obj.modifiers if modifier.type == 'LATTICE' and modifier.object]
+
+
+def draw_actions(layout, _context):
+    """Fitting one more."""
     layout.operator("motus.lattice_fit", icon='OUTLINER_OB_LATTICE')
 
 
@@ -36,14 +39,13 @@ def _draw_modifier(layout, obj, modifier):
     if removal.fitted(modifier):
         remove = row.operator("motus.lattice_remove", text="", icon='X')
         remove.objects, remove.modifier = obj.name, modifier.name
-    pull = box.operator("motus.lattice_pull", icon='VIEW_PAN')
-    pull.object, pull.modifier = obj.name, modifier.name
-    column = box.column()
-    column.use_property_split = True
+    column = ui.split(box)
     column.prop(modifier, "strength", slider=True)
     if obj.type == 'MESH':
         column.prop_search(modifier, "vertex_group", obj, "vertex_groups", text="Group")
     _draw_points(column, modifier.object.data)
+    pull = box.operator("motus.lattice_pull", icon='VIEW_PAN')
+    pull.object, pull.modifier = obj.name, modifier.name
     row = box.row(align=True)
     row.operator("motus.lattice_reset", icon='LOOP_BACK').object = modifier.object.name
     if removal.fitted(modifier):
@@ -56,13 +58,12 @@ def _draw_lattice(layout, obj):
     if not users:
         ui.draw_message(layout, tr("This lattice deforms nothing"), 'INFO')
         return
-    layout.operator("motus.lattice_pull", icon='VIEW_PAN').object = obj.name
     column = layout.column(align=True)
     for user in users:
         column.label(text=user.name, icon='MODIFIER', translate=False)
-    column = layout.column()
-    column.use_property_split = True
+    column = ui.split(layout)
     _draw_points(column, obj.data)
+    layout.operator("motus.lattice_pull", icon='VIEW_PAN').object = obj.name
     row = layout.row(align=True)
     row.operator("motus.lattice_reset", icon='LOOP_BACK').object = obj.name
     if obj.motus.lattice.is_fitted:
@@ -81,24 +82,13 @@ def _draw_points(layout, data):
     layout.prop(data, "use_outside")
 
 
-class _Main:
-    bl_label = "Lattice"
-    bl_options = {'DEFAULT_CLOSED'}
+PANEL = panels.SystemPanel(
+    name="lattice", prefix="MOTUS_PT_lattice", label="Lattice",
+    editors={"": ui.Sidebar, "_object": ObjectProperties},
+    labels={"_object": "Motus Lattice"},
+    suits=lambda obj: obj.type in targets.KINDS,
+    is_used=lambda obj: obj.type == 'LATTICE' or bool(_modifiers(obj)),
+    draw=draw_main, actions=draw_actions,
+    adders=("motus.lattice_fit",))
 
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and context.object.type in targets.KINDS
-
-    def draw(self, context):
-        draw_main(self.layout, context)
-
-
-class MOTUS_PT_lattice(_Main, ui.Sidebar, bpy.types.Panel):
-    pass
-
-
-class MOTUS_PT_lattice_object(_Main, ObjectProperties, bpy.types.Panel):
-    bl_label = "Motus Lattice"
-
-
-classes = (MOTUS_PT_lattice, MOTUS_PT_lattice_object)
+classes = panels.classes(PANEL)

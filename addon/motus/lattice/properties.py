@@ -2,9 +2,7 @@
 
 import bpy
 
-from ..core.settings import SystemSettings
-
-OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
+from ..core.settings import OVERRIDABLE, SystemSettings
 
 
 class MOTUS_PG_lattice(SystemSettings, bpy.types.PropertyGroup):

@@ -5,20 +5,35 @@ from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
 from ..core.drag import PointDrag
+from ..core.operators import OBJECT_MODE, Operator
 from ..core.refusals import Refused, check_finite, named
+from ..core.rows import Row, Rows, is_given
 from ..core.translations import tr
+from ..core.ui import length
 from . import picking, pulling, removal
 
 REACHED = 1e-3
 """Share of the displacement within which the point counts as brought there."""
 
 
-class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
+def _objects(context, name=""):
+    """What is deformed by the lattice that is to be pulled."""
+    obj = named(name) if name else context.object
+    if obj is None:
+        raise Refused(tr("Select an object that a lattice deforms"))
+    if obj.type != 'LATTICE' or any(one.type == 'LATTICE' for one in obj.modifiers):
+        return [obj]
+    found = [one for one in removal.deformed_by(obj) if one.visible_get(view_layer=context.view_layer)]
+    if not found:
+        raise Refused(tr("{object} deforms nothing that is shown").format(object=obj.name))
+    return found
+
+
+class MOTUS_OT_lattice_pull(PointDrag, Operator, bpy.types.Operator):
     bl_idname = "motus.lattice_pull"
     bl_label = "Pull Lattice"
     bl_description = (
         "Take hold of any point of what a lattice deforms; the lattice's points follow so that it goes along")
-    bl_options = {'REGISTER', 'UNDO'}
 
     object: bpy.props.StringProperty(
         name="Object", options={'SKIP_SAVE'},
@@ -42,49 +57,40 @@ class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
         name="Mirror", description="Axes of the lattice across whose middle the pull is repeated", default=set(),
         options={'ENUM_FLAG'}, items=(('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", "")))
 
-    poll = classmethod(pulling.in_object_mode)
-    _refusal = Refused
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows((Row("displacement", when=is_given("displacement")),
+                  Row("mirror", expand=True))),)
 
-    def execute(self, context):
-        try:
-            held = self._held_by_name(context)
-        except Refused as refusal:
-            return self._refused(refusal)
+    @classmethod
+    def check_offer(cls, context):
+        for obj in _objects(context):
+            pulling.check_pullable(pulling.modifier_of(obj).object)
+
+    def run(self, context):
+        held = self._held_by_name(context)
         wanted = Vector(self.displacement)
         left = held.pull(wanted)
         context.view_layer.update()
         if left > REACHED * wanted.length:
-            self.report({'WARNING'}, tr("The point stays {length} away").format(length=_length(context, left)))
-        return {'FINISHED'}
+            self.report({'WARNING'}, tr("The point stays {length} away").format(length=length(context, left)))
 
     def _held_by_name(self, context):
         check_finite(self, ("displacement", "location"))
-        if not self.properties.is_property_set("displacement"):
+        if not self.is_given("displacement"):
             raise Refused(tr("Say how far: displacement is missing"))
-        objects = self._objects(context)
+        objects = _objects(context, self.object)
         if len(objects) > 1:
             raise Refused(tr("Say which object is pulled: the lattice deforms several"))
         shape = pulling.Shape(context, objects[0], pulling.modifier_of(objects[0], self.modifier))
         if self.vertex >= 0:
             vertex = self.vertex
-        elif self.properties.is_property_set("location"):
+        elif self.is_given("location"):
             vertex = shape.nearest(self.location)
         else:
             raise Refused(tr("Say where: vertex or location is missing"))
         corners = [(self._checked(shape, vertex), 1.0)]
         return pulling.Held(context, shape, corners, self._held_vertices(shape), self.mirror)
-
-    def _objects(self, context):
-        """What is deformed by the lattice that is to be pulled."""
-        obj = named(self.object) if self.object else context.object
-        if obj is None:
-            raise Refused(tr("Select an object that a lattice deforms"))
-        if obj.type != 'LATTICE' or any(one.type == 'LATTICE' for one in obj.modifiers):
-            return [obj]
-        found = [one for one in removal.deformed_by(obj) if one.visible_get(view_layer=context.view_layer)]
-        if not found:
-            raise Refused(tr("{object} deforms nothing that is shown").format(object=obj.name))
-        return found
 
     def _held_vertices(self, shape):
         try:
@@ -98,21 +104,17 @@ class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
             raise Refused(tr("{object} has no vertex {number}").format(object=shape.object.name, number=vertex))
         return vertex
 
-    def _refused(self, refusal):
-        self.report({'ERROR'}, str(refusal))
-        return {'CANCELLED'}
-
     def invoke(self, context, event):
-        if context.window is None or self.properties.is_property_set("displacement"):
+        if context.window is None or self.is_given("displacement"):
             return self.execute(context)
         try:
-            objects = self._objects(context)
+            objects = _objects(context, self.object)
             for obj in objects:
                 pulling.check_pullable(pulling.modifier_of(obj, self.modifier).object)
             self.object = objects[0].name if len(objects) == 1 else self.object
             return self._begin(context, event)
         except Refused as refusal:
-            return self._refused(refusal)
+            return self.refuse(refusal)
 
     def _press(self, event):
         if event.type not in {'X', 'Y', 'Z'} or event.value != 'PRESS' or event.ctrl or event.alt or event.oskey:
@@ -127,7 +129,7 @@ class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
 
     def _hold(self, context, region, view, mouse):
         shapes = [
-            pulling.Shape(context, obj, pulling.modifier_of(obj, self.modifier)) for obj in self._objects(context)]
+            pulling.Shape(context, obj, pulling.modifier_of(obj, self.modifier)) for obj in _objects(context, self.object)]
         picked = picking.pick(shapes, region, view, mouse, picking.NEAR * context.preferences.system.ui_scale)
         if picked is None:
             return None
@@ -141,13 +143,6 @@ class MOTUS_OT_lattice_pull(PointDrag, bpy.types.Operator):
     def _move(self, place):
         self.displacement = place - self._point
         self._held.pull(self.displacement)
-
-
-def _length(context, value):
-    """A length in the scene's units."""
-    units = context.scene.unit_settings
-    name = 'METRIC' if units.system == 'NONE' else units.system
-    return bpy.utils.units.to_string(name, 'LENGTH', value * units.scale_length, precision=4)
 
 
 classes = (MOTUS_OT_lattice_pull,)

@@ -16,17 +16,6 @@ NEAR = 1e-5
 """Share of the pull's length within which a point counts as brought there."""
 
 
-def in_object_mode(cls, context):
-    """poll: a lattice's points can be set, and modifiers changed, in Object Mode only."""
-    if native.module is None:
-        cls.poll_message_set(native.status.sentence)
-        return False
-    if context.mode == 'OBJECT':
-        return True
-    cls.poll_message_set(tr("Go to Object Mode first"))
-    return False
-
-
 def check_pullable(lattice):
     """Refuse a lattice whose points cannot be set."""
     if lattice.library or lattice.data.library:

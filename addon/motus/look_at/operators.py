@@ -2,29 +2,32 @@
 
 import bpy
 
-from ..core import wiring
+from ..core import operators, wiring
 from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
-from . import anatomy, setup, targets
+from . import anatomy, rows, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
 
 
-def in_a_mode_of_objects(cls, context):
-    """poll: in the other modes Blender refuses changes of constraints, and an armature's bones are being edited."""
-    if context.mode in {'OBJECT', 'POSE'}:
-        return True
-    cls.poll_message_set(tr("Go to Object Mode or Pose Mode first"))
-    return False
+class OfARig(operators.OfARig):
+    """What all these operators have."""
+
+    rig_with = staticmethod(targets.looking_rig)
 
 
-class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
+class OfAHead(OfARig):
+    """And a head."""
+
+    bone: bpy.props.StringProperty(
+        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
+
+
+class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
     bl_idname = "motus.look_at_add"
     bl_label = "Look At"
     bl_description = "Let head, spine and eyes turn to a target"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
     bone: bpy.props.StringProperty(
         name="Head", description="Name of the head bone; empty takes the active one, or the one that is called head",
         options={'SKIP_SAVE'})
@@ -43,35 +46,36 @@ class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
         description="Names of the eye bones with commas between; not given, bones below the head called eye",
         options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
+    redo = rows.ALL
 
-    def execute(self, context):
-        try:
-            rig, head, target = self._add(context)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    @classmethod
+    def check_offer(cls, context):
+        rig = targets.rig_for(context, "")
+        targets.head_for(context, rig, "")
+        targets.check_editable(rig)
+
+    def run(self, context):
+        rig, head, target = self._add(context)
         self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
             head=head, object=rig.name, target=target.name))
         self._report_problem(context, rig)
-        return {'FINISHED'}
 
     def _add(self, context):
         rig = targets.rig_for(context, self.object)
         head = targets.head_for(context, rig, self.bone)
         targets.check_editable(rig)
-        changes = {name: getattr(self, name) for name in KEYWORDS if self._is_given(name)}
+        changes = self.given(KEYWORDS)
         check_finite(self, changes)
         before = rig.motus.look_at.entries.get(head)
         eyes = self._eyes(rig, head, before)
-        length = before.body_length if before and not self._is_given("body_length") else targets.spine_for(
+        length = before.body_length if before and not self.is_given("body_length") else targets.spine_for(
             rig, head, self.body_length)
         target = targets.target_for(context, self, rig)
         targets.check_target(target or (before and before.target), self.target_bone)
         target_bone = self.target_bone
         if target is None and before and before.target:
             target = before.target
-            target_bone = self.target_bone if self._is_given("target_bone") else before.target_bone
+            target_bone = self.target_bone if self.is_given("target_bone") else before.target_bone
         present_eyes = [eye.name for eye in before.eyes] if eyes is None else eyes
         driven = [*anatomy.below(rig, head, length), head, *present_eyes]
         targets.check_free(rig, head, driven)
@@ -83,12 +87,9 @@ class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
         setup.add(rig, head, changes, eyes)
         return rig, head, target
 
-    def _is_given(self, name):
-        return self.properties.is_property_set(name)
-
     def _eyes(self, rig, head, before):
         """Names of the eyes; None where the entry keeps those it has."""
-        if self._is_given("eyes"):
+        if self.is_given("eyes"):
             eyes = [name.strip() for name in self.eyes.split(",") if name.strip()]
             targets.check_eyes(rig, head, eyes)
             return eyes
@@ -102,75 +103,46 @@ class MOTUS_OT_look_at_add(LookAtKeywords, bpy.types.Operator):
             self.report({'WARNING'}, tr(problem.sentence))
 
 
-class MOTUS_OT_look_at_remove(bpy.types.Operator):
+class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_remove"
     bl_label = "Remove Look At"
     bl_description = "Leave the head to its own animation again; a target that was made stays"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
-    bone: bpy.props.StringProperty(
-        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        try:
-            rig = targets.looking_rig(context, self.object)
-            targets.check_editable(rig)
-            index = targets.entry_for(context, rig, self.bone)
-            targets.check_removable(rig, index)
-            check_no_tweak_mode(rig)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        index = targets.entry_for(context, rig, self.bone)
+        targets.check_removable(rig, index)
+        check_no_tweak_mode(rig)
         head = rig.motus.look_at.entries[index].name
         setup.remove(rig, index)
         self.report({'INFO'}, tr("{bone} of {object} looks at nothing").format(bone=head, object=rig.name))
-        return {'FINISHED'}
 
 
-class MOTUS_OT_look_at_refresh(bpy.types.Operator):
+class MOTUS_OT_look_at_refresh(OfARig, bpy.types.Operator):
     bl_idname = "motus.look_at_refresh"
     bl_label = "Refresh"
     bl_description = "Wire the rig again, after its bones or what moves the target were changed"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        try:
-            rig = targets.looking_rig(context, self.object)
-            check_local(rig)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        check_local(rig)
         wiring.refresh(setup.system(), rig)
-        return {'FINISHED'}
 
 
-class MOTUS_OT_look_at_eye_add(bpy.types.Operator):
+class MOTUS_OT_look_at_eye_add(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_eye_add"
     bl_label = "Add Eye"
     bl_description = "Let another bone below the head turn as an eye"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
-    bone: bpy.props.StringProperty(
-        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
     eye: bpy.props.StringProperty(
         name="Eye", description="Name of the eye bone; empty takes the selected bones below the head",
         options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        return change_eyes(self, context, self._added)
+    def run(self, context):
+        change_eyes(self, context, self._added)
 
     def _added(self, context, rig, entry, eyes):
         if self.eye:
@@ -183,22 +155,15 @@ class MOTUS_OT_look_at_eye_add(bpy.types.Operator):
         return [*eyes, *found]
 
 
-class MOTUS_OT_look_at_eye_remove(bpy.types.Operator):
+class MOTUS_OT_look_at_eye_remove(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_eye_remove"
     bl_label = "Remove Eye"
     bl_description = "Leave an eye to its own animation again"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the armature; empty takes the active one", options={'SKIP_SAVE'})
-    bone: bpy.props.StringProperty(
-        name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
     eye: bpy.props.StringProperty(name="Eye", description="Name of the eye bone", options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
-
-    def execute(self, context):
-        return change_eyes(self, context, self._removed)
+    def run(self, context):
+        change_eyes(self, context, self._removed)
 
     def _removed(self, _context, _rig, entry, eyes):
         if self.eye not in eyes:
@@ -208,22 +173,17 @@ class MOTUS_OT_look_at_eye_remove(bpy.types.Operator):
 
 def change_eyes(operator, context, change):
     """Give an entry other eyes: those that `change` makes of the present ones."""
-    try:
-        rig = targets.looking_rig(context, operator.object)
-        targets.check_editable(rig)
-        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, operator.bone)]
-        head, before = entry.name, [eye.name for eye in entry.eyes]
-        wanted = change(context, rig, entry, before)
-        added = [eye for eye in wanted if eye not in before]
-        if added:
-            check_bone(rig, head)
-            targets.check_eyes(rig, head, wanted)
-            targets.check_free(rig, head, added)
-    except Refused as refusal:
-        operator.report({'ERROR'}, str(refusal))
-        return {'CANCELLED'}
+    rig = targets.looking_rig(context, operator.object)
+    targets.check_editable(rig)
+    entry = rig.motus.look_at.entries[targets.entry_for(context, rig, operator.bone)]
+    head, before = entry.name, [eye.name for eye in entry.eyes]
+    wanted = change(context, rig, entry, before)
+    added = [eye for eye in wanted if eye not in before]
+    if added:
+        check_bone(rig, head)
+        targets.check_eyes(rig, head, wanted)
+        targets.check_free(rig, head, added)
     setup.add(rig, head, {}, wanted)
-    return {'FINISHED'}
 
 
 classes = (

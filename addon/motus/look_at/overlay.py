@@ -3,7 +3,7 @@
 from mathutils import Vector
 
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch
+from ..core.overlay import Batch, Overlay
 from . import anatomy, panel, reasons
 
 GAZE_COLOR = (0.25, 0.85, 0.45, 0.9)
@@ -15,7 +15,7 @@ EYES_REACH = 0.6  # of the distance to the target: so that the eyes' lines end b
 POINT_SIZE = 6.0
 
 
-def overlay(context, owner):
+def _batches_of(context, owner):
     """Batches for a rig whose heads look; none for other objects."""
     if owner.type != 'ARMATURE' or not owner.motus.look_at.is_active:
         return []
@@ -67,3 +67,6 @@ def _gaze(rig, bone, forward, point, reach):
 
 def _array(*points):
     return np.array([tuple(Vector(point)) for point in points], np.float32)
+
+
+overlay = Overlay(_batches_of)

@@ -1,19 +1,14 @@
-"""Panels of Look At: the sidebar's tab and the bone's constraint properties draw the same parts."""
+"""The panel of Look At, in the sidebar's tab and in the bone's constraint properties."""
 
 import math
 
 import bpy
 
-from ..core import native, ui, wiring
+from ..core import panels, ui, wiring
 from ..core.translations import OWN_SENSE, tr
-from . import presets, reasons
+from . import presets, reasons, rows
 from .groups import OUTPUTS, shared_bone
 from .setup import system
-
-
-def _is_looking(context):
-    rig = context.object
-    return native.module is not None and rig is not None and rig.type == 'ARMATURE' and rig.motus.look_at.is_active
 
 
 def active_entry(rig):
@@ -29,74 +24,65 @@ def outputs_of(context, rig, head):
 
 
 def draw_main(layout, context):
-    """The list of heads, and of the active one its target, weights, and how far its gaze is off."""
-    if native.module is None:
-        ui.draw_native_status(layout)
-        return
+    """The list of heads, what is wrong, and of the active one its target and weights."""
     rig = context.object
     settings = rig.motus.look_at
-    if not settings.is_active:
-        layout.operator("motus.look_at_add", icon='HIDE_OFF')
-        return
-    _draw_list(layout, settings)
-    ui.draw_problem(layout, context, system(), rig)
     entry = active_entry(rig)
+    _, remove, _ = ui.draw_list(layout, "MOTUS_UL_look_at_entries", settings, "entries", "active_entry",
+                                "motus.look_at_add", "motus.look_at_remove", rows=2)
+    remove.object, remove.bone = rig.name, entry.name if entry else ""
+    ui.draw_problem(layout, context, system(), rig)
     if entry:
-        _draw_entry(layout, context, rig, entry)
-    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
-    column.prop(settings, "influence", slider=True)
-    ui.draw_bake(layout, system(), rig)
-    layout.operator("motus.look_at_refresh", icon='FILE_REFRESH')
+        _draw_fault(layout, context, rig, entry)
+        _draw_entry(layout, entry)
+    ui.split(layout).prop(settings, "influence", slider=True)
 
 
-def _draw_list(layout, settings):
-    row = layout.row()
-    row.template_list("MOTUS_UL_look_at_entries", "", settings, "entries", settings, "active_entry", rows=2)
-    buttons = row.column(align=True)
-    buttons.operator("motus.look_at_add", text="", icon='ADD')
-    remove = buttons.operator("motus.look_at_remove", text="", icon='REMOVE')
-    remove.object = settings.id_data.name
-    entry = active_entry(settings.id_data)
-    remove.bone = entry.name if entry else ""
-
-
-def _draw_entry(layout, context, rig, entry):
-    told = outputs_of(context, rig, entry.name)
+def _draw_entry(layout, entry):
     column = ui.split(layout)
     column.prop(entry, "target")
     if entry.target and entry.target.type == 'ARMATURE':
         column.prop_search(entry, "target_bone", entry.target.data, "bones")
-    column.separator()
-    column.prop(entry, "weight", text="Weight", text_ctxt=OWN_SENSE, slider=True)
-    column.prop(entry, "body_weight", slider=True)
-    column.prop(entry, "head_weight", slider=True)
-    eyes = column.column()
-    eyes.active = len(entry.eyes) > 0
-    eyes.prop(entry, "eyes_weight", slider=True)
+    rows.WEIGHTS.draw(ui.split(layout), entry)
+
+
+def _draw_fault(layout, context, rig, entry):
+    """Why the head does not look as it should."""
+    told = outputs_of(context, rig, entry.name)
     if told:
-        _draw_told(layout, told)
-    elif entry.name not in rig.pose.bones:
-        words = tr("{object} has no bone {bone}").format(object=rig.name, bone=entry.name)
-        ui.draw_message(layout, words, 'ERROR')
-    elif shared_bone(rig, entry):
-        words = tr("{bone} is turned by another head already: take fewer spine bones").format(
-            bone=shared_bone(rig, entry))
-        ui.draw_message(layout, words, 'ERROR')
-
-
-def _draw_told(layout, told):
-    words = reasons.sentence(told["reason"], told["angle"])
+        words = reasons.sentence(told["reason"], told["angle"])
+        icon = 'ERROR' if told["reason"] in reasons.UNWANTED else 'INFO'
+    else:
+        words, icon = _unwired(rig, entry), 'ERROR'
     if words:
-        ui.draw_message(layout, words, 'ERROR' if told["reason"] in reasons.UNWANTED else 'INFO')
-    if told["reason"] in reasons.UNWANTED or told["reason"] == reasons.MUTED:
+        ui.draw_message(layout, words, icon)
+
+
+def _unwired(rig, entry):
+    if entry.name not in rig.pose.bones:
+        return tr("{object} has no bone {bone}").format(object=rig.name, bone=entry.name)
+    if bone := shared_bone(rig, entry):
+        return tr("{bone} is turned by another head already: take fewer spine bones").format(bone=bone)
+    return ""
+
+
+def draw_readouts(layout, context):
+    """Where the target is as seen from the head."""
+    entry = active_entry(context.object)
+    told = entry and outputs_of(context, context.object, entry.name)
+    if not told or told["reason"] in reasons.UNWANTED or told["reason"] == reasons.MUTED:
         return
-    grid = layout.box().grid_flow(columns=2, row_major=True, align=True)
-    grid.label(text="Target Left" if told["yaw"] >= 0.0 else "Target Right")
-    grid.label(text=_degrees(told["yaw"]), translate=False)
-    grid.label(text="Target Up" if told["pitch"] >= 0.0 else "Target Down")
-    grid.label(text=_degrees(told["pitch"]), translate=False)
-    grid.label(text="Off By")
-    grid.label(text=_degrees(told["angle"]), translate=False)
+    ui.draw_readouts(layout, (
+        ui.Readout(text="Target Left" if told["yaw"] >= 0.0 else "Target Right", value=_degrees(told["yaw"])),
+        ui.Readout(text="Target Up" if told["pitch"] >= 0.0 else "Target Down", value=_degrees(told["pitch"])),
+        ui.Readout(text="Off By", value=_degrees(told["angle"]))))
+
+
+def draw_actions(layout, context):
+    """Baking and removing."""
+    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    ui.draw_bake(column, system())
+    column.operator("motus.look_at_remove", text="Remove", icon='X').object = context.object.name
 
 
 def _degrees(angle):
@@ -106,13 +92,8 @@ def _degrees(angle):
 def draw_limits(layout, context):
     """How far the parts may turn."""
     entry = active_entry(context.object)
-    if entry is None:
-        return
-    column = ui.split(layout)
-    column.prop(entry, "clamp", slider=True)
-    column.prop(entry, "body_limit", text="Body")
-    column.prop(entry, "head_limit", text="Head")
-    column.prop(entry, "eyes_limit", text="Eyes")
+    if entry:
+        rows.LIMITS.draw(ui.split(layout), entry)
 
 
 def draw_bones(layout, context):
@@ -123,8 +104,7 @@ def draw_bones(layout, context):
         return
     column = ui.split(layout)
     column.prop(entry, "body_length")
-    column.prop(entry, "head_forward")
-    column.prop(entry, "eyes_forward")
+    rows.AXES.draw(column, entry)
     box = layout.box().column(align=True)
     box.label(text="Eyes", icon='HIDE_OFF')
     for eye in entry.eyes:
@@ -147,71 +127,14 @@ class MOTUS_UL_look_at_entries(bpy.types.UIList):
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 
-class _Main:
-    bl_label = "Look At"
-    bl_translation_context = OWN_SENSE
+PANEL = panels.SystemPanel(
+    name="look_at", prefix="MOTUS_PT_look_at", label="Look At", translation_context=OWN_SENSE,
+    editors={"": ui.Sidebar, "_constraint": ui.BoneConstraints},
+    suits=lambda obj: obj.type == 'ARMATURE',
+    is_used=lambda rig: rig.motus.look_at.is_active,
+    draw=draw_main,
+    parts=(panels.Part("limits", "Limits", draw_limits), panels.Part("bones", "Bones", draw_bones)),
+    readouts=draw_readouts, actions=draw_actions, refresh="motus.look_at_refresh", presets=presets.PANEL,
+    adders=("motus.look_at_add",))
 
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and context.object.type == 'ARMATURE'
-
-    def draw_header_preset(self, context):
-        if _is_looking(context):
-            presets.PANEL.draw_panel_header(self.layout)
-
-    def draw(self, context):
-        draw_main(self.layout, context)
-
-
-class _Part:
-    bl_options = {'DEFAULT_CLOSED'}
-
-    @classmethod
-    def poll(cls, context):
-        return _is_looking(context)
-
-
-class _Limits(_Part):
-    bl_label = "Limits"
-
-    def draw(self, context):
-        draw_limits(self.layout, context)
-
-
-class _Bones(_Part):
-    bl_label = "Bones"
-
-    def draw(self, context):
-        draw_bones(self.layout, context)
-
-
-class MOTUS_PT_look_at(_Main, ui.Sidebar, bpy.types.Panel):
-    pass
-
-
-class MOTUS_PT_look_at_limits(_Limits, ui.Sidebar, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_look_at"
-
-
-class MOTUS_PT_look_at_bones(_Bones, ui.Sidebar, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_look_at"
-
-
-class MOTUS_PT_look_at_constraint(_Main, ui.BoneConstraints, bpy.types.Panel):
-    pass
-
-
-class MOTUS_PT_look_at_constraint_limits(_Limits, ui.BoneConstraints, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_look_at_constraint"
-
-
-class MOTUS_PT_look_at_constraint_bones(_Bones, ui.BoneConstraints, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_look_at_constraint"
-
-
-classes = (
-    MOTUS_UL_look_at_entries,
-    # Panels before their sub-panels.
-    MOTUS_PT_look_at, MOTUS_PT_look_at_limits, MOTUS_PT_look_at_bones,
-    MOTUS_PT_look_at_constraint, MOTUS_PT_look_at_constraint_limits, MOTUS_PT_look_at_constraint_bones,
-)
+classes = (MOTUS_UL_look_at_entries, *panels.classes(PANEL))

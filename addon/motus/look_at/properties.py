@@ -4,11 +4,7 @@ import math
 
 import bpy
 
-from ..core.settings import SystemSettings, rewire, touch
-
-ANIMATED = {'ANIMATABLE'}
-OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
-EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
 FORWARDS = (
     ('AUTO', "Automatic",
@@ -20,32 +16,21 @@ ANY_BODY_LENGTH = -1
 """body_length that lets the operator find the spine."""
 
 
-def _touch(item, context):
-    # Operators have the same properties, and nothing to evaluate.
-    if isinstance(item, bpy.types.PropertyGroup):
-        touch(item.id_data.motus.look_at, context)
-
-
-def _rewire(item, context):
-    if isinstance(item, bpy.types.PropertyGroup):
-        rewire(item.id_data.motus.look_at, context)
-
-
 def _weight(name, description, default):
     return bpy.props.FloatProperty(
-        name=name, description=description, default=default, min=0.0, max=1.0, subtype='FACTOR', update=_touch,
+        name=name, description=description, default=default, min=0.0, max=1.0, subtype='FACTOR', update=touch,
         options=ANIMATED, override=OVERRIDABLE)
 
 
 def _limit(name, description, degrees):
     return bpy.props.FloatProperty(
         name=name, description=description, default=math.radians(degrees), min=0.0, max=math.pi, subtype='ANGLE',
-        update=_touch, options=ANIMATED, override=OVERRIDABLE)
+        update=touch, options=ANIMATED, override=OVERRIDABLE)
 
 
 def _forward(name, description):
     return bpy.props.EnumProperty(
-        name=name, description=description, items=FORWARDS, default='AUTO', update=_rewire, options=set(),
+        name=name, description=description, items=FORWARDS, default='AUTO', update=rewire, options=set(),
         override=OVERRIDABLE)
 
 
@@ -70,22 +55,22 @@ KEYWORDS = tuple(LookAtKeywords.__annotations__)
 
 class MOTUS_PG_look_at_eye(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Eye", description="Bone of the eye, below the head", update=_rewire, override=OVERRIDABLE)
+        name="Eye", description="Bone of the eye, below the head", update=rewire, override=OVERRIDABLE)
 
 
 class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
-    name: bpy.props.StringProperty(name="Head", description="Bone of the head", update=_rewire, override=OVERRIDABLE)
+    name: bpy.props.StringProperty(name="Head", description="Bone of the head", update=rewire, override=OVERRIDABLE)
     target: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Target", description="What to look at", update=_rewire, override=OVERRIDABLE)
+        type=bpy.types.Object, name="Target", description="What to look at", update=rewire, override=OVERRIDABLE)
     target_bone: bpy.props.StringProperty(
-        name="Bone", description="Bone of the target to look at; empty takes its origin", update=_rewire,
+        name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire,
         override=OVERRIDABLE)
     body_length: bpy.props.IntProperty(
         name="Spine Bones", description="How many bones below the head turn along, the neck among them", default=0,
-        min=0, max=255, update=_rewire, options=set(), override=OVERRIDABLE)
+        min=0, max=255, update=rewire, options=set(), override=OVERRIDABLE)
     eyes: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_eye, name="Eyes", override=EXTENDABLE)
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Leave this head to its animation", default=False, update=_touch, options=ANIMATED,
+        name="Mute", description="Leave this head to its animation", default=False, update=touch, options=ANIMATED,
         override=OVERRIDABLE)
 
 

@@ -1,13 +1,10 @@
 """Setting heads up and taking them back: plain functions behind the operators."""
 
-from contextlib import contextmanager
-
 import bpy
 
-from ..core import actions, entry_keys, libraries, wiring
-from ..core.system import forget, registered
+from ..core import entries, libraries
+from ..core.system import registered
 
-PREFIX = "motus.look_at."
 DISTANCE = 6.0  # of the head bone's length: where a target is made
 TARGET_SIZE = 0.35  # of the head bone's length
 
@@ -19,7 +16,7 @@ def system():
 
 def add(rig, head, changes, eyes):
     """Let the bone look. changes: settings of its entry by name; eyes: names, None keeps those it has."""
-    with _at_once(rig) as settings:
+    with entries.at_once(system(), rig) as settings:
         entry = settings.entries.get(head)
         if entry is None:
             entry = settings.entries.add()
@@ -34,31 +31,8 @@ def add(rig, head, changes, eyes):
 
 
 def remove(rig, index):
-    """Take one head back: wiring, keys and drivers of its settings, and with the last one the settings themselves."""
-    with _at_once(rig) as settings:
-        entry_keys.forget(rig, PREFIX + "entries", settings.entries, index)
-        settings.entries.remove(index)
-        settings.active_entry = max(0, min(settings.active_entry, len(settings.entries) - 1))
-        if not settings.entries:
-            actions.remove(rig, (PREFIX,))
-
-
-@contextmanager
-def _at_once(rig):
-    """Wire once at the end, instead of at every change of a setting within."""
-    settings = rig.motus.look_at
-    was_active, settings.is_active = settings.is_active, False
-    try:
-        yield settings
-    finally:
-        settings.is_active = was_active
-    if not settings.entries:
-        wiring.detach(system(), rig)
-        forget(system(), rig)
-    elif was_active:
-        wiring.refresh(system(), rig)
-    else:
-        wiring.attach(system(), rig)
+    """Take one head back."""
+    entries.remove(system(), rig, [index], "active_entry")
 
 
 def new_target(context, rig, head, forward):

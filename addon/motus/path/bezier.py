@@ -4,21 +4,21 @@ import bpy
 from mathutils import Vector
 
 from ..core.curves import CONTROL_POLYGON_KEY, MAX_DEGREE
+from ..core.operators import OBJECT_MODE, Operator
 from ..core.refusals import Refused
+from ..core.rows import Row, Rows
 from ..core.translations import tr
 from . import targets
-from .operators import in_object_mode
 
 HIGHEST_OFFERED = 32
 LENGTH = 4.0  # m, of a new curve along X
 BULGE = 1.0  # m, to either side in turn
 
 
-class MOTUS_OT_path_new_bezier(bpy.types.Operator):
+class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
     bl_idname = "motus.path_new_bezier"
     bl_label = "Bézier of Any Degree"
     bl_description = "Add a curve whose points, or placed objects, are the control points of one Bézier curve"
-    bl_options = {'REGISTER', 'UNDO'}
 
     degree: bpy.props.IntProperty(
         name="Degree", description="One less than the number of control points", default=3, min=1, max=HIGHEST_OFFERED)
@@ -27,18 +27,14 @@ class MOTUS_OT_path_new_bezier(bpy.types.Operator):
         "points, and moving one moves the curve", options={'SKIP_SAVE'})
     name: bpy.props.StringProperty(name="Name", description="Name of the new curve", default="Bezier")
 
-    poll = classmethod(in_object_mode)
+    modes = OBJECT_MODE
+    redo = (Rows((Row("degree", when=lambda operator: not operator.objects),)),)
 
-    def execute(self, context):
-        try:
-            hooks = targets.named_list(self.objects)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    def run(self, context):
+        hooks = targets.named_list(self.objects)
         if hooks and not 2 <= len(hooks) <= MAX_DEGREE + 1:
-            self.report({'ERROR'}, tr("A Bézier curve needs 2 to {most} control points, not {count}").format(
+            raise Refused(tr("A Bézier curve needs 2 to {most} control points, not {count}").format(
                 most=MAX_DEGREE + 1, count=len(hooks)))
-            return {'CANCELLED'}
         context.view_layer.update()
         if hooks:
             curve = new_curve(self.name, [hook.matrix_world.translation for hook in hooks])
@@ -53,7 +49,6 @@ class MOTUS_OT_path_new_bezier(bpy.types.Operator):
         curve.select_set(True)
         self.report({'INFO'}, tr("{curve} has degree {degree}").format(
             curve=curve.name, degree=len(curve.data.splines[0].points) - 1))
-        return {'FINISHED'}
 
 
 def default_points(degree):

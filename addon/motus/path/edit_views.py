@@ -5,7 +5,8 @@ import math
 import bpy
 from mathutils import Vector
 
-from ..core.refusals import Refused
+from ..core.operators import Operator
+from ..core.rows import Rows
 from ..core.translations import tr
 from . import targets
 
@@ -20,11 +21,10 @@ VIEWS = {
 }
 
 
-class MOTUS_OT_path_edit_views(bpy.types.Operator):
+class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
     bl_idname = "motus.path_edit_views"
     bl_label = "Path Edit Views"
     bl_description = "Look at the path from the top or from the side through orthographic cameras; each call switches over"
-    bl_options = {'REGISTER', 'UNDO'}
 
     curve: bpy.props.StringProperty(
         name="Curve", description="Name of the curve object; empty takes the selected one or what the active object follows",
@@ -37,19 +37,20 @@ class MOTUS_OT_path_edit_views(bpy.types.Operator):
             ('LEAVE', "Leave", "Back to the viewport's own view"),
         ))
 
-    def execute(self, context):
+    redo = (Rows(("view",)),)
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.curve_for(context, "", *_owners(context))
+
+    def run(self, context):
         spaces = viewports(context)
         if self.view == 'LEAVE':
             for space in spaces:
                 space.region_3d.view_perspective = 'PERSP'
                 space.use_local_camera = False
-            return {'FINISHED'}
-        try:
-            owners = [context.object] if context.object else []
-            curve = targets.curve_for(context, self.curve, *owners)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+            return
+        curve = targets.curve_for(context, self.curve, *_owners(context))
         context.view_layer.update()
         cameras = {view: _camera(context.scene, curve, *settings) for view, settings in VIEWS.items()}
         view = self.view if self.view in VIEWS else _other(spaces, cameras)
@@ -59,7 +60,10 @@ class MOTUS_OT_path_edit_views(bpy.types.Operator):
             space.camera = cameras[view]
             space.region_3d.view_perspective = 'CAMERA'
         self.report({'INFO'}, tr("{view} of {curve}").format(view=cameras[view].name, curve=curve.name))
-        return {'FINISHED'}
+
+
+def _owners(context):
+    return [context.object] if context.object else []
 
 
 def viewports(context):

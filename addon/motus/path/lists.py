@@ -3,39 +3,38 @@
 import bpy
 
 from ..core import wiring
+from ..core.operators import Operator, object_keyword
 from ..core.refusals import Refused, check_finite, named
+from ..core.rows import Row, Rows
 from ..core.translations import tr
 from . import properties, setup, targets
-from .operators import follower_of
+from .operators import follower_for
 
 
+def _pins_by(unit):
+    """A condition of the operator's rows: the pins of the active follower give this."""
+    return lambda _operator: bpy.context.object is None or bpy.context.object.motus.path.pins_by == unit
 
-class MOTUS_OT_path_pin_add(bpy.types.Operator):
+
+class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
     bl_idname = "motus.path_pin_add"
     bl_label = "Add Pin"
     bl_description = "Be at a place of the path at a frame; without one, here and now"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the object; empty takes the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the object; empty takes the active one")
     frame: bpy.props.FloatProperty(name="Frame", description="When to be there", options={'SKIP_SAVE'})
     fraction: bpy.props.FloatProperty(
         name="Fraction", description="Fraction of the path's length", options={'SKIP_SAVE'})
     distance: bpy.props.FloatProperty(
         name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options={'SKIP_SAVE'})
+    redo = (Rows(("frame", Row("fraction", when=_pins_by('FRACTION')), Row("distance", when=_pins_by('DISTANCE')))),)
 
-    def execute(self, context):
-        obj = follower_of(self, context)
-        if obj is None:
-            return {'CANCELLED'}
+    def run(self, context):
+        obj = follower_for(context, self.object)
         settings = obj.motus.path
-        try:
-            check_finite(self, ("frame", "fraction", "distance"))
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+        check_finite(self, ("frame", "fraction", "distance"))
         for name, present in _here_and_now(context, obj).items():
-            if not self.properties.is_property_set(name):
+            if not self.is_given(name):
                 setattr(self, name, present)
         replaced = _remove_pins(settings, self.frame)
         pin = settings.pins.add()
@@ -45,121 +44,91 @@ class MOTUS_OT_path_pin_add(bpy.types.Operator):
         wiring.touch(setup.system(), obj)
         if replaced:
             self.report({'INFO'}, tr("Replaced the pin at frame {frame}").format(frame=f"{self.frame:g}"))
-        return {'FINISHED'}
 
 
-class MOTUS_OT_path_pin_remove(bpy.types.Operator):
+class MOTUS_OT_path_pin_remove(Operator, bpy.types.Operator):
     bl_idname = "motus.path_pin_remove"
     bl_label = "Remove Pin"
     bl_description = "Remove a pin of the path"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the object; empty takes the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the object; empty takes the active one")
     index: bpy.props.IntProperty(
         name="Index", description="Which pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
-    def execute(self, context):
-        obj = follower_of(self, context)
-        if obj is None:
-            return {'CANCELLED'}
+    def run(self, context):
+        obj = follower_for(context, self.object)
         settings = obj.motus.path
         index = settings.active_pin if self.index < 0 else self.index
         if index >= len(settings.pins):
-            self.report({'ERROR'}, tr("There is no such pin"))
-            return {'CANCELLED'}
+            raise Refused(tr("There is no such pin"))
         settings.pins.remove(index)
         settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
         wiring.touch(setup.system(), obj)
-        return {'FINISHED'}
 
 
-class MOTUS_OT_path_wagon_add(bpy.types.Operator):
+class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
     bl_idname = "motus.path_wagon_add"
     bl_label = "Add Wagons"
     bl_description = "Couple the other selected objects to the end of the train"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the leader; empty takes the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the leader; empty takes the active one")
     wagon: bpy.props.StringProperty(
         name="Wagon", description="Name of the wagon; empty takes the other selected objects", options={'SKIP_SAVE'})
     gap: bpy.props.FloatProperty(
         name="Gap", description="Distance along the path to the one in front", default=properties.DEFAULT_GAP, min=0.0,
         subtype='DISTANCE')
+    redo = (Rows(("gap",)),)
 
-    def execute(self, context):
-        obj = follower_of(self, context)
-        if obj is None:
-            return {'CANCELLED'}
+    def run(self, context):
+        obj = follower_for(context, self.object)
         settings = obj.motus.path
-        try:
-            check_finite(self, ("gap",))
-            wagons = [named(self.wagon)] if self.wagon else [
-                found for found in targets.selected_followers(context) if found != obj]
-            for wagon in wagons:
-                targets.check_wagon(wagon, settings.curve)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+        check_finite(self, ("gap",))
+        wagons = [named(self.wagon)] if self.wagon else [
+            found for found in targets.selected_followers(context) if found != obj]
+        for wagon in wagons:
+            targets.check_wagon(wagon, settings.curve)
         if not wagons:
-            self.report({'ERROR'}, tr("Select the objects to couple, and the leader last"))
-            return {'CANCELLED'}
+            raise Refused(tr("Select the objects to couple, and the leader last"))
         train = [(entry.object, entry.gap) for entry in settings.wagons if entry.object]
         setup.attach(obj, settings.curve, {}, train + [(wagon, self.gap) for wagon in wagons])
         settings.active_wagon = len(settings.wagons) - 1
-        return {'FINISHED'}
 
 
-class MOTUS_OT_path_wagon_remove(bpy.types.Operator):
+class MOTUS_OT_path_wagon_remove(Operator, bpy.types.Operator):
     bl_idname = "motus.path_wagon_remove"
     bl_label = "Remove Wagon"
     bl_description = "Take a wagon out of the train; those behind keep their places"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the leader; empty takes the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the leader; empty takes the active one")
     index: bpy.props.IntProperty(
         name="Index", description="Which wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
-    def execute(self, context):
-        obj = follower_of(self, context)
-        if obj is None:
-            return {'CANCELLED'}
+    def run(self, context):
+        obj = follower_for(context, self.object)
         settings = obj.motus.path
         index = settings.active_wagon if self.index < 0 else self.index
         if index >= len(settings.wagons):
-            self.report({'ERROR'}, tr("There is no such wagon"))
-            return {'CANCELLED'}
-        try:
-            targets.check_uncouplable(obj, index)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+            raise Refused(tr("There is no such wagon"))
+        targets.check_uncouplable(obj, index)
         setup.uncouple(obj, index)
         settings.active_wagon = max(0, min(settings.active_wagon, len(settings.wagons) - 1))
-        return {'FINISHED'}
 
 
-class MOTUS_OT_path_select_leader(bpy.types.Operator):
+class MOTUS_OT_path_select_leader(Operator, bpy.types.Operator):
     bl_idname = "motus.path_select_leader"
     bl_label = "Select Leader"
     bl_description = "Select the object whose settings drive this one"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    def execute(self, context):
+    def run(self, context):
         leader = context.object and context.object.motus.path.leader
         if leader is None:
-            self.report({'ERROR'}, tr("Nothing here is a wagon of a train"))
-            return {'CANCELLED'}
+            raise Refused(tr("Nothing here is a wagon of a train"))
         if leader.name not in context.view_layer.objects:
-            self.report({'ERROR'}, tr("{object} is not in this view layer").format(object=leader.name))
-            return {'CANCELLED'}
+            raise Refused(tr("{object} is not in this view layer").format(object=leader.name))
         for selected in context.selected_objects:
             selected.select_set(False)
         leader.select_set(True)
         context.view_layer.objects.active = leader
-        return {'FINISHED'}
 
 
 def _remove_pins(settings, frame):

@@ -3,36 +3,20 @@
 import bpy
 
 from ..core import wiring
+from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
-from . import members, setup, targets
+from . import members, rows, setup, targets
 from .properties import KEYWORDS, FollowKeywords
 
 
-def given_keywords(operator):
-    """The settings that the caller gave, by name."""
-    return {name: getattr(operator, name) for name in KEYWORDS if operator.properties.is_property_set(name)}
-
-
-def follower_of(operator, context):
-    """The follower that the operator's `object` names, or the active one; None, reported, where there is none to change."""
-    obj = bpy.data.objects.get(operator.object) if operator.object else context.object
-    try:
-        if obj is None or not obj.motus.path.is_active:
-            raise Refused(tr("Nothing here follows a path"))
-        check_local(obj)
-    except Refused as refusal:
-        operator.report({'ERROR'}, str(refusal))
-        return None
+def follower_for(context, name=""):
+    """The follower of this name, or the active one. Raises Refused where there is none that can be changed."""
+    obj = bpy.data.objects.get(name) if name else context.object
+    if obj is None or not obj.motus.path.is_active:
+        raise Refused(tr("Nothing here follows a path"))
+    check_local(obj)
     return obj
-
-
-def in_object_mode(cls, context):
-    """poll: Blender refuses changes of constraints and selection in the other modes."""
-    if context.mode == 'OBJECT':
-        return True
-    cls.poll_message_set(tr("Go to Object Mode first"))
-    return False
 
 
 def report_problems(operator, context, owners):
@@ -45,38 +29,40 @@ def report_problems(operator, context, owners):
         operator.report({'WARNING'}, tr(sentence))
 
 
-class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
+class MOTUS_OT_path_follow_add(Operator, FollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_follow_add"
     bl_label = "Follow Path"
     bl_description = "Let the selected objects follow a curve"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the object; empty takes the selected ones", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the object; empty takes the selected ones")
     curve: bpy.props.StringProperty(
         name="Curve", description="Name of the curve object; empty takes the selected one", options={'SKIP_SAVE'})
 
-    poll = classmethod(in_object_mode)
+    modes = OBJECT_MODE
+    redo = rows.ALL
 
-    def execute(self, context):
-        try:
-            owners = self._add(context)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    @classmethod
+    def check_offer(cls, context):
+        owners = targets.selected_followers(context)
+        _check_any(owners)
+        curve = targets.curve_for(context, "", *owners)
+        for owner in owners:
+            targets.check_free(owner, curve)
+
+    def run(self, context):
+        owners = self._add(context)
         if len(owners) == 1:
             self.report({'INFO'}, tr("{object} follows {curve}").format(object=owners[0].name, curve=self.curve))
         else:
             self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(owners), curve=self.curve))
         report_problems(self, context, owners)
-        return {'FINISHED'}
 
     def _add(self, context):
         owners = [named(self.object)] if self.object else targets.selected_followers(context)
-        if not owners:
-            raise Refused(tr("Select the object that shall follow"))
+        _check_any(owners)
         curve = targets.curve_for(context, self.curve, *owners)
-        keywords = given_keywords(self)
+        keywords = self.given(KEYWORDS)
         check_finite(self, keywords)
         for owner in owners:
             targets.check_free(owner, curve)
@@ -87,58 +73,61 @@ class MOTUS_OT_path_follow_add(FollowKeywords, bpy.types.Operator):
         return owners
 
 
-class MOTUS_OT_path_follow_remove(bpy.types.Operator):
+def _check_any(owners):
+    if not owners:
+        raise Refused(tr("Select the object that shall follow"))
+
+
+class MOTUS_OT_path_follow_remove(Operator, bpy.types.Operator):
     bl_idname = "motus.path_follow_remove"
     bl_label = "Remove Follow Path"
     bl_description = "Let the objects stand at their own transforms again"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the object; empty takes the selected ones", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the object; empty takes the selected ones")
 
-    poll = classmethod(in_object_mode)
+    modes = OBJECT_MODE
 
-    def execute(self, context):
-        try:
-            objects = [named(self.object)] if self.object else targets.selected_followers(context)
-            removed = [obj.name for obj in objects if _remove(obj)]
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    @classmethod
+    def check_offer(cls, context):
+        if not any(map(_is_set_up, targets.selected_followers(context))):
+            raise Refused(tr("Nothing here follows a path"))
+
+    def run(self, context):
+        objects = [named(self.object)] if self.object else targets.selected_followers(context)
+        removed = [obj.name for obj in objects if _remove(obj)]
         if not removed:
-            self.report({'ERROR'}, tr("Nothing here follows a path"))
-            return {'CANCELLED'}
+            raise Refused(tr("Nothing here follows a path"))
         self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(removed)))
-        return {'FINISHED'}
 
 
-class MOTUS_OT_path_refresh(bpy.types.Operator):
+class MOTUS_OT_path_refresh(Operator, bpy.types.Operator):
     bl_idname = "motus.path_refresh"
     bl_label = "Refresh"
     bl_description = "Wire the object again, after its curve was given other data"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the object; empty takes the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the object; empty takes the active one")
 
-    poll = classmethod(in_object_mode)
+    modes = OBJECT_MODE
 
-    def execute(self, context):
-        obj = follower_of(self, context)
-        if obj is None:
-            return {'CANCELLED'}
-        wiring.refresh(setup.system(), obj)
-        return {'FINISHED'}
+    @classmethod
+    def check_offer(cls, context):
+        follower_for(context)
+
+    def run(self, context):
+        wiring.refresh(setup.system(), follower_for(context, self.object))
+
+
+def _is_set_up(obj):
+    return members.is_wagon(obj) or obj.motus.path.is_active or setup.is_stray(obj)
 
 
 def _remove(obj):
     """Remove the follower, take the wagon out of its train or free a stray one; False where it is none of them."""
     settings = obj.motus.path
-    is_wagon = members.is_wagon(obj)
-    if not (is_wagon or settings.is_active or setup.is_stray(obj)):
+    if not _is_set_up(obj):
         return False
     targets.check_editable(obj)
-    if is_wagon:
+    if members.is_wagon(obj):
         index = members.index_of(settings.leader, obj)
         targets.check_uncouplable(settings.leader, index)
         setup.uncouple(settings.leader, index)

@@ -4,7 +4,7 @@ import math
 
 from ..core import curves, native
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch
+from ..core.overlay import Batch, Overlay, Switch
 from ..core.system import Context, Problem
 from . import motion, solve
 
@@ -24,7 +24,7 @@ UP_COLOR = (0.30, 0.55, 1.0, 0.9)
 RIGHT_COLOR = (0.95, 0.30, 0.35, 0.9)
 
 
-def overlay(context, owner):
+def _batches(context, owner):
     """Batches for a follower, a wagon or a Motus Bézier curve; none for other objects."""
     depsgraph = context.evaluated_depsgraph_get()
     leader = owner.motus.path.leader or owner
@@ -138,3 +138,11 @@ def _whiskers(curve, distances, directions, size, color):
     start = curve.position_at_length(distances)
     strips = np.stack((start, start + size * directions), axis=1)
     return Batch('LINES', _pairs(strips), color, 1.5)
+
+
+overlay = Overlay(_batches, (
+    Switch("show_curve", "Curve", "Draw the curve that is really followed"),
+    Switch("show_control_points", "Control Points", "Draw the control polygon"),
+    Switch("show_tangents", "Tangents", "Draw the tangent at equal distances", default=False),
+    Switch("show_frames", "Path Frames", "Draw the orientation at equal distances"),
+    Switch("show_speed", "Speed", "Colour the curve by the follower's speed")))

@@ -2,11 +2,8 @@
 
 import bpy
 
-from ..core.settings import SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
-ANIMATED = {'ANIMATABLE'}
-OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
-EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
 EASE_TOLERANCE = 1e-6  # single precision: 0.7 + 0.3 is already above 1
 DEFAULT_GAP = 2.0  # m
 
@@ -44,27 +41,16 @@ PIN_UNITS = (
 )
 
 
-def _touch(settings, context):
-    # Operators have the same properties, and nothing to evaluate.
-    if isinstance(settings, SystemSettings):
-        touch(settings, context)
-
-
-def _rewire(settings, context):
-    if isinstance(settings, SystemSettings):
-        rewire(settings, context)
-
-
 def _push_ease_out(settings, context):
     if _has_too_much_ease(settings):
         settings.ease_out = 1.0 - settings.ease_in
-    _touch(settings, context)
+    touch(settings, context)
 
 
 def _push_ease_in(settings, context):
     if _has_too_much_ease(settings):
         settings.ease_in = 1.0 - settings.ease_out
-    _touch(settings, context)
+    touch(settings, context)
 
 
 def _has_too_much_ease(settings):
@@ -73,12 +59,12 @@ def _has_too_much_ease(settings):
 
 
 def _number(name, description, default, **options):
-    options.setdefault("update", _touch)
+    options.setdefault("update", touch)
     return bpy.props.FloatProperty(
         name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
 
 
-def _choice(name, description, items, default, update=_touch):
+def _choice(name, description, items, default, update=touch):
     return bpy.props.EnumProperty(
         name=name, description=description, items=items, default=default, update=update,
         options=set(), override=OVERRIDABLE)
@@ -89,7 +75,7 @@ class FollowKeywords:
 
     spline: bpy.props.IntProperty(
         name="Spline", description="Index of the curve's spline; -1 follows all of them, one after another",
-        default=0, min=-1, update=_touch, options=ANIMATED, override=OVERRIDABLE)
+        default=0, min=-1, update=touch, options=ANIMATED, override=OVERRIDABLE)
     timing: _choice("Timing", "What sets the position at a time", TIMINGS, 'DURATION')
     duration: _number(
         "Duration", "Time for the whole path", 5.0, min=1e-4, soft_min=0.1, soft_max=60.0, subtype='TIME_ABSOLUTE')
@@ -109,9 +95,9 @@ class FollowKeywords:
     extend: _choice("Ends", "What happens beyond the ends of the path", EXTENDS, 'CLAMP')
     pins_by: _choice("Pins By", "What the pins give", PIN_UNITS, 'FRACTION')
 
-    orientation: _choice("Orientation", "Which way the object's up axis points", ORIENTATIONS, 'WORLD_UP', _rewire)
+    orientation: _choice("Orientation", "Which way the object's up axis points", ORIENTATIONS, 'WORLD_UP', rewire)
     curvature_outward: bpy.props.BoolProperty(
-        name="Outward", description="Up points away from the centre of the bend", default=False, update=_touch,
+        name="Outward", description="Up points away from the centre of the bend", default=False, update=touch,
         options=ANIMATED, override=OVERRIDABLE)
     forward_axis: _choice("Forward", "Axis of the object that points along the path", AXES, 'POS_Y')
     up_axis: _choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
@@ -141,38 +127,30 @@ def _is_curve(_settings, candidate):
     return candidate.type == 'CURVE'
 
 
-def _touch_owner(item, context):
-    touch(item.id_data.motus.path, context)
-
-
-def _rewire_owner(item, context):
-    rewire(item.id_data.motus.path, context)
-
-
 class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
     frame: bpy.props.FloatProperty(
-        name="Frame", description="When to be there", default=1.0, step=100, options=set(), update=_touch_owner,
+        name="Frame", description="When to be there", default=1.0, step=100, options=set(), update=touch,
         override=OVERRIDABLE)
     fraction: bpy.props.FloatProperty(
         name="Fraction", description="Fraction of the path's length", subtype='FACTOR', soft_min=0.0, soft_max=1.0,
-        options=set(), update=_touch_owner, override=OVERRIDABLE)
+        options=set(), update=touch, override=OVERRIDABLE)
     distance: bpy.props.FloatProperty(
         name="Distance", description="Distance from the start of the path", subtype='DISTANCE', options=set(),
-        update=_touch_owner, override=OVERRIDABLE)
+        update=touch, override=OVERRIDABLE)
 
 
 class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
     object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Object that follows behind", update=_rewire_owner,
+        type=bpy.types.Object, name="Object", description="Object that follows behind", update=rewire,
         override=OVERRIDABLE)
     gap: bpy.props.FloatProperty(
         name="Gap", description="Distance along the path to the one in front", default=DEFAULT_GAP, subtype='DISTANCE',
-        options=set(), update=_touch_owner, override=OVERRIDABLE)
+        options=set(), update=touch, override=OVERRIDABLE)
 
 
 class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     curve: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Curve", description="Curve to follow", poll=_is_curve, update=_rewire,
+        type=bpy.types.Object, name="Curve", description="Curve to follow", poll=_is_curve, update=rewire,
         override=OVERRIDABLE)
     pins: bpy.props.CollectionProperty(type=MOTUS_PG_path_pin, name="Pins", override=EXTENDABLE)
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set())

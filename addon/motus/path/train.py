@@ -3,18 +3,20 @@
 import bpy
 from mathutils import Vector
 
+from ..core.operators import OBJECT_MODE, Operator
 from ..core.refusals import Refused, check_finite
+from ..core.rows import Rows
 from ..core.translations import tr
-from . import setup, targets
-from .operators import given_keywords, in_object_mode, report_problems
-from .properties import DEFAULT_GAP, FollowKeywords
+from . import rows, setup, targets
+from .operators import report_problems
+from .properties import DEFAULT_GAP, KEYWORDS, FollowKeywords
 
 DIRECTIONS = {
     identifier: sign * Vector((axis == 'X', axis == 'Y', axis == 'Z'))
     for axis in "XYZ" for identifier, sign in ((f"POS_{axis}", 1.0), (f"NEG_{axis}", -1.0))}
 
 
-class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
+class MOTUS_OT_path_train_add(Operator, FollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_train_add"
     bl_label = "Follow Path as a Train"
     bl_description = "Let the selected objects follow a curve one behind the other, the active one first"
@@ -29,27 +31,30 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
         name="Gap", description="Distance along the path from one to the next; 0 takes the lengths of the objects",
         default=DEFAULT_GAP, min=0.0, subtype='DISTANCE')
 
-    poll = classmethod(in_object_mode)
+    modes = OBJECT_MODE
+    redo = (Rows(("gap",)), *rows.ALL)
 
-    def execute(self, context):
-        try:
-            train = self._add(context)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    @classmethod
+    def check_offer(cls, context):
+        train = targets.selected_followers(context)
+        _check_long_enough(train)
+        curve = targets.curve_for(context, "", train[0])
+        for obj in train:
+            targets.check_free(obj, curve, train[0])
+
+    def run(self, context):
+        train = self._add(context)
         self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(train), curve=self.curve))
         report_problems(self, context, train[:1])
-        return {'FINISHED'}
 
     def _add(self, context):
         train = targets.named_list(self.objects) if self.objects else targets.selected_followers(context)
-        if len(train) < 2:
-            raise Refused(tr("A train needs two objects at least"))
+        _check_long_enough(train)
         if len(set(train)) < len(train):
             raise Refused(tr("An object can be in the train only once"))
         leader, *wagons = train
         curve = targets.curve_for(context, self.curve, leader)
-        keywords = given_keywords(self)
+        keywords = self.given(KEYWORDS)
         check_finite(self, (*keywords, "gap"))
         targets.check_settings(leader, curve, keywords)
         targets.check_free(leader, curve)
@@ -62,6 +67,11 @@ class MOTUS_OT_path_train_add(FollowKeywords, bpy.types.Operator):
         setup.attach(leader, curve, keywords, list(zip(wagons, gaps)))
         self.curve = curve.name
         return train
+
+
+def _check_long_enough(train):
+    if len(train) < 2:
+        raise Refused(tr("A train needs two objects at least"))
 
 
 def touching_gaps(train, forward_axis):

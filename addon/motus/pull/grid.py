@@ -4,6 +4,9 @@ import bpy
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
 from ..core.lazy import numpy as np
+from ..core.operators import OBJECT_OR_EDIT_MODE, Operator
+from ..core.refusals import Refused
+from ..core.rows import Row, Rows, is_given, is_one_of
 from ..core.translations import tr
 from .properties import is_finite
 
@@ -14,7 +17,7 @@ SIZINGS = (
 )
 
 
-class MOTUS_OT_grid_add(AddObjectHelper, bpy.types.Operator):
+class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
     bl_idname = "motus.grid_add"
     bl_label = "Grid Mesh"
     bl_description = "Add a flat grid of so many vertices, centred on its origin"
@@ -37,48 +40,34 @@ class MOTUS_OT_grid_add(AddObjectHelper, bpy.types.Operator):
     use_uv: bpy.props.BoolProperty(
         name="UV Map", description="Lay the whole grid over the unit square of a UV map", default=True)
 
-    def draw(self, _context):
-        layout = self.layout
-        layout.use_property_split = True
-        layout.use_property_decorate = False
-        column = layout.column(align=True)
-        column.prop(self, "width")
-        column.prop(self, "height")
-        layout.prop(self, "sizing", expand=True)
-        layout.prop(self, "spacing" if self.sizing == 'SPACING' else "size")
-        layout.prop(self, "use_smooth")
-        layout.prop(self, "use_uv")
-        layout.prop(self, "align")
-        layout.prop(self, "location")
-        layout.prop(self, "rotation")
+    redo = (
+        Rows(("width", "height"), title="Vertices"),
+        Rows((Row("sizing", expand=True), Row("spacing", when=is_one_of("sizing", 'SPACING')),
+              Row("size", when=is_one_of("sizing", 'SIZE')), "use_smooth", "use_uv"), title="Size"),
+        Rows(("align", Row("location", when=is_given("location")), "rotation"), title="Place"))
 
-    def execute(self, context):
+    modes = OBJECT_OR_EDIT_MODE
+
+    def run(self, context):
         for name in ("spacing", "size", "location", "rotation"):
             if not is_finite(getattr(self, name)):
-                self.report({'ERROR'}, tr("{keyword} is not a finite number").format(keyword=name))
-                return {'CANCELLED'}
+                raise Refused(tr("{keyword} is not a finite number").format(keyword=name))
         size = tuple(self.size)
         if self.sizing == 'SPACING':
             size = (self.width - 1) * self.spacing, (self.height - 1) * self.spacing
         if self.width * self.height > MOST_VERTICES:
-            self.report({'ERROR'}, tr("More than {count} vertices do not fit into one mesh").format(
+            raise Refused(tr("More than {count} vertices do not fit into one mesh").format(
                 count=MOST_VERTICES))
-            return {'CANCELLED'}
-        if context.mode not in {'OBJECT', 'EDIT_MESH'}:
-            self.report({'ERROR'}, tr("Go to Object Mode first"))
-            return {'CANCELLED'}
         self._choose_alignment(context)
         if self.align == 'VIEW' and getattr(context.space_data, "type", "") != 'VIEW_3D':
-            self.report({'ERROR'}, tr("There is no 3D view to align to: choose another alignment"))
-            return {'CANCELLED'}
+            raise Refused(tr("There is no 3D view to align to: choose another alignment"))
         mesh = grid_mesh(bpy.app.translations.pgettext_data("Grid"), self.width, self.height, size, self.use_smooth,
                          self.use_uv)
         object_data_add(context, mesh, operator=self)
-        return {'FINISHED'}
 
     def _choose_alignment(self, context):
         """The caller's, or else the preferences'; Blender would always take these where no rotation is given."""
-        if not self.properties.is_property_set("rotation"):
+        if not self.is_given("rotation"):
             if not self.properties.is_property_set("align", ghost=False):
                 self.align = context.preferences.edit.object_align
             self.rotation = 0.0, 0.0, 0.0

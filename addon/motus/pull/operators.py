@@ -3,9 +3,10 @@
 import bpy
 
 from ..core.lazy import numpy as np
+from ..core.operators import Operator, object_keyword
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import keywords, properties
+from . import keywords, properties, rows
 from .falloff_curve import CURVE_SAMPLES
 from .mesh import object_mesh
 from .properties import BrushKeywords
@@ -15,14 +16,12 @@ from .session.history import Done
 from .window import modal
 
 
-class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator):
+class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types.Operator):
     bl_idname = "motus.pick_pull"
     bl_label = "Pick & Pull"
     bl_description = "Pull the surface at a vertex; what is near follows"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the mesh object; empty takes the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Name of the mesh object; empty takes the active one")
     vertex: bpy.props.IntProperty(
         name="Vertex", description="Index of the vertex that is pulled; -1 takes the one nearest to the location",
         default=-1, min=-1, options={'SKIP_SAVE'})
@@ -40,21 +39,22 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
         type=properties.MOTUS_PG_dab, name="Dabs", description="What was done with the mouse",
         options={'HIDDEN', 'SKIP_SAVE'})
 
-    def execute(self, context):
-        try:
-            session = start(self, context)
-            has_acted = replay(session, self.dabs) if self.dabs else self._pull_once(context, session)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+    redo = rows.PULL
+
+    @classmethod
+    def check_offer(cls, context):
+        if sentence := object_mesh.problem(context.object):
+            raise Refused(sentence)
+
+    def run(self, context):
+        session = start(self, context)
+        has_acted = replay(session, self.dabs) if self.dabs else self._pull_once(context, session)
         if not session.finish() and has_acted:
-            self.report({'ERROR'}, modal.why_cancelled(session) or tr(
+            raise Refused(modal.why_cancelled(session) or tr(
                 "Nothing moved: what is in reach is hidden, masked or held by a limit"))
-            return {'CANCELLED'}
         self.remember(context, session, with_dabs=False)
         if session.mesh.share_seen() == 0.0:
             self.report({'WARNING'}, object_mesh.not_seen(session.mesh.key))
-        return {'FINISHED'}
 
     def start(self, context):
         """A Session by the keywords. Raises Refused."""
@@ -72,7 +72,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
     def _pull_once(self, context, session):
         vertex = self._root(session)
         session.begin_stroke()
-        if self.properties.is_property_set("displacement"):
+        if self.is_given("displacement"):
             displacement = session.to_world_vector(self.displacement)
         else:
             displacement = session.displacement(vertex, view=toward_viewer(context))
@@ -87,7 +87,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, BrushKeywords, bpy.types.Operator)
             if hidden is not None and hidden[self.vertex]:
                 raise Refused(tr("Vertex {index} is hidden").format(index=self.vertex))
             return self.vertex
-        if not self.properties.is_property_set("location"):
+        if not self.is_given("location"):
             raise Refused(tr("Say where: a location or a vertex"))
         found, away = session.nearest(session.to_world_point(self.location))
         if not away < session.reach_radius and session.brush.distance != 'EDGES':

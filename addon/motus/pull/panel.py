@@ -1,9 +1,8 @@
 """Panel of the brush, in the sidebar's tab."""
 
-import bpy
-
-from ..core import native, ui
-from . import falloff_curve, presets
+from ..core import panels, ui
+from ..core.rows import Row, Rows
+from . import falloff_curve, presets, rows
 from .mesh import object_mesh
 
 PRESSURE_ICON = 'STYLUS_PRESSURE'
@@ -27,11 +26,6 @@ def draw_main(layout, context):
     problem = object_mesh.problem(context.object)
     if problem:
         ui.draw_message(layout, problem, 'ERROR')
-    start = layout.row()
-    start.scale_y = 1.3
-    start.enabled = not problem
-    start.operator_context = 'INVOKE_DEFAULT'
-    start.operator("motus.pick_pull", icon='SCULPTMODE_HLT')
     column = _split(layout)
     draw_radius(column, brush)
     draw_number(column, brush, "strength", "use_pressure_strength")
@@ -49,25 +43,18 @@ def draw_main(layout, context):
     column.prop(brush, "show_inset")
 
 
-def draw_extent(layout, context):
-    """Where else it pulls, and what follows less."""
-    brush = context.scene.motus.pull
-    column = _split(layout)
-    column.row(align=True).prop(brush, "mirror", expand=True)
-    column.prop_search(brush, "vertex_group", context.object, "vertex_groups")
+def draw_actions(layout, context):
+    """The button that begins a session of pulls."""
+    start = layout.row()
+    start.scale_y = 1.3
+    start.enabled = not object_mesh.problem(context.object)
+    start.operator_context = 'INVOKE_DEFAULT'
+    start.operator("motus.pick_pull", icon='SCULPTMODE_HLT')
 
 
-def draw_limits(layout, context):
-    """Between which heights it stays."""
-    brush = context.scene.motus.pull
-    column = _split(layout)
-    column.row(align=True).prop(brush, "clamp_axis", expand=True)
-    for name, label in (("minimum", "Minimum"), ("maximum", "Maximum")):
-        row = column.row(heading=label, align=True)
-        row.prop(brush, f"use_{name}", text="")
-        value = row.row(align=True)
-        value.active = getattr(brush, f"use_{name}")
-        value.prop(brush, name, text="")
+def _draw_rows(*found):
+    """A part that draws these rows of the brush."""
+    return lambda layout, context: Rows(found).draw(_split(layout), context.scene.motus.pull)
 
 
 def _draw_curve(layout, brush):
@@ -82,38 +69,15 @@ def _split(layout):
     return layout.column(align=True)
 
 
-class _Part:
-    @classmethod
-    def poll(cls, context):
-        return native.module is not None and context.object is not None and context.object.type == 'MESH'
+# The brush is the scene's: no object has it in use.
+PANEL = panels.SystemPanel(
+    name="pull", prefix="MOTUS_PT_pull", label="Pick & Pull", editors={"": ui.Sidebar},
+    suits=lambda obj: obj.type == 'MESH',
+    draw=draw_main,
+    parts=(
+        panels.Part("extent", "Mirror & Mask", _draw_rows(*rows.EXTENT), is_open=True),
+        panels.Part("limits", "Limits", _draw_rows(Row("clamp_axis", expand=True), *rows.LIMITS)),
+    ),
+    actions=draw_actions, presets=presets.PANEL, adders=("motus.pick_pull",))
 
-
-class MOTUS_PT_pull(_Part, ui.Sidebar, bpy.types.Panel):
-    bl_label = "Pick & Pull"
-
-    def draw_header_preset(self, _context):
-        presets.PANEL.draw_panel_header(self.layout)
-
-    def draw(self, context):
-        draw_main(self.layout, context)
-
-
-class MOTUS_PT_pull_extent(_Part, ui.Sidebar, bpy.types.Panel):
-    bl_label = "Mirror & Mask"
-    bl_parent_id = "MOTUS_PT_pull"
-
-    def draw(self, context):
-        draw_extent(self.layout, context)
-
-
-class MOTUS_PT_pull_limits(_Part, ui.Sidebar, bpy.types.Panel):
-    bl_label = "Limits"
-    bl_parent_id = "MOTUS_PT_pull"
-    bl_options = {'DEFAULT_CLOSED'}
-
-    def draw(self, context):
-        draw_limits(self.layout, context)
-
-
-# Panels before their sub-panels.
-classes = (MOTUS_PT_pull, MOTUS_PT_pull_extent, MOTUS_PT_pull_limits)
+classes = panels.classes(PANEL)

@@ -79,8 +79,15 @@ def test_dragged_target():
 def test_bake_in_the_window():
     owner, _ = new_orbit()
     bpy.context.scene.frame_end = 50
+    x, y = window_support.centre()
+    window_support.move(x, y)
+    yield
     with window_support.override():
         bpy.ops.motus.bake('INVOKE_DEFAULT', object="Owner")
+    yield
+    yield from window_support.picture("bake_question")
+    assert not owner.motus.bake.is_baked
+    window_support.press('RET', x, y)
     yield from window_support.until(lambda: owner.motus.bake.is_baked)
     assert owner.motus.bake.is_baked
     assert follows(owner)

@@ -68,11 +68,45 @@ def test_panel():
 def test_match_runs_to_its_end():
     build()
     bpy.context.scene.frame_set(5)
-    assert run("ik_match_fk") == {'RUNNING_MODAL'}
+    yield from asked_and_answered("ik_match_fk", 'RET', "ik_match_question")
     yield from window_support.until(lambda: key_count() and bpy.context.scene.frame_current == 5)
     assert key_count() > 3 * LAST, key_count()
     assert bpy.context.scene.frame_current == 5
     assert (tail(LAST) - tail(1)).length > 0.5
+
+
+def asked_and_answered(operator, key, picture):
+    """Generator: calls a job over frames, takes a picture of its question for the range, and presses a key in it."""
+    x, y = window_support.centre()
+    window_support.move(x, y)
+    yield
+    assert run(operator) == {'RUNNING_MODAL'}
+    yield
+    yield from window_support.picture(picture)
+    window_support.press(key, x, y)
+    yield
+
+
+def test_it_asks_before_it_begins():
+    for operator in ("ik_match_fk", "ik_check"):
+        rig = build()
+        bpy.context.scene.frame_set(5)
+        yield from asked_and_answered(operator, 'ESC', f"{operator}_question")
+        for _ in range(5):
+            assert bpy.context.scene.frame_current == 5, "it has begun"
+            yield
+        assert key_count() == 0
+        assert not rig.motus.ik.entries["shin"].check_range
+
+
+def test_preview_range():
+    rig = build()
+    scene = bpy.context.scene
+    scene.use_preview_range = True
+    scene.frame_preview_start, scene.frame_preview_end = 11, 14
+    yield from asked_and_answered("ik_check", 'RET', "ik_check_preview")
+    yield from window_support.until(lambda: rig.motus.ik.entries["shin"].check_range)
+    assert rig.motus.ik.entries["shin"].check_range == "11-14", rig.motus.ik.entries["shin"].check_range
 
 
 def test_escape_leaves_nothing():
@@ -82,7 +116,7 @@ def test_escape_leaves_nothing():
         x, y = window_support.centre()
         window_support.move(x, y)
         yield
-        assert run(operator) == {'RUNNING_MODAL'}
+        assert run(operator, frame_start=1, frame_end=LAST) == {'RUNNING_MODAL'}
         window_support.press('ESC', x, y)
         yield
         assert bpy.context.scene.frame_current == 5

@@ -1,6 +1,7 @@
 """The panel of Pick & Pull and the tool's settings in the header."""
 
 import bpy
+import support
 from window.pull import pull_support as pull
 from window import window_support
 
@@ -9,21 +10,22 @@ def test_panel():
     pull.build()
     brush = bpy.context.scene.motus.pull
     brush.falloff = 'CURVE'
-    drawn = yield from window_support.open_tab("Motus")
-    panels = [panel for panel in bpy.types.Panel.__subclasses__() if getattr(panel, "bl_category", "") == "Motus"]
-    assert any(panel.__name__ == "MOTUS_PT_pull" for panel in panels)
-    window_support.draw_all()
-    yield from window_support.picture("pull_panel_curve")
-    brush.falloff = 'CLASSIC'
-    bpy.context.object.vertex_groups.new(name="Group")
-    window_support.draw_all()
-    yield from window_support.picture("pull_panel_classic")
-    assert any(name.startswith("MOTUS_PT_pull") for name in drawn), drawn
-    brush.falloff, brush.distance = 'SMOOTH', 'EDGES'
-    brush.edge_count = 4
-    assert brush.radius == 4.0
-    window_support.draw_all()
-    yield from window_support.picture("pull_panel_edges")
+    panels = [cls for cls in support.addon("pull.panel").classes if issubclass(cls, bpy.types.Panel)]
+    with window_support.drawn_settings(panels) as drawn:
+        yield from window_support.open_tab("Motus")
+        window_support.draw_all()
+        yield from window_support.picture("pull_panel_curve")
+        brush.falloff = 'CLASSIC'
+        bpy.context.object.vertex_groups.new(name="Group")
+        window_support.draw_all()
+        yield from window_support.picture("pull_panel_classic")
+        assert {"radius", "strength", "falloff", "scale_factor"} <= drawn["MOTUS_PT_pull"], drawn
+        assert drawn["MOTUS_PT_pull_extent"] == {"mirror", "vertex_group"}, drawn
+        brush.falloff, brush.distance = 'SMOOTH', 'EDGES'
+        brush.edge_count = 4
+        assert brush.radius == 4.0
+        window_support.draw_all()
+        yield from window_support.picture("pull_panel_edges")
     brush.distance, brush.radius = 'STRAIGHT', 1.0
 
 

@@ -1,10 +1,9 @@
 """Baking and unbaking as plain functions; baking in steps, so that it can show its progress and be cancelled."""
 
-import math
-
 import bpy
 
 from .. import system, wiring
+from ..frames import Kept, go_to
 from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
 from . import keys
@@ -38,18 +37,17 @@ def bake(scene, view_layer, owner, systems, frames):
     """Bake in steps: a generator of how many frames are done. Nothing is changed before the last one."""
     tracks = _tracks(owner, systems)
     _check(tracks, view_layer)
-    before = scene.frame_current, scene.frame_subframe
+    kept = Kept(scene)
     try:
         for index, frame in enumerate(frames):
-            whole = math.floor(frame)
-            scene.frame_set(whole, subframe=frame - whole)
+            go_to(scene, frame)
             for track in tracks:
                 track.record(view_layer.depsgraph)
             yield index + 1
     finally:
-        scene.frame_set(before[0], subframe=before[1])
+        kept.restore()
     _apply(owner, systems, tracks, frames)
-    scene.frame_set(before[0], subframe=before[1])
+    kept.restore()
 
 
 def unbake(thing, name=""):
@@ -58,10 +56,7 @@ def unbake(thing, name=""):
     thing: the owner or one of its members. name: of a system that has to be among the baked ones.
     """
     owner = thing.motus.bake.owner or thing
-    systems = [one for one in system.registered.values() if system.of_owner(one, owner).is_baked]
-    baked = [one for one in bpy.data.objects if _is_baked_with(owner, one)]
-    if not baked or (name and name not in [one.name for one in systems]):
-        raise Refused(tr("{object} is not baked").format(object=thing.name))
+    systems, baked = check_baked(thing, name)
     for one in baked:
         check_local(one)
         check_no_tweak_mode(one)
@@ -70,6 +65,16 @@ def unbake(thing, name=""):
         system.of_owner(one, owner).is_baked = False
         wiring.set_muted(one, owner, False)
     return baked, partial
+
+
+def check_baked(thing, name=""):
+    """(systems, objects) that were baked together with a thing. Raises Refused where nothing was."""
+    owner = thing.motus.bake.owner or thing
+    systems = [one for one in system.registered.values() if system.of_owner(one, owner).is_baked]
+    baked = [one for one in bpy.data.objects if _is_baked_with(owner, one)]
+    if not baked or (name and name not in [one.name for one in systems]):
+        raise Refused(tr("{object} is not baked").format(object=thing.name))
+    return systems, baked
 
 
 def _is_baked_with(owner, thing):

@@ -30,7 +30,8 @@ def write(id_data, tracks, frames):
                 bag.fcurves.remove(curve)
             for index, column in enumerate(zip(*rows)):
                 _write_curve(actions.new_fcurve(bag, path, index, group), frames, column)
-    id_data.motus.bake.action = id_data.animation_data.action
+    state = id_data.motus.bake
+    state.action, state.frame_start, state.frame_end = id_data.animation_data.action, frames[0], frames[-1]
 
 
 def _write_curve(curve, frames, values):

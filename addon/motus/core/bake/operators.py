@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..operators import Operator, object_keyword
 from ..over_frames import OverFrames
 from ..refusals import Refused
 from ..translations import tr
@@ -23,52 +24,50 @@ class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
     bl_idname = "motus.bake"
     bl_label = "Bake"
     bl_description = "Turn what Motus computes into keyframes, in an action of their own"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Object that is driven or drives others; empty means the active one",
-        options={'SKIP_SAVE'})
+    object: object_keyword("Object that is driven or drives others; empty means the active one")
     system: bpy.props.StringProperty(
         name="System", description="Name of the system to bake; empty means all of the object's", options={'SKIP_SAVE'})
-    step: bpy.props.FloatProperty(
-        name="Step", description="Frames from one keyframe to the next, less than one for sub-frames",
-        default=1.0, min=0.001, soft_min=0.1, soft_max=10.0)
+
+    @classmethod
+    def check_offer(cls, context):
+        thing = _named_object(context, "")
+        job.owner_and_systems(thing)
+        if thing.motus.bake.is_baked:
+            raise Refused(tr("{object} is baked already: unbake it first").format(object=thing.name))
 
     def steps(self, context, frames):
         owner, systems = job.owner_and_systems(_named_object(context, self.object), self.system)
-        self._result = len(frames), len(job.objects_of(owner, systems))
+        self._result = frames, len(job.objects_of(owner, systems))
         self._inexact = job.inexact(owner, systems)
         return job.bake(context.scene, context.view_layer, owner, systems, frames)
 
     def result(self, _context):
         frames, objects = self._result
-        self.report({'INFO'}, tr("Baked {frames} frames of {objects} objects").format(frames=frames, objects=objects))
+        self.report({'INFO'}, tr("Baked {frames} frames of {objects} objects: {first}-{last}").format(
+            frames=len(frames), objects=objects, first=f"{frames[0]:g}", last=f"{frames[-1]:g}"))
         if self._inexact:
             self.report({'WARNING'}, tr(
                 "Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}").format(
                     bones=", ".join(self._inexact)))
 
 
-class MOTUS_OT_unbake(bpy.types.Operator):
+class MOTUS_OT_unbake(Operator, bpy.types.Operator):
     bl_idname = "motus.unbake"
     bl_label = "Unbake"
     bl_description = "Take the baked keyframes away, put the object's own action back and switch the systems on again"
-    bl_options = {'REGISTER', 'UNDO'}
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Object that was baked; empty means the active one", options={'SKIP_SAVE'})
+    object: object_keyword("Object that was baked; empty means the active one")
     system: bpy.props.StringProperty(
         name="System", description="Name of a system that was baked; empty means any", options={'SKIP_SAVE'})
 
-    def execute(self, context):
-        try:
-            thing = _named_object(context, self.object)
-            baked, partial = job.unbake(thing, self.system)
-        except Refused as error:
-            self.report({'ERROR'}, str(error))
-            return {'CANCELLED'}
+    @classmethod
+    def check_offer(cls, context):
+        job.check_baked(_named_object(context, ""))
+
+    def run(self, context):
+        baked, partial = job.unbake(_named_object(context, self.object), self.system)
         self.report({'INFO'}, tr("Unbaked {objects} objects").format(objects=len(baked)))
         if partial:
             self.report({'WARNING'}, tr("Not all that these were before baking is in the file any more: {objects}").format(
                 objects=", ".join(one.name for one in partial)))
-        return {'FINISHED'}

@@ -10,6 +10,11 @@ class MOTUS_PG_bake(bpy.types.PropertyGroup):
         type=bpy.types.Object, name="Owner", description="Object whose system was baked; empty where it is this one")
     action: bpy.props.PointerProperty(
         type=bpy.types.Action, name="Baked Action", description="Action that holds the baked keyframes")
+    frame_start: bpy.props.FloatProperty(
+        name="Start", description="First frame of the baked keyframes", options=set())
+    frame_end: bpy.props.FloatProperty(
+        name="End", description="Last frame of the baked keyframes; as the first one in files of older versions",
+        options=set())
     previous_action: bpy.props.PointerProperty(
         type=bpy.types.Action, name="Previous Action", description="The object's own action, which unbaking puts back")
     previous_slot: bpy.props.StringProperty(

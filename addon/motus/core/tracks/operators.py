@@ -4,8 +4,11 @@ import math
 
 import bpy
 
+from ..frames import Kept, go_to
+from ..operators import Operator
 from ..over_frames import OverFrames
 from ..refusals import Refused, check_bone, check_evaluated, check_local, check_posed
+from ..rows import Row, Rows
 from ..translations import tr
 from . import digest, recordings
 from .track import own_track, property_track, world_track
@@ -16,7 +19,11 @@ TRANSFORMS = (
 )
 
 
-class _OfATrack:
+# Own and world transforms; a property is named by a script or a panel's button.
+_WHAT = Rows((Row("transform", when=lambda operator: not operator.data_path),))
+
+
+class _OfATrack(Operator):
     """Mixin with the keywords that name a track."""
 
     datablock: bpy.props.StringProperty(
@@ -62,15 +69,11 @@ class _OfATrack:
         return own_track(thing) if self.transform == 'OWN' else world_track(thing, scene)
 
 
-class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
+class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):
     bl_idname = "motus.track_record"
     bl_label = "Record"
     bl_description = "Go through the frames and keep in the file what is not known ahead, such as what constraints do"
-    bl_options = {'REGISTER', 'UNDO'}
-
-    step: bpy.props.FloatProperty(
-        name="Step", description="Frames from one sample to the next, less than one for sub-frames", default=1.0, min=0.001,
-        soft_min=0.1, soft_max=10.0)
+    redo = (_WHAT, *OverFrames.redo)
 
     def steps(self, context, frames):
         id_data = self.id_data(context)
@@ -100,35 +103,28 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
             check_posed(id_data, context.view_layer)
 
     def _record(self, context, id_data, frames):
-        scene = context.scene
-        before = scene.frame_current, scene.frame_subframe
+        kept = Kept(context.scene)
         try:
             for index, frame in enumerate(frames):
-                whole = math.floor(frame)
-                scene.frame_set(whole, subframe=frame - whole)
+                go_to(context.scene, frame)
                 evaluated = id_data.evaluated_get(context.view_layer.depsgraph)
-                self._samples.append(self.track(evaluated, scene).present())
+                self._samples.append(self.track(evaluated, context.scene).present())
                 yield index + 1
         finally:
-            scene.frame_set(before[0], subframe=before[1])
+            kept.restore()
 
 
 class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
     bl_idname = "motus.track_clear"
     bl_label = "Clear Recording"
     bl_description = "Take the recorded samples out of the file"
-    bl_options = {'REGISTER', 'UNDO'}
+    redo = (_WHAT,)
 
-    def execute(self, context):
-        try:
-            id_data = self.id_data(context)
-            check_local(id_data)
-            if not recordings.remove(id_data, self.track(id_data, context.scene).what):
-                raise Refused(tr("Nothing was recorded of {object}").format(object=id_data.name))
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
-        return {'FINISHED'}
+    def run(self, context):
+        id_data = self.id_data(context)
+        check_local(id_data)
+        if not recordings.remove(id_data, self.track(id_data, context.scene).what):
+            raise Refused(tr("Nothing was recorded of {object}").format(object=id_data.name))
 
 
 classes = (recordings.MOTUS_PG_recording, MOTUS_OT_track_record, MOTUS_OT_track_clear)

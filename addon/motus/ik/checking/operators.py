@@ -2,10 +2,11 @@
 
 import bpy
 
+from ...core.frames import Kept, go_to
 from ...core.refusals import Refused, check_local
 from ...core.translations import tr
 from .. import status, targets
-from ..frame_walk import Kept, OverFrames, active_rig, go_to
+from ..frame_walk import OverFrames, active_rig
 from ..goals import controls
 from . import results
 

@@ -6,9 +6,10 @@ from mathutils import Vector
 from ...core import actions
 from ...core.drag import PointDrag
 from ...core.refusals import Refused, check_finite, check_posed, named
+from ...core.rows import Row, Rows, is_given
 from ...core.translations import tr
 from .. import status, targets
-from ..operators import OfARig, in_a_mode_of_objects, refused
+from ..operators import OfARig
 from . import grab, picking
 
 REACHED = 1e-4
@@ -19,7 +20,6 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
     bl_idname = "motus.ik_drag"
     bl_label = "Drag Chain"
     bl_description = "Take hold of a bone at any point; the chain follows the mouse"
-    bl_options = {'REGISTER', 'UNDO'}
 
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the bone that is pulled; empty takes the active one", options={'SKIP_SAVE'})
@@ -33,43 +33,39 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         name="Chain Length", default=0, min=0, max=255,
         description="How many bones without inverse kinematics follow; 0 takes those that are connected up to a branch")
 
-    poll = classmethod(in_a_mode_of_objects)
-    _refusal = Refused
+    redo = (Rows(("factor", "chain_length", Row("location", when=is_given("location")))),)
 
-    def execute(self, context):
-        try:
-            rig = self._rig(context)
-            bone = targets.bone_for(context, rig, self.bone)
-            if not self.properties.is_property_set("location"):
-                raise Refused(tr("Say where to: location is missing"))
-            check_finite(self, ("factor", "location"))
-            held = grab.grab(context, rig, bone, self.factor, self.chain_length)
-        except Refused as refusal:
-            return refused(self, refusal)
+    @classmethod
+    def check_offer(cls, context):
+        targets.rig_for(context, "")
+
+    def run(self, context):
+        rig = self._rig(context)
+        bone = targets.bone_for(context, rig, self.bone)
+        if not self.is_given("location"):
+            raise Refused(tr("Say where to: location is missing"))
+        check_finite(self, ("factor", "location"))
+        held = grab.grab(context, rig, bone, self.factor, self.chain_length)
         held.pull(Vector(self.location))
         self._key(context, held)
         context.view_layer.update()
         left = (grab.point_on(rig, context.view_layer.depsgraph, bone, self.factor) - Vector(self.location)).length
         if left > REACHED * rig.data.bones[bone].length * rig.matrix_world.median_scale:
             self.report({'WARNING'}, tr("The point stays {length} away").format(length=status.length(context, left)))
-        return {'FINISHED'}
 
     def invoke(self, context, event):
-        if context.window is None or self.properties.is_property_set("location"):
+        if context.window is None or self.is_given("location"):
             return self.execute(context)
         try:
             self.object = self._rig(context).name
             return self._begin(context, event)
         except Refused as refusal:
-            return self._refused(refusal)
+            return self.refuse(refusal)
 
     def _rig(self, context):
         rig = targets.rig_for(context, self.object)
         check_posed(rig, context.view_layer)
         return rig
-
-    def _refused(self, refusal):
-        return refused(self, refusal)
 
     def _show_keys(self, context):
         context.workspace.status_text_set(

@@ -10,11 +10,11 @@ from mathutils import Matrix, Vector
 
 from ...core import dependencies
 from ...core.lazy import numpy as np
+from ...core.frames import Kept, go_to
 from ...core.refusals import Refused, check_no_tweak_mode, check_posed
 from ...core.translations import tr
 from .. import forward, groups, reading, targets
 from ..checking import results as check_results
-from ..frame_walk import Kept, go_to
 from ..goals import controls
 from ..keying import Channels, KeyWriter
 from . import weights

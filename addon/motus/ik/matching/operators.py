@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ...core.rows import Rows
 from ...core.translations import tr
 from ..frame_walk import OverFrames, active_rig
 from .job import match_fk, match_ik
@@ -14,6 +15,8 @@ GOOD = 1e-3
 
 class _Match(OverFrames):
     """What both directions have in common. job: the generator of job that does it."""
+
+    redo = (*OverFrames.redo, Rows(("switch",)))
 
     def steps(self, context, frames):
         rig = active_rig(context, self.object)

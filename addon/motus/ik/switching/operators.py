@@ -5,9 +5,10 @@ import math
 import bpy
 
 from ...core.refusals import Refused, named
+from ...core.rows import Row, Rows
 from ...core.translations import tr
 from .. import targets
-from ..operators import OfABone, in_a_mode_of_objects, refused
+from ..operators import OfABone
 from . import blend_keys, blend_trigger
 
 LASTS = 12
@@ -20,11 +21,36 @@ EASES = (
 )
 
 
+def _named(name):
+    """A row that chooses an object of the scene."""
+    return Row(name, search=lambda _operator: (bpy.context.scene, "objects"))
+
+
+def _is_armature(operator):
+    goal = bpy.data.objects.get(operator.target)
+    return goal is not None and goal.type == 'ARMATURE'
+
+
+def _bones(operator):
+    return bpy.data.objects[operator.target].data, "bones"
+
+
+def _is_by_frames(operator):
+    return not operator.trigger_object
+
+
+def _is_by_trigger(operator):
+    return bool(operator.trigger_object)
+
+
+def _is_by_output(operator):
+    return bool(operator.trigger_object) and not operator.trigger_data_path
+
+
 class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
     bl_idname = "motus.ik_switch_target"
     bl_label = "Switch Target"
     bl_description = "Let the chain pass from its present target to another one, over frames or when something happens"
-    bl_options = {'REGISTER', 'UNDO'}
 
     target: bpy.props.StringProperty(
         name="Target", description="Name of the object to go to; empty takes what is selected along with the bone",
@@ -56,18 +82,19 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         name="To", description="Value of the trigger at which the chain is at the other target", default=0.1,
         options={'SKIP_SAVE'})
 
-    poll = classmethod(in_a_mode_of_objects)
+    redo = (
+        Rows((_named("target"), Row("target_bone", when=_is_armature, search=_bones, text="Bone"), "interpolation")),
+        Rows((_named("trigger_object"), Row("frame_start", when=_is_by_frames), Row("frame_end", when=_is_by_frames),
+              Row("trigger_data_path", when=_is_by_trigger),
+              Row("trigger_system", when=_is_by_output), Row("trigger_output", when=_is_by_output),
+              Row("trigger_start", when=_is_by_trigger), Row("trigger_end", when=_is_by_trigger))))
 
-    def execute(self, context):
-        try:
-            rig, entry, number = self._switch(context)
-        except Refused as refusal:
-            return refused(self, refusal)
+    def run(self, context):
+        rig, entry, number = self._switch(context)
         extra = entry.extra_targets[number]
         name = f"{extra.object.name}: {extra.bone}" if extra.bone else extra.object.name
         self.report({'INFO'}, tr("{bone} of {object} passes on to {target}").format(
             bone=entry.name, object=rig.name, target=name))
-        return {'FINISHED'}
 
     def invoke(self, context, _event):
         if context.window is None:
@@ -78,27 +105,6 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
                 self.target, self.target_bone = goal[0].name, goal[1]
         self._take_frames(context)
         return context.window_manager.invoke_props_dialog(self)
-
-    def draw(self, context):
-        layout = self.layout
-        layout.use_property_split = True
-        column = layout.column()
-        _draw_object(column, context, self, "target")
-        goal = bpy.data.objects.get(self.target)
-        if goal and goal.type == 'ARMATURE':
-            column.prop_search(self, "target_bone", goal.data, "bones", text="Bone")
-        column.prop(self, "interpolation")
-        _draw_object(column, context, self, "trigger_object")
-        if not self.trigger_object:
-            column.prop(self, "frame_start")
-            column.prop(self, "frame_end")
-            return
-        column.prop(self, "trigger_data_path")
-        if not self.trigger_data_path:
-            column.prop(self, "trigger_system")
-            column.prop(self, "trigger_output")
-        column.prop(self, "trigger_start")
-        column.prop(self, "trigger_end")
 
     def _switch(self, context):
         rig = targets.rig_with_ik(context, self.object)
@@ -137,14 +143,10 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         return blend_trigger.switch(rig, entry, goal, source, *values, self.interpolation)
 
     def _take_frames(self, context):
-        if not self.properties.is_property_set("frame_start"):
+        if not self.is_given("frame_start"):
             self.frame_start = context.scene.frame_current
-        if not self.properties.is_property_set("frame_end"):
+        if not self.is_given("frame_end"):
             self.frame_end = self.frame_start + LASTS
-
-
-def _draw_object(column, context, operator, name):
-    column.prop_search(operator, name, context.scene, "objects")
 
 
 classes = (MOTUS_OT_ik_switch_target,)

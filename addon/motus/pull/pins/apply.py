@@ -4,10 +4,11 @@ import bpy
 
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
+from ...core.rows import Rows
 from ...core.translations import tr
 from ..mesh import arrays
 from . import keys, setup, solve, table
-from .operators import PinOperator, object_keyword
+from .operators import PinOperator, mesh_keyword
 
 TARGETS = (
     ('MESH', "Mesh", "Move the vertices themselves, by the strengths of this frame"),
@@ -23,10 +24,11 @@ class MOTUS_OT_pin_apply(PinOperator, bpy.types.Operator):
     bl_label = "Apply Pins"
     bl_description = "Make what the pins do a part of the mesh, and remove them"
 
-    object: object_keyword()
+    object: mesh_keyword()
     to: bpy.props.EnumProperty(name="To", description="What becomes of the pins", items=TARGETS, default='MESH')
     index: bpy.props.IntProperty(
         name="Index", description="Which pin; -1 means all of them", default=-1, min=-1, options={'SKIP_SAVE'})
+    redo = (Rows(("to",)),)
 
     def change(self, context, obj):
         indices = list(range(len(obj.motus.pull.pins))) if self.index < 0 else [setup.pin_at(obj, self.index)]

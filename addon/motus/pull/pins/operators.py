@@ -3,9 +3,11 @@
 import bpy
 
 from ...core.lazy import numpy as np
+from ...core.operators import OBJECT_MODE, Operator, object_keyword
 from ...core.refusals import Refused, check_finite
+from ...core.rows import Row, Rows
 from ...core.translations import tr
-from .. import keywords
+from .. import keywords, rows
 from ..falloff_curve import CURVE_SAMPLES
 from ..mesh import arrays
 from ..properties import BrushKeywords
@@ -22,10 +24,9 @@ KEYWORDS = ("radius", "unit", "falloff", "scale_factor", "distance", "direction"
 """Of the brush; the scene's brush has those that are not given."""
 
 
-def object_keyword():
+def mesh_keyword():
     """The property by which scripts name the object."""
-    return bpy.props.StringProperty(
-        name="Object", description="Name of the mesh object; empty takes the active one", options={'SKIP_SAVE'})
+    return object_keyword("Name of the mesh object; empty takes the active one")
 
 
 def index_keyword():
@@ -34,27 +35,21 @@ def index_keyword():
         name="Index", description="Which pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
 
-class PinOperator:
-    """Mixin: one undo step, in Object Mode, whose refusals are reported."""
+class PinOperator(Operator):
+    """Mixin: change(context, obj) does the work on an object that can have pins."""
 
-    bl_options = {'REGISTER', 'UNDO'}
+    modes = OBJECT_MODE
 
     @classmethod
-    def poll(cls, context):
-        if context.mode == 'OBJECT':
-            return True
-        cls.poll_message_set(tr("Go to Object Mode first"))
-        return False
+    def check_offer(cls, context):
+        if context.object is None:
+            raise Refused(tr("Select a mesh"))
+        setup.check(context.object)
 
-    def execute(self, context):
-        try:
-            obj = keywords.object_of(self, context)
-            setup.check(obj)
-            self.change(context, obj)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
-        return {'FINISHED'}
+    def run(self, context):
+        obj = keywords.object_of(self, context)
+        setup.check(obj)
+        self.change(context, obj)
 
 
 class PinKeywords:
@@ -68,7 +63,7 @@ class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
     bl_label = "Add Pull Pin"
     bl_description = "Keep a pull in the object's list, where it can be keyed, muted and removed again"
 
-    object: object_keyword()
+    object: mesh_keyword()
     vertex: bpy.props.IntProperty(
         name="Vertex", description="Index of the root; -1 takes the vertex that is nearest to the location", default=-1,
         min=-1, options={'SKIP_SAVE'})
@@ -91,6 +86,8 @@ class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
         name="From Last Pull", description="Turn the last pull, or all of the last stroke, into a pin: the mesh goes back to "
                                            "what it was before",
         options={'SKIP_SAVE'})
+    redo = rows.PIN
+    for_scripts = ("from_last",)
 
     def change(self, context, obj):
         check_finite(self, ("location", "displacement", "strength"))
@@ -115,9 +112,10 @@ class MOTUS_OT_pin_remove(PinOperator, bpy.types.Operator):
     bl_label = "Remove Pull Pin"
     bl_description = "Remove a pin, and what it did to the mesh"
 
-    object: object_keyword()
+    object: mesh_keyword()
     index: index_keyword()
     all: bpy.props.BoolProperty(name="All", description="Remove all pins", options={'SKIP_SAVE'})
+    redo = (Rows(("all",)),)
 
     def change(self, context, obj):
         indices = set(range(len(obj.motus.pull.pins))) if self.all else set()
@@ -129,11 +127,12 @@ class MOTUS_OT_pin_move(PinOperator, bpy.types.Operator):
     bl_label = "Move Pin"
     bl_description = "Let a pin act earlier or later than others, which counts where heights are limited"
 
-    object: object_keyword()
+    object: mesh_keyword()
     index: index_keyword()
     direction: bpy.props.EnumProperty(name="Direction", description="Which way", items=DIRECTIONS, default='UP')
     place: bpy.props.IntProperty(
         name="Place", description="New index of the pin, instead of a direction", default=-1, min=-1, options={'SKIP_SAVE'})
+    redo = (Rows((Row("direction", when=lambda operator: operator.place < 0),)),)
 
     def change(self, context, obj):
         index, last = setup.pin_at(obj, self.index), len(obj.motus.pull.pins) - 1
@@ -148,9 +147,10 @@ class MOTUS_OT_pin_mirror(PinOperator, bpy.types.Operator):
     bl_label = "Mirror Pin"
     bl_description = "Add a pin like this one on the other side of the object, with a strength of its own"
 
-    object: object_keyword()
+    object: mesh_keyword()
     index: index_keyword()
     axis: bpy.props.EnumProperty(name="Axis", description="Across which of the object's axes", items=AXES, default='X')
+    redo = (Rows(("axis",)),)
 
     def change(self, context, obj):
         pin = obj.motus.pull.pins[setup.pin_at(obj, self.index)]
@@ -164,7 +164,7 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
     bl_label = "Bind Pin Again"
     bl_description = "Give a pin that has lost its place the vertex nearest to it, or another one, as its root"
 
-    object: object_keyword()
+    object: mesh_keyword()
     index: index_keyword()
     vertex: bpy.props.IntProperty(
         name="Vertex", description="Index of the new root; -1 takes the vertex that is nearest to the location",
@@ -178,7 +178,7 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
         pin = obj.motus.pull.pins[setup.pin_at(obj, self.index)]
         setup.check_rooted(pin)
         positions = arrays.positions(obj.data)
-        place = self.location if self.properties.is_property_set("location") else pin.place
+        place = self.location if self.is_given("location") else pin.place
         vertex = targets.checked(obj, positions, self.vertex) if self.vertex >= 0 else targets.nearest(
             obj, positions, np.array(place), np.reshape(pin.metric, (3, 3)))
         setup.bind(obj, pin, vertex)
@@ -190,7 +190,7 @@ class MOTUS_OT_pin_restore(PinOperator, bpy.types.Operator):
     bl_label = "Restore Modifier"
     bl_description = "Put the modifier of the pins back, in front of all others"
 
-    object: object_keyword()
+    object: mesh_keyword()
 
     def change(self, context, obj):
         setup.pin_at(obj, 0)

@@ -2,9 +2,11 @@
 
 import bpy
 
-from ...core import native, ui, wiring
+from ...core import panels, ui, wiring
+from ...core.rows import Row, Rows
 from ...core.system import Problem
 from ...core.translations import OWN_SENSE
+from .. import rows
 from . import solve
 from .setup import system
 
@@ -26,32 +28,37 @@ def state_of(context, obj, index):
 
 
 def draw_list(layout, context):
-    """The list, its buttons, and what is wrong."""
-    if native.module is None:
-        ui.draw_native_status(layout)
-        return
+    """The list and what is wrong."""
     obj = context.object
     settings = obj.motus.pull
-    row = layout.row()
-    row.template_list("MOTUS_UL_pins", "", settings, "pins", settings, "active_pin", rows=4)
-    buttons = row.column(align=True)
-    buttons.operator("motus.pin_add", text="", icon='ADD')
-    buttons.operator("motus.pin_remove", text="", icon='REMOVE')
+    _, _, buttons = ui.draw_list(
+        layout, "MOTUS_UL_pins", settings, "pins", "active_pin", "motus.pin_add", "motus.pin_remove", rows=4)
     buttons.separator()
-    buttons.operator("motus.pin_move", text="", icon='TRIA_UP').direction = 'UP'
-    buttons.operator("motus.pin_move", text="", icon='TRIA_DOWN').direction = 'DOWN'
-    last = layout.row()
-    last.active = bool(context.scene.motus.pull.last.object)
-    last.operator("motus.pin_add", text="Pin Last Pull", icon='PINNED').from_last = True
-    if not settings.is_active:
-        return
+    for direction in ('UP', 'DOWN'):
+        buttons.operator("motus.pin_move", text="", icon=f'TRIA_{direction}').direction = direction
     _draw_problems(layout, context, obj)
-    column = layout.column()
-    column.use_property_split = True
-    column.prop(settings, "influence", slider=True)
+    ui.split(layout).prop(settings, "influence", slider=True)
+
+
+def draw_add(layout, context):
+    """The buttons that make a pin."""
     column = layout.column(align=True)
+    column.operator("motus.pin_add", icon='PINNED')
+    _draw_pin_last(column, context)
+
+
+def draw_actions(layout, context):
+    """Pinning, applying and removing."""
+    column = layout.column(align=True)
+    _draw_pin_last(column, context)
     column.operator_menu_enum("motus.pin_apply", "to", text="Apply Pins", icon='CHECKMARK')
     column.operator("motus.pin_remove", text="Remove All", icon='X').all = True
+
+
+def _draw_pin_last(layout, context):
+    row = layout.row()
+    row.active = bool(context.scene.motus.pull.last.object)
+    row.operator("motus.pin_add", text="Pin Last Pull", icon='PINNED').from_last = True
 
 
 def _draw_problems(layout, context, obj):
@@ -67,7 +74,7 @@ def _draw_problems(layout, context, obj):
     if not any(states):
         problem = ui.draw_problem(layout, context, system(), obj)
         if problem and problem.blocking and problem not in solve.PROBLEMS:
-            layout.operator("motus.pin_restore", text="Refresh", icon='FILE_REFRESH')
+            layout.operator("motus.pin_restore", icon='LOOP_BACK')
     elif settings.active_pin >= len(states) or states[settings.active_pin] == solve.OK:
         worst = next(state for state in states if state != solve.OK)
         ui.draw_message(layout, solve.PROBLEM_OF[worst].sentence, 'ERROR')
@@ -81,31 +88,20 @@ def draw_pin(layout, context):
     sentence = SENTENCES.get(state_of(context, obj, settings.active_pin))
     if sentence:
         ui.draw_message(layout, sentence.sentence, 'ERROR')
-    column = layout.column()
-    column.use_property_split = True
+    column = ui.split(layout)
     if pin.shape:
         column.prop(pin, "strength")
         return
-    for name in ("strength", "radius", "falloff"):
-        column.prop(pin, name)
-    if pin.falloff == 'CLASSIC':
-        column.prop(pin, "scale_factor")
-    column.prop(pin, "distance")
-    column.prop(pin, "displacement", text="Offset", text_ctxt=OWN_SENSE)  # its name is longer than the space for labels
-    column.row(heading="Mirror").prop(pin, "mirror", expand=True)
-    column.prop_search(pin, "vertex_group", obj, "vertex_groups")
-    for name in ("minimum", "maximum"):
-        row = column.row(heading=pin.bl_rna.properties[name].name)
-        row.prop(pin, f"use_{name}", text="")
-        value = row.row()
-        value.active = getattr(pin, f"use_{name}")
-        value.prop(pin, name, text="")
-    if pin.use_minimum or pin.use_maximum:
-        column.prop(pin, "clamp_axis")
+    _FORM.draw(column, pin)
     column = layout.column(align=True)
     column.operator("motus.pin_rebind", icon='SNAP_VERTEX')
     column.operator_menu_enum("motus.pin_mirror", "axis", icon='MOD_MIRROR')
 
+
+# The displacement's name is longer than the space for labels.
+_FORM = Rows((
+    "strength", "radius", *rows.FORM, Row("displacement", text="Offset", text_ctxt=OWN_SENSE), *rows.EXTENT, *rows.LIMITS,
+    rows.CLAMPED))
 
 _KEEP_VERTICES = {
     'ARMATURE', 'CAST', 'CURVE', 'DISPLACE', 'HOOK', 'LAPLACIANDEFORM', 'LATTICE', 'MESH_DEFORM', 'SHRINKWRAP',
@@ -125,27 +121,12 @@ class MOTUS_UL_pins(bpy.types.UIList):
         row.prop(pin, "is_muted", text="", emboss=False, icon='HIDE_ON' if pin.is_muted else 'HIDE_OFF')
 
 
-class _Pins:
-    bl_label = "Pins"
-
-    def draw(self, context):
-        draw_list(self.layout, context)
+def _has_active_pin(context):
+    settings = context.object.motus.pull
+    return settings.active_pin < len(settings.pins)
 
 
-class _Pin:
-    bl_label = "Pin"
-
-    @classmethod
-    def poll(cls, context):
-        if native.module is None or context.object is None or not context.object.motus.pull.is_active:
-            return False
-        return context.object.motus.pull.active_pin < len(context.object.motus.pull.pins)
-
-    def draw(self, context):
-        draw_pin(self.layout, context)
-
-
-class _Modifiers:
+class ObjectModifiers:
     """Mixin of panels among the modifiers of an object, in the properties editor."""
 
     bl_space_type = 'PROPERTIES'
@@ -153,28 +134,13 @@ class _Modifiers:
     bl_context = "modifier"
 
 
-class MOTUS_PT_pins(_Pins, ui.Sidebar, bpy.types.Panel):
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and context.object.type == 'MESH'
+PANEL = panels.SystemPanel(
+    name="pull", prefix="MOTUS_PT_pins", label="Pins",
+    editors={"": ui.Sidebar, "_modifier": ObjectModifiers}, labels={"_modifier": "Motus Pins"},
+    suits=lambda obj: obj.type == 'MESH',
+    is_used=lambda obj: obj.motus.pull.is_active,
+    draw=draw_list,
+    parts=(panels.Part("pin", "Pin", draw_pin, is_open=True, is_shown=_has_active_pin),),
+    actions=draw_actions, refresh="motus.pin_restore", draw_add=draw_add)
 
-
-class MOTUS_PT_pin(_Pin, ui.Sidebar, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_pins"
-
-
-class MOTUS_PT_pins_modifier(_Pins, _Modifiers, bpy.types.Panel):
-    bl_label = "Motus Pins"
-
-    @classmethod
-    def poll(cls, context):
-        obj = context.object
-        return obj is not None and obj.type == 'MESH' and obj.motus.pull.is_active
-
-
-class MOTUS_PT_pin_modifier(_Pin, _Modifiers, bpy.types.Panel):
-    bl_parent_id = "MOTUS_PT_pins_modifier"
-
-
-classes = (
-    MOTUS_UL_pins, MOTUS_PT_pins, MOTUS_PT_pin, MOTUS_PT_pins_modifier, MOTUS_PT_pin_modifier)
+classes = (MOTUS_UL_pins, *panels.classes(PANEL))

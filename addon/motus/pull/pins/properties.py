@@ -2,40 +2,33 @@
 
 import bpy
 
-from ...core.settings import SystemSettings, touch
+from ...core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, touch
 from ..falloff_curve import CURVE_SAMPLES
 from ..properties import AXES, DISTANCES, FALLOFFS
 
-ANIMATED = {'ANIMATABLE'}
-OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
-EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
 UNIT_METRIC = (1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
-
-
-def _touch_owner(item, context):
-    touch(item.id_data.motus.pull, context)
 
 
 def _number(name, description, default, animated=False, **options):
     return bpy.props.FloatProperty(
         name=name, description=description, default=default, options=ANIMATED if animated else set(),
-        update=_touch_owner, override=OVERRIDABLE, **options)
+        update=touch, override=OVERRIDABLE, **options)
 
 
 def _vector(name, description, size, **options):
     return bpy.props.FloatVectorProperty(
-        name=name, description=description, size=size, options=set(), update=_touch_owner, override=OVERRIDABLE, **options)
+        name=name, description=description, size=size, options=set(), update=touch, override=OVERRIDABLE, **options)
 
 
 def _flag(name, description, animated=False):
     return bpy.props.BoolProperty(
-        name=name, description=description, default=False, options=ANIMATED if animated else set(), update=_touch_owner,
+        name=name, description=description, default=False, options=ANIMATED if animated else set(), update=touch,
         override=OVERRIDABLE)
 
 
 def _choice(name, description, items, default, options=frozenset()):
     return bpy.props.EnumProperty(
-        name=name, description=description, items=items, default=default, options=set(options), update=_touch_owner,
+        name=name, description=description, items=items, default=default, options=set(options), update=touch,
         override=OVERRIDABLE)
 
 
@@ -61,10 +54,10 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     clamp_axis: _choice("Height Axis", "Axis along which the height is measured", AXES, 'Z')
     vertex_group: bpy.props.StringProperty(
         name="Vertex Group", description="Its weights tell how far each vertex follows; empty moves all", options=set(),
-        update=_touch_owner, override=OVERRIDABLE)
+        update=touch, override=OVERRIDABLE)
     shape: bpy.props.StringProperty(
         name="Shape", description="Name of the mesh's attribute that says how far each vertex goes, where the pin was made of "
-                                  "a stroke; empty for a pull at one root", options=set(), update=_touch_owner,
+                                  "a stroke; empty for a pull at one root", options=set(), update=touch,
         override=OVERRIDABLE)
     metric: _vector(
         "Metric", "Matrix, row by row, that takes the object's vectors to those that are measured", 9,

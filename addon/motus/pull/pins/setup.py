@@ -2,10 +2,9 @@
 
 import bpy
 
-from ...core import libraries, wiring
+from ...core import entries, libraries, wiring
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
-from ...core.system import forget
 from ...core.translations import tr
 from ..mesh import arrays
 from . import binding, keys
@@ -98,7 +97,6 @@ def remove(obj, indices):
     rewire(obj)
     if not left:
         keys.drop_empty(obj)
-        forget(system(), obj)
 
 
 def reorder(obj, index, place):
@@ -114,12 +112,7 @@ def reorder(obj, index, place):
 
 def rewire(obj):
     """Wire an object for the pins it has now."""
-    if not obj.motus.pull.pins:
-        wiring.detach(system(), obj)
-    elif wiring.is_attached(system(), obj):
-        wiring.refresh(system(), obj)
-    else:
-        wiring.attach(system(), obj)
+    entries.wire(system(), obj, "pins")
 
 
 def settle(obj):

@@ -35,7 +35,7 @@ class PickPullModal:
         name="Smooth", description="The stroke smooths", default=False, options={'HIDDEN', 'SKIP_SAVE'})
 
     def invoke(self, context, event):
-        if context.window is None or any(self.properties.is_property_set(name) for name in GIVEN_PLACE):
+        if context.window is None or any(map(self.is_given, GIVEN_PLACE)):
             return self.execute(context)
         view = viewports.view_at(context.window, event.mouse_x, event.mouse_y)
         if self.is_stroke and (view is None or _selects(context, event)):
@@ -43,10 +43,8 @@ class PickPullModal:
         try:
             session = self._open(context)
         except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
-        given = {name: getattr(self, name) for name in KEYWORDS if self.properties.is_property_set(name)}
-        self._pulling = Pulling(context, session, given)
+            return self.refuse(refusal)
+        self._pulling = Pulling(context, session, self.given(KEYWORDS))
         if self.is_stroke and not self._press(context, view, event):
             self._pulling.close(context)
             self._keep(context)

@@ -92,8 +92,27 @@ INTERFACE = {
     "End": "Fin",
     "Last frame; the scene's where it is not given": "Último fotograma; el de la escena si no se indica",
     "Step": "Paso",
-    "Frames from one keyframe to the next, less than one for sub-frames":
-        "Fotogramas de una clave a la siguiente; menos de uno para subfotogramas",
+    "Which frames": "Qué fotogramas",
+    "Start to End": "De inicio a fin",
+    "The frames that are given, or else the scene's": "Los fotogramas que se indiquen o, si no, los de la escena",
+    "Preview Range": "Rango de previsualización",
+    "The scene's preview range; all frames of the scene where there is none":
+        "El rango de previsualización de la escena; todos los fotogramas de la escena si no lo hay",
+    "Scene": "Escena",
+    "All frames of the scene": "Todos los fotogramas de la escena",
+    "Current Frame": "Fotograma actual",
+    "The frame that is shown": "El fotograma que se ve",
+    "Frames {first}-{last}": "Fotogramas {first}-{last}",
+    "Baked {first}-{last}": "Capturado {first}-{last}",
+    "First frame of the baked keyframes": "Primer fotograma de las claves capturadas",
+    "Last frame of the baked keyframes; as the first one in files of older versions":
+        "Último fotograma de las claves capturadas; igual que el primero en archivos de versiones anteriores",
+    "More": "Más",
+    "Add": "Agregar",
+    "Draw what this system computes for the selected objects":
+        "Dibujar lo que este sistema calcula para los objetos seleccionados",
+    "Path": "Trayectoria",
+    "Vertices": "Vértices",
     "Owner": "Dueño",
     "The object moves by baked keyframes": "El objeto se mueve por fotogramas clave capturados",
     "Object whose system was baked; empty where it is this one": "Objeto cuyo sistema se capturó; vacío si es este mismo",
@@ -105,7 +124,8 @@ INTERFACE = {
     "The object's slot in its own action": "La ranura del objeto en su propia acción",
     "Kept": "Conservado",
     "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de capturar",
-    "Baked {frames} frames of {objects} objects": "Capturados {frames} fotogramas de {objects} objetos",
+    "Baked {frames} frames of {objects} objects: {first}-{last}":
+        "Capturados {frames} fotogramas de {objects} objetos: {first}-{last}",
     "Unbaked {objects} objects": "Deshecha la captura de {objects} objetos",
     "Not all that these were before baking is in the file any more: {objects}":
         "El archivo ya no contiene todo lo que estos eran antes de la captura: {objects}",

@@ -83,7 +83,7 @@ INTERFACE = {
     "Remove Controls": "Quitar controles",
     "Residual": "Residuo",
     "Rotation": "Rotación",
-    "Select a bone in Pose Mode": "Selecciona un hueso en el modo Pose",
+    "Chain": "Cadena",
     "Select an armature, and the last bone of the chain in Pose Mode":
         "Selecciona un esqueleto y, en el modo Pose, el último hueso de la cadena",
     "Select the last bone of the chain in Pose Mode": "Selecciona en el modo Pose el último hueso de la cadena",
@@ -313,7 +313,6 @@ INTERFACE = {
 }
 
 OPERATORS = {
-    "Add": "Agregar",
     "Add Inverse Kinematics Preset": "Agregar preajuste de cinemática inversa",
     "Add Target": "Agregar objetivo",
     "Add with a Pole": "Agregar con polo",
@@ -323,7 +322,6 @@ OPERATORS = {
     "Remove Target": "Quitar objetivo",
     "Check Reach": "Comprobar alcance",
     "Drag Chain": "Arrastrar cadena",
-    "Frame": "Fotograma",
     "Match FK to IK": "Igualar FK a IK",
     "Match IK to FK": "Igualar IK a FK",
     "Switch Target": "Cambiar de objetivo",

@@ -27,8 +27,6 @@ INTERFACE = {
     "Index": "Índice",
     "Index of a number in an array property; -1 for a property that is no array":
         "Índice de un número en una propiedad de varios; -1 si la propiedad es un solo número",
-    "Frames from one sample to the next, less than one for sub-frames":
-        "Fotogramas de una muestra a la siguiente, menos de uno para subfotogramas",
     # Why something is not known ahead
     "{thing} has the constraint {name}": "{thing} tiene la restricción {name}",
     "a driver on {thing} sets {path}": "un controlador de {thing} fija {path}",

@@ -1,0 +1,33 @@
+"""What is baked, and over which frames: for those who draw it."""
+
+import bpy
+
+from ..system import of_owner
+
+
+def owner_of(system, obj):
+    """The object whose settings of the system move this one: its leader, or itself."""
+    return of_owner(system, obj).leader or obj
+
+
+def is_baked(system, obj):
+    """Whether the system's motion of an object stands in keyframes."""
+    # To ask an object for its settings would give it some.
+    return obj.is_property_set("motus") and of_owner(system, owner_of(system, obj)).is_baked
+
+
+def frames(system, obj):
+    """(first, last) frame, as text, of what is baked of the system for an object; None where nothing is."""
+    if not is_baked(system, obj):
+        return None
+    owner = owner_of(system, obj)
+    # Where the owner drives others only, these have the keyframes.
+    baked = [one for one in (obj, owner) if one.motus.bake.is_baked] or [
+        one for one in bpy.data.objects if one.is_property_set("motus") and one.motus.bake.owner == owner]
+    return tuple(f"{frame:g}" for frame in _range(baked[0].motus.bake)) if baked else ("?", "?")
+
+
+def _range(bake):
+    if bake.action and bake.frame_start == bake.frame_end:
+        return bake.action.frame_range
+    return bake.frame_start, bake.frame_end

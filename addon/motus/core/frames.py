@@ -1,0 +1,57 @@
+"""Going to frames, and back to how everything stood before."""
+
+import math
+
+import bpy
+
+from . import actions
+
+
+class Kept:
+    """The frame, and what animated properties of some objects stand at, keyed or not."""
+
+    def __init__(self, scene, objects=()):
+        self._scene = scene
+        self._frame = scene.frame_current, scene.frame_subframe
+        self._values = {(obj, path): value for obj in objects for path, value in _animated(obj).items()}
+
+    def restore(self, written=()):
+        """Go back to the frame, and to values that were changed there without a key.
+
+        written: (object, path) of what has new keys, which count instead.
+        """
+        whole, part = self._frame
+        self._scene.frame_set(whole, subframe=part)
+        for obj in dict.fromkeys(obj for obj, _ in self._values):
+            for path, now in _animated(obj).items():
+                kept = self._values.get((obj, path), now)
+                if kept != now and (obj, path) not in written:
+                    _assign(obj, path, kept)
+
+
+def _animated(obj):
+    """{data path: value} of what F-curves of the object animate, as far as it is there."""
+    found = {}
+    for path in {curve.data_path for curve in actions.fcurves(obj)}:
+        try:
+            value = obj.path_resolve(path)
+        except ValueError:
+            continue  # of a bone that was removed or renamed
+        found[path] = tuple(value) if hasattr(value, "__len__") and not isinstance(value, str) else value
+    return found
+
+
+def _assign(obj, path, value):
+    if path.endswith('"]'):
+        holder, _, key = path[:-2].rpartition('["')
+        (obj.path_resolve(holder) if holder else obj)[bpy.utils.unescape_identifier(key)] = value
+    else:
+        # Whole vectors: an item of rotation_euler would set the rotation mode back.
+        holder, _, name = path.rpartition(".")
+        setattr(obj.path_resolve(holder) if holder else obj, name, value)
+
+
+def go_to(scene, frame):
+    """Evaluate a frame, which may be a fraction."""
+    whole = math.floor(frame)
+    scene.frame_set(whole, subframe=frame - whole)

@@ -1,0 +1,128 @@
+"""What all operators share: where they work and why not, refusals that are reported, and the redo panel."""
+
+from dataclasses import dataclass
+
+import bpy
+
+from . import native
+from .refusals import Refused, check_local
+from .translations import tr
+
+OFFER = "motus_offer"
+"""Member of the context where a menu or panel offers an operator for what is selected."""
+
+
+@dataclass(frozen=True)
+class Modes:
+    """Modes of the context in which an operator works, and what is said in the other ones."""
+
+    sentence: str
+    names: frozenset
+
+
+# tr() looks the sentences up when they are said.
+OBJECT_MODE = Modes("Go to Object Mode first", frozenset({'OBJECT'}))
+OBJECT_OR_POSE_MODE = Modes("Go to Object Mode or Pose Mode first", frozenset({'OBJECT', 'POSE'}))
+OBJECT_OR_EDIT_MODE = Modes("Go to Object Mode, or to Edit Mode of a mesh", frozenset({'OBJECT', 'EDIT_MESH'}))
+
+
+def offer(layout, context):
+    """Let the buttons of a layout be grey where the operators would refuse what is selected, and their tooltips say why.
+
+    Scripts name what they mean, so that nothing but the mode counts for them.
+    """
+    layout.context_pointer_set(OFFER, context.scene)
+    return layout
+
+
+def object_keyword(description):
+    """The property by which scripts name an object."""
+    return bpy.props.StringProperty(name="Object", description=description, options={'SKIP_SAVE'})
+
+
+class Operator:
+    """Mixin of operators. run(context) does the work, and raises Refused with a sentence.
+
+    modes: where it works; None everywhere. redo: groups of rows that the redo panel draws (core/rows.py). for_scripts:
+    keywords that it does not draw, beside those that are plainly for scripts (see is_for_scripts).
+    """
+
+    bl_options = {'REGISTER', 'UNDO'}
+    modes = None
+    needs_native = False
+    redo = ()
+    for_scripts = ()
+
+    @classmethod
+    def poll(cls, context):
+        try:
+            cls.check_place(context)
+            if getattr(context, OFFER, None) is not None:
+                cls.check_offer(context)
+        except Refused as refusal:
+            cls.poll_message_set(str(refusal))
+            return False
+        return True
+
+    @classmethod
+    def check_place(cls, context):
+        """Refuse a context in which the operator never works."""
+        if cls.needs_native and native.module is None:
+            raise Refused(native.status.sentence)
+        if cls.modes and context.mode not in cls.modes.names:
+            raise Refused(tr(cls.modes.sentence))
+
+    @classmethod
+    def check_offer(cls, context):
+        """Refuse what is selected, where the operator without keywords would."""
+
+    def execute(self, context):
+        try:
+            self.run(context)
+        except Refused as refusal:
+            return self.refuse(refusal)
+        return {'FINISHED'}
+
+    def refuse(self, refusal):
+        """Report why nothing was done."""
+        self.report({'ERROR'}, str(refusal))
+        return {'CANCELLED'}
+
+    def draw(self, _context):
+        layout = self.layout
+        layout.use_property_split = True
+        layout.use_property_decorate = False
+        for group in self.redo:
+            group.draw(layout, self, has_title=len(self.redo) > 1)
+
+    def is_given(self, name):
+        """Whether the caller gave a keyword."""
+        return self.properties.is_property_set(name)
+
+    def given(self, names):
+        """The keywords of these that the caller gave, by name."""
+        return {name: getattr(self, name) for name in names if self.is_given(name)}
+
+
+class OfARig(Operator):
+    """What operators on a system's set-up of a rig have, in the modes in which constraints can be changed.
+
+    rig_with(context, name): the rig of this name, or the active one, where it has such a set-up; else raises Refused.
+    """
+
+    object: object_keyword("Name of the armature; empty takes the active one")
+    modes = OBJECT_OR_POSE_MODE
+    rig_with = None
+
+    @classmethod
+    def check_offer(cls, context):
+        check_local(cls.rig_with(context, ""))
+
+
+def is_for_scripts(prop):
+    """Whether a keyword names things or places, which an artist selects: an RNA property of an operator."""
+    if prop.is_hidden or prop.type in {'STRING', 'POINTER', 'COLLECTION'}:
+        return True
+    if prop.type == 'INT' and not prop.is_array:
+        return prop.default == -1  # an index
+    return prop.type == 'FLOAT' and prop.is_array and prop.unit == 'LENGTH' and not any(prop.default_array)

@@ -1,0 +1,281 @@
+"""A system's panels, made of what it declares: settings first, then read-outs, actions last, Refresh in a menu.
+
+Where the object does not use the system there is no panel; a short one for all systems adds it. What is baked
+looks baked: a box with the frames, settings that are grey, and no read-outs.
+"""
+
+from dataclasses import dataclass, field
+from typing import Any, Callable, Optional
+
+import bpy
+
+from . import native, operators, overlay, ui
+from .bake import state
+from .system import registered
+
+
+@dataclass(frozen=True)
+class Part:
+    """A sub-panel. draw(layout, context); draw_header(layout, context) draws before the label.
+
+    is_action: it stands behind the read-outs.
+    """
+
+    name: str
+    label: str
+    draw: Callable
+    is_open: bool = False
+    is_shown: Optional[Callable] = None
+    draw_header: Optional[Callable] = None
+    is_action: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class SystemPanel:
+    """What the panels of a system show, in each editor.
+
+    name: of the system. prefix: how the panels' classes begin. editors: {end of the prefix: mixin that says where}.
+    suits(obj): whether the system is for such objects. is_used(obj): whether the object uses it; where this is None, it is
+    a tool, whose panel is there for all that suits, and closed at first. has_settings(obj): whether the object's own
+    settings are shown, with all parts; else `draw` alone is. draw, readouts and actions: (layout, context). adders:
+    operators that add it, or draw_add(layout, context), which draws them. refresh: operator that wires the owner anew.
+    labels: {end of the prefix: label} of editors where it is another one.
+    """
+
+    name: str
+    prefix: str
+    label: str
+    editors: dict
+    suits: Callable
+    draw: Callable
+    is_used: Optional[Callable] = None
+    has_settings: Optional[Callable] = None
+    parts: tuple = ()
+    readouts: Optional[Callable] = None
+    actions: Optional[Callable] = None
+    refresh: str = ""
+    presets: Any = None
+    adders: tuple = ()
+    draw_add: Optional[Callable] = None
+    translation_context: str = "*"
+    labels: dict = field(default_factory=dict)
+
+    def is_shown(self, context):
+        """Whether the context's object has the panel."""
+        obj = context.object
+        return obj is not None and self.suits(obj) and (self.is_used is None or bool(self.is_used(obj)))
+
+    def shows_settings(self, context):
+        """Whether the object's own settings, and with them all parts, are drawn."""
+        if native.module is None or not self.is_shown(context):
+            return False
+        return self.has_settings is None or bool(self.has_settings(context.object))
+
+    def baked_frames(self, context):
+        """(first, last) of what of the system is baked on the context's object, or on its leader; None without."""
+        return state.frames(registered[self.name], context.object)
+
+
+def classes(panel):
+    """The panels of a system in all editors, each before its sub-panels, and the menus that they open."""
+    found = []
+    for end, editor in panel.editors.items():
+        found += _of_editor(panel, end, editor)
+    return tuple(found)
+
+
+def described(system):
+    """The SystemPanels that the classes of a system are of."""
+    found = (getattr(cls, "of_system", None) for cls in system.classes)
+    return list(dict.fromkeys(one for one in found if one is not None))
+
+
+def _of_editor(panel, end, editor):
+    name = panel.prefix + end
+    menu = _menu(panel, f"{name.replace('_PT_', '_MT_')}_more")
+    own = {"bl_options": {'DEFAULT_CLOSED'} if panel.is_used is None else set(),
+           "bl_label": panel.labels.get(end, panel.label)}
+    found = [menu, type(name, (_main(panel), editor, bpy.types.Panel), own | _common(panel))]
+    settings = [part for part in panel.parts if not part.is_action]
+    tools = [part for part in panel.parts if part.is_action]
+    ends = [(kind, draw) for kind, draw in (("readouts", panel.readouts), ("actions", panel.actions)) if draw]
+    children = [_part(panel, part) for part in settings]
+    names = [part.name for part in settings]
+    for kind, draw in ends:
+        if kind == "actions":
+            children += [_part(panel, part) for part in tools]
+            names += [part.name for part in tools]
+        children.append(_end(panel, menu, kind, draw))
+        names.append(kind)
+    for child, mixin in zip(names, children):
+        found.append(type(f"{name}_{child}", (mixin, editor, bpy.types.Panel), {"bl_parent_id": name} | _common(panel)))
+    return found
+
+
+def _common(panel):
+    return {"__module__": __name__, "of_system": panel}
+
+
+def _menu(panel, name):
+    """What is seldom needed."""
+
+    def draw(self, context):
+        layout = operators.offer(self.layout, context)
+        if panel.refresh:
+            layout.operator(panel.refresh, icon='FILE_REFRESH')
+
+    return type(name, (bpy.types.Menu,), {"bl_label": "More", "draw": draw, **_common(panel)})
+
+
+def _main(panel):
+    class Main:
+        bl_translation_context = panel.translation_context
+
+        @classmethod
+        def poll(cls, context):
+            return panel.is_shown(context)
+
+        def draw_header_preset(self, context):
+            if panel.presets and panel.shows_settings(context):
+                panel.presets.draw_panel_header(self.layout)
+
+        def draw(self, context):
+            draw(panel, self.layout, context)
+
+    return Main
+
+
+def draw(panel, layout, context):
+    """The first part of a system's panel."""
+    if not ui.draw_native_status(layout):
+        return
+    frames = panel.baked_frames(context)
+    if frames:
+        _draw_baked(layout, panel, frames)
+    column = layout.column()
+    column.enabled = frames is None
+    panel.draw(column, context)
+
+
+def _draw_baked(layout, panel, frames):
+    box = layout.box().column()
+    text = bpy.app.translations.pgettext_iface("Baked {first}-{last}")
+    box.label(text=text.format(first=frames[0], last=frames[1]), icon='KEYFRAME', translate=False)
+    box.operator("motus.unbake", icon='LOOP_BACK').system = panel.name
+
+
+def _part(panel, part):
+    class Sub:
+        bl_label = part.label
+        bl_options = set() if part.is_open else {'DEFAULT_CLOSED'}
+
+        @classmethod
+        def poll(cls, context):
+            return panel.shows_settings(context) and (part.is_shown is None or bool(part.is_shown(context)))
+
+        def draw(self, context):
+            self.layout.enabled = panel.baked_frames(context) is None
+            part.draw(self.layout, context)
+
+    if part.draw_header:
+        Sub.draw_header = lambda self, context: part.draw_header(self.layout, context)
+    return Sub
+
+
+def _end(panel, menu, kind, draw_end):
+    """Read-outs or actions, without a header, so that they go on below the settings."""
+    class End:
+        bl_label = panel.label
+        bl_translation_context = panel.translation_context
+        bl_options = {'HIDE_HEADER'}
+
+        @classmethod
+        def poll(cls, context):
+            # What is baked is not computed any more.
+            return panel.shows_settings(context) and (kind == "actions" or panel.baked_frames(context) is None)
+
+        def draw(self, context):
+            self.layout.enabled = panel.baked_frames(context) is None
+            row = self.layout.row()
+            draw_end(row.column(), context)
+            if panel.refresh and kind == "actions":
+                row.menu(menu.__name__, text="", icon='DOWNARROW_HLT')
+
+    return End
+
+
+class _Adding:
+    """What is selected, and the systems that it can be given: below those that it has."""
+
+    def draw(self, context):
+        layout = self.layout
+        if not ui.draw_native_status(layout):
+            return
+        obj = context.object
+        if obj is None:
+            layout.label(text="Select an object", icon='INFO')
+            return
+        layout.label(text=obj.name, icon='OBJECT_DATA', translate=False)
+        column = operators.offer(layout.column(), context)
+        for system in registered.values():
+            for panel in described(system):
+                if panel.suits(obj) and not (panel.is_used and panel.is_used(obj)):
+                    draw_add(panel, column, context)
+
+
+class MOTUS_PT_sidebar(_Adding, ui.Sidebar, bpy.types.Panel):
+    bl_label = "Add"
+    bl_order = 90
+
+
+class _Overlay:
+    """What the viewport shows, system by system."""
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.motus, "show_overlay", text="")
+
+    def draw(self, context):
+        shown = context.scene.motus
+        layout = self.layout
+        layout.active = shown.show_overlay
+        for system in registered.values():
+            if system.overlay is not None:
+                _draw_switches(layout.column(), shown, system)
+
+
+class MOTUS_PT_overlay(_Overlay, ui.Sidebar, bpy.types.Panel):
+    bl_label = "Overlay"
+    bl_order = 100
+    bl_options = {'DEFAULT_CLOSED'}
+
+
+def _draw_switches(column, shown, system):
+    name, (label, label_context) = overlay.switch_of(system), title(system)
+    row = column.row(align=True)
+    row.prop(shown, name, text="")
+    row.label(text=label, text_ctxt=label_context)
+    switches = column.column(align=True)
+    switches.active = getattr(shown, name)
+    for switch in overlay.switches_of(system):
+        row = switches.row()
+        row.separator(factor=2.0)
+        row.prop(shown, switch.name)
+
+
+def draw_add(panel, layout, context):
+    """The buttons that add a system to the context's object."""
+    if panel.draw_add:
+        panel.draw_add(layout, context)
+        return
+    layout.operator_context = 'INVOKE_DEFAULT'
+    for identifier in panel.adders:
+        layout.operator(identifier, icon='ADD')
+
+
+def title(system):
+    """(label, context of its translation) under which the system stands in menus."""
+    panel = next(iter(described(system)), None)
+    return (panel.label, panel.translation_context) if panel and panel.label == system.label else (system.label, "*")
+
+
+classes_of_core = (MOTUS_PT_sidebar, MOTUS_PT_overlay)

@@ -1,0 +1,103 @@
+"""Rows of settings, declared once: a panel draws them for the settings, and the redo panel for an operator's keywords."""
+
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+
+def is_one_of(name, *values):
+    """A condition: the setting has one of the values."""
+    return lambda settings: getattr(settings, name) in values
+
+
+def is_not(name, *values):
+    """A condition: the setting has another value."""
+    return lambda settings: getattr(settings, name) not in values
+
+
+def is_positive(name):
+    """A condition: the setting is above 0."""
+    return lambda settings: getattr(settings, name) > 0.0
+
+
+def is_given(name):
+    """A condition: the caller of the operator gave the keyword, or it has set it itself."""
+    return lambda operator: operator.is_given(name)
+
+
+@dataclass(frozen=True)
+class Row:
+    """One property.
+
+    when: condition on the settings; without it the row is always there. active: condition, or the row is drawn dim.
+    switch: name of a boolean that stands before the field. search: gives (data, name of a collection of it) to choose
+    a name from. text: another label than the property's name.
+    """
+
+    name: str
+    when: Optional[Callable] = None
+    active: Optional[Callable] = None
+    switch: str = ""
+    search: Optional[Callable] = None
+    expand: bool = False
+    text: Optional[str] = None
+    text_ctxt: str = ""
+
+    @property
+    def names(self):
+        """Of all properties that the row draws."""
+        return (self.switch, self.name) if self.switch else (self.name,)
+
+    def draw(self, layout, settings):
+        """Draw the row, if it matters."""
+        if self.when and not self.when(settings):
+            return
+        # In a row the parts of a vector would stand side by side in a narrow region.
+        row = layout.row(align=True) if self.expand else layout.column(align=True)
+        row.active = self.active is None or bool(self.active(settings))
+        words = {} if self.text is None else {"text": self.text, "text_ctxt": self.text_ctxt}
+        properties = _properties(settings)
+        if self.switch:
+            row = layout.row(heading=properties[self.name].name, align=True)
+            row.prop(settings, self.switch, text="")
+            row = row.row(align=True)
+            row.active, words = getattr(settings, self.switch), {"text": ""}
+        if self.search:
+            row.prop_search(settings, self.name, *self.search(settings), **words)
+        else:
+            is_factor = properties[self.name].subtype == 'FACTOR'
+            row.prop(settings, self.name, slider=is_factor, expand=self.expand, **words)
+
+
+@dataclass(frozen=True)
+class Rows:
+    """Rows that belong together, under a title where they have one. rows: of Row, or names of properties."""
+
+    rows: tuple
+    title: str = ""
+    text_ctxt: str = "*"
+    when: Optional[Callable] = None
+
+    @property
+    def names(self):
+        """Of all properties that can be drawn."""
+        return tuple(name for row in self._rows for name in row.names)
+
+    @property
+    def _rows(self):
+        return [row if isinstance(row, Row) else Row(row) for row in self.rows]
+
+    def draw(self, layout, settings, has_title=False):
+        """Draw the rows that matter, and the title where several groups stand below each other."""
+        shown = [row for row in self._rows if row.when is None or row.when(settings)]
+        if not shown or (self.when and not self.when(settings)):
+            return
+        column = layout.column()
+        if has_title and self.title:
+            column.label(text=self.title, text_ctxt=self.text_ctxt)
+        for row in shown:
+            row.draw(column, settings)
+
+
+def _properties(settings):
+    """RNA properties of settings, or of an operator's keywords."""
+    return getattr(settings, "properties", settings).bl_rna.properties

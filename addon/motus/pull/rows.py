@@ -1,0 +1,45 @@
+"""The rows of what the brush, the operators and a pin have: the panels and the redo panel draw them."""
+
+import bpy
+
+from ..core.rows import Row, Rows, is_given, is_one_of
+
+
+def _vertex_groups(settings):
+    """Where the vertex group is chosen: those of the settings' object, or of the active one for an operator."""
+    is_pin = isinstance(settings, bpy.types.PropertyGroup) and isinstance(settings.id_data, bpy.types.Object)
+    return (settings.id_data if is_pin else bpy.context.object), "vertex_groups"
+
+
+def _is_limited(settings):
+    return settings.use_minimum or settings.use_maximum
+
+
+FORM = ("falloff", Row("scale_factor", when=is_one_of("falloff", 'CLASSIC')), "distance")
+EXTENT = (Row("mirror", expand=True), Row("vertex_group", search=_vertex_groups))
+LIMITS = (Row("minimum", switch="use_minimum"), Row("maximum", switch="use_maximum"))
+CLAMPED = Row("clamp_axis", when=_is_limited)
+
+PULL = (
+    Rows(("radius", "strength", "unit", *FORM), title="Pull"),
+    Rows((Row("direction", when=lambda operator: not operator.is_given("displacement") and not len(operator.dabs)),
+          Row("displacement", when=is_given("displacement")), "accumulate", *EXTENT),
+         title="Direction"),
+    Rows((*LIMITS, CLAMPED), title="Limits"),
+)
+"""For the operator that pulls."""
+
+
+def _is_new(operator):
+    return not operator.from_last
+
+
+PIN = (
+    Rows(("strength",)),
+    Rows(("radius", "unit", *FORM), title="Pull", when=_is_new),
+    Rows((Row("direction", when=lambda operator: not operator.is_given("displacement")),
+          Row("displacement", when=is_given("displacement")), *EXTENT),
+         title="Direction", when=_is_new),
+    Rows((*LIMITS, CLAMPED), title="Limits", when=_is_new),
+)
+"""For the operator that adds a pin."""
