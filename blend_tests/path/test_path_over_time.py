@@ -100,6 +100,13 @@ class OverTime(PathTestCase):
         bpy.data.objects.remove(course)
         self.assertEqual(len(self.track(car).values(FRAMES)), len(FRAMES))
 
+    def test_a_loop(self):
+        """A curve that hangs on what follows it."""
+        course, car = self.cubic(), self.follow()
+        course.parent = car
+        for thing in (car, course):
+            self.assertIn("hangs on itself", self.track(thing).sentence)
+
     def test_kept_until_it_changes(self):
         course, car = self.cubic(), self.follow()
         made = []

@@ -5,9 +5,11 @@ import math
 import bpy
 
 from ..datablocks import OfADatablock
+from ..frames import Kept, go_to
 from ..operators import Operator
 from ..over_frames import OverFrames
 from ..refusals import Refused, check_bone, check_evaluated, check_local, check_posed
+from ..rows import Row, Rows
 from ..translations import tr
 from . import digest, recordings
 from .track import own_track, property_track, world_track
@@ -18,7 +20,11 @@ TRANSFORMS = (
 )
 
 
-class _OfATrack(OfADatablock):
+# Own and world transforms; a property is named by a script or a panel's button.
+_WHAT = Rows((Row("transform", when=lambda operator: not operator.data_path),))
+
+
+class _OfATrack(OfADatablock, Operator):
     """Mixin with the keywords that name a track."""
 
     bone: bpy.props.StringProperty(
@@ -39,11 +45,11 @@ class _OfATrack(OfADatablock):
         return own_track(thing) if self.transform == 'OWN' else world_track(thing, scene)
 
 
-class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
+class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):
     bl_idname = "motus.track_record"
     bl_label = "Record"
     bl_description = "Go through the frames and keep in the file what is not known ahead, such as what constraints do"
-    for_scripts = ("transform",)
+    redo = (_WHAT, *OverFrames.redo)
 
     def steps(self, context, frames):
         id_data = self.id_data(context)
@@ -73,24 +79,22 @@ class MOTUS_OT_track_record(_OfATrack, OverFrames, bpy.types.Operator):
             check_posed(id_data, context.view_layer)
 
     def _record(self, context, id_data, frames):
-        scene = context.scene
-        before = scene.frame_current, scene.frame_subframe
+        kept = Kept(context.scene)
         try:
             for index, frame in enumerate(frames):
-                whole = math.floor(frame)
-                scene.frame_set(whole, subframe=frame - whole)
+                go_to(context.scene, frame)
                 evaluated = id_data.evaluated_get(context.view_layer.depsgraph)
-                self._samples.append(self.track(evaluated, scene).present())
+                self._samples.append(self.track(evaluated, context.scene).present())
                 yield index + 1
         finally:
-            scene.frame_set(before[0], subframe=before[1])
+            kept.restore()
 
 
-class MOTUS_OT_track_clear(_OfATrack, Operator, bpy.types.Operator):
+class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
     bl_idname = "motus.track_clear"
     bl_label = "Clear Recording"
     bl_description = "Take the recorded samples out of the file"
-    for_scripts = ("transform",)
+    redo = (_WHAT,)
 
     def run(self, context):
         id_data = self.id_data(context)

@@ -6,7 +6,7 @@ from ..translations import tr
 class Reason:
     """One of the kinds below, with the names that its sentence has."""
 
-    CONSTRAINED, DRIVEN, SOLVED_BONE, PHYSICS, VERTICES, ALONG_CURVE, STRIPS, MODE, INFLUENCE, GEOMETRY = range(10)
+    CONSTRAINED, DRIVEN, SOLVED_BONE, PHYSICS, VERTICES, ALONG_CURVE, STRIPS, MODE, INFLUENCE, GEOMETRY, LOOP = range(11)
 
     def __init__(self, kind, **names):
         self.kind, self._names = kind, names
@@ -28,5 +28,6 @@ _SENTENCES = {
     Reason.STRIPS: lambda: tr("NLA strips of {thing} are mixed in a way that is not known ahead"),
     Reason.INFLUENCE: lambda: tr("{name} drives {thing} by a part alone: its influence is not always 1"),
     Reason.GEOMETRY: lambda: tr("the shape of {name} changes, on which {thing} goes"),
+    Reason.LOOP: lambda: tr("{thing} hangs on itself"),
     Reason.MODE: lambda: tr("{thing} changes its rotation mode"),
 }

@@ -7,23 +7,36 @@ What System.over_time gives is None, or has
     bounds, stamp      as those of Channel
 """
 
+import threading
+
 from .. import wiring
 from ..lazy import numpy as np
 from ..system import registered
 from . import rotations
+from .reason import Reason
+
+_asked = set()
+"""(thread, object) of all that is being asked for its reason."""
 
 
 class Solved:
     """What a system makes of an object, as a part of a chain of parents. label: of the system."""
 
-    def __init__(self, system, source):
-        self.label, self._source = system.label, source
+    def __init__(self, system, obj, source):
+        self.label, self._object, self._source = system.label, obj, source
         self.bounds = source.bounds
 
     @property
     def reason(self):
         """As Channel.reason."""
-        return self._source.reason
+        place = threading.get_ident(), hash(self._object)
+        if place in _asked:  # such as a curve that hangs on what follows it
+            return Reason(Reason.LOOP, thing=self._object.name)
+        _asked.add(place)
+        try:
+            return self._source.reason
+        finally:
+            _asked.discard(place)
 
     @property
     def stamp(self):
@@ -54,5 +67,5 @@ def of(obj, scene):
         sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj)} if owner else ()
         source = system.over_time(owner, obj, scene) if sinks and all(one in sinks for one in acting) else None
         if source is not None:
-            return Solved(system, source)
+            return Solved(system, obj, source)
     return None

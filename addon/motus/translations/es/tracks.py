@@ -27,8 +27,6 @@ INTERFACE = {
     "Index": "Índice",
     "Index of a number in an array property; -1 for a property that is no array":
         "Índice de un número en una propiedad de varios; -1 si la propiedad es un solo número",
-    "Frames from one sample to the next, less than one for sub-frames":
-        "Fotogramas de una muestra a la siguiente, menos de uno para subfotogramas",
     # Why something is not known ahead
     "{thing} has the constraint {name}": "{thing} tiene la restricción {name}",
     "a driver on {thing} sets {path}": "un controlador de {thing} fija {path}",
@@ -41,6 +39,7 @@ INTERFACE = {
     "{name} drives {thing} by a part alone: its influence is not always 1":
         "{name} mueve {thing} solo en parte: su influencia no es siempre 1",
     "the shape of {name} changes, on which {thing} goes": "cambia la forma de {name}, por donde va {thing}",
+    "{thing} hangs on itself": "{thing} cuelga de sí mismo",
     "{thing} changes its rotation mode": "{thing} cambia de modo de rotación",
     # What the panel says
     "Exact at any frame: read from keys": "Exacto en cualquier fotograma: se lee de las claves",
