@@ -20,6 +20,7 @@ def build():
     _paths()
     _rigs()
     _meshes()
+    bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
     bpy.context.view_layer.update()
 
 

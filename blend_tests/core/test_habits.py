@@ -247,9 +247,8 @@ class Panels(support.SceneTestCase):
                 layout = Layout()
                 menu.draw(types.SimpleNamespace(layout=layout), bpy.context)
                 self.assertEqual(layout.named("operator"), [panel.refresh])
-        for one in system.registered.values():
-            if one.solve is not None:
-                self.assertTrue(any(panel.refresh for panel in panels.described(one)), f"{one.name} has no Refresh")
+        for one in system.systems():
+            self.assertTrue(any(panel.refresh for panel in panels.described(one)), f"{one.name} has no Refresh")
 
     def test_what_is_not_used_is_only_in_the_short_panel(self):
         for kind in (None, 'MESH', 'ARMATURE', 'CURVE', 'LATTICE'):
@@ -358,7 +357,7 @@ class Baked(support.SceneTestCase):
                     seen.add(panel.name)
                     with self.subTest(panel.prefix, owner=one.name):
                         self.check(panel, owner_system, one)
-        wanted = {one.name for one in system.registered.values() if one.solve is not None and not one.unbakeable}
+        wanted = {one.name for one in system.systems() if not one.unbakeable}
         self.assertEqual(seen, wanted)
 
     def check(self, panel, owner_system, owner):

@@ -124,15 +124,15 @@ class Add(DriverTestCase):
         self.cube["own row"] = [0.0, 1.0]
         curve.modifiers.new("Wave", 'WAVE')
         for names, function in (
-                ({"object": "Cube", "data_path": "rotation_euler", "index": 1}, 'PENDULUM'),
-                ({"object": "Cube", "data_path": "location[2]"}, 'DOUBLE_PENDULUM'),
-                ({"object": "Cube", "data_path": '["own"]'}, 'NOISE'),
-                ({"object": "Cube", "data_path": '["own row"][1]'}, 'EASE'),
-                ({"object": "Curve", "data_path": 'modifiers["Wave"].height'}, 'NOISE'),
-                ({"id_type": 'CURVE', "id_name": "Curve", "data_path": "bevel_depth"}, 'PENDULUM'),
-                ({"id_type": 'MATERIAL', "id_name": "Paint",
+                ({"datablock": "Cube", "data_path": "rotation_euler", "index": 1}, 'PENDULUM'),
+                ({"datablock": "Cube", "data_path": "location[2]"}, 'DOUBLE_PENDULUM'),
+                ({"datablock": "Cube", "data_path": '["own"]'}, 'NOISE'),
+                ({"datablock": "Cube", "data_path": '["own row"][1]'}, 'EASE'),
+                ({"datablock": "Curve", "data_path": 'modifiers["Wave"].height'}, 'NOISE'),
+                ({"collection": 'curves', "datablock": "Curve", "data_path": "bevel_depth"}, 'PENDULUM'),
+                ({"collection": 'materials', "datablock": "Paint",
                   "data_path": f'node_tree.nodes["{material.node_tree.nodes[0].name}"].inputs[0].default_value[0]'}, 'NOISE'),
-                ({"id_type": 'SCENE', "id_name": "Scene", "data_path": "gravity", "index": 2}, 'NOISE')):
+                ({"collection": 'scenes', "datablock": "Scene", "data_path": "gravity", "index": 2}, 'NOISE')):
             with self.subTest(names["data_path"]):
                 self.assertEqual(bpy.ops.motus.driver_add(function=function, **names), {'FINISHED'})
         tree = material.node_tree
@@ -142,37 +142,37 @@ class Add(DriverTestCase):
 
     def test_the_motion_is_about_the_value_that_is_there(self):
         self.cube.location = 1.0, 2.0, 3.0
-        bpy.ops.motus.driver_add(object="Cube", data_path="location", index=1, function='PENDULUM', theta=0.5, length=2.0,
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=1, function='PENDULUM', theta=0.5, length=2.0,
                                  amplitude=3.0, start=10.0)
         wanted = 2.0 + 3.0 * native().single_pendulum((37.0 - 10.0) / 24.0, 0.5, length=2.0)[0]
         self.assertAlmostEqual(self.value(37, index=1), wanted, 5)
         self.assertEqual(self.value(37, index=0), 1.0)
-        bpy.ops.motus.driver_add(object="Cube", data_path="location", index=1, replace=True, base=0.0, theta=0.5,
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=1, replace=True, base=0.0, theta=0.5,
                                  length=2.0)
         self.assertAlmostEqual(self.value(10, index=1), native().single_pendulum(10.0 / 24.0, 0.5, length=2.0)[0], 6)
 
     def test_all_components_at_once_each_by_a_noise_of_its_own(self):
-        bpy.ops.motus.driver_add(object="Cube", data_path="location", function='NOISE', speed=2.0)
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", function='NOISE', speed=2.0)
         found = [self.value(33, index=index) for index in range(3)]
         for index in range(3):
             self.assertAlmostEqual(found[index], native().noise1(33.0 / 12.0, index), 6)
 
     def test_removed_with_the_value_kept(self):
-        bpy.ops.motus.driver_add(object="Cube", data_path="location", function='NOISE')
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", function='NOISE')
         shown = [self.value(50, index=index) for index in range(3)]
-        self.assertEqual(bpy.ops.motus.driver_remove(object="Cube", data_path="location"), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.driver_remove(datablock="Cube", data_path="location"), {'FINISHED'})
         self.assertFalse(self.cube.animation_data and self.cube.animation_data.drivers)
         self.assertEqual([self.value(80, index=index) for index in range(3)], shown)
-        self.refused("has no motion driver", bpy.ops.motus.driver_remove, object="Cube", data_path="location")
+        self.refused("has no motion driver", bpy.ops.motus.driver_remove, datablock="Cube", data_path="location")
 
     def test_refused(self):
         self.cube.driver_add("location", 0).driver.expression = "frame"
         self.cube["word"] = "a"
-        self.refused("location has a driver already", object="Cube", data_path="location", index=0)
-        self.refused("location has a driver already", object="Cube", data_path="location")
+        self.refused("location has a driver already", datablock="Cube", data_path="location", index=0)
+        self.refused("location has a driver already", datablock="Cube", data_path="location")
         self.assertEqual(len(self.cube.animation_data.drivers), 1)
         for sentence, keywords in (
-                ("There is no object Gone", {"object": "Gone", "data_path": "location"}),
+                ("There is no Gone in objects", {"datablock": "Gone", "data_path": "location"}),
                 ("Cube has no property nothing", {"data_path": "nothing"}),
                 ("Cube has no property", {"data_path": 'modifiers["Gone"].strength'}),
                 ("Cube has no property", {"data_path": "__class__.x"}),
@@ -180,7 +180,7 @@ class Add(DriverTestCase):
                 ("matrix_world is no number", {"data_path": "matrix_world"}),
                 (r'\["word"\] is no number', {"data_path": '["word"]'}),
                 ("location has 3 components", {"data_path": "location", "index": 5}),
-                ("There is no Gone of the type MATERIAL", {"id_type": 'MATERIAL', "id_name": "Gone", "data_path": "roughness"}),
+                ("There is no Gone in materials", {"collection": 'materials', "datablock": "Gone", "data_path": "roughness"}),
                 ("length must be greater than 0", {"data_path": "scale", "index": 0, "length": 0.0}),
                 ("is not a finite number", {"data_path": "scale", "index": 0, "theta": math.inf}),
                 ("Point at a property", {})):
@@ -194,7 +194,7 @@ class Add(DriverTestCase):
         support.empty_scene()
         with bpy.data.libraries.load(path, link=True) as (_, into):
             into.objects = ["Cube"]
-        self.refused("is linked from another file", object="Cube", data_path="location", index=0)
+        self.refused("is linked from another file", datablock="Cube", data_path="location", index=0)
 
 
 @support.in_one_blender

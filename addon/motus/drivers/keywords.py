@@ -2,7 +2,8 @@
 
 import bpy
 
-from . import expressions
+from ..core.rows import Row, Rows, is_given, is_not, is_one_of
+from . import expressions, places
 
 WHICH = (
     ('THETA1', "Upper Angle", "Angle of the upper rod"),
@@ -69,6 +70,23 @@ class DriverKeywords:
 
 
 NAMES = tuple(DriverKeywords.__annotations__)
+
+_ORDER = (
+    "which", "theta", "theta1", "theta2", "length", "length1", "length2", "omega", "omega1", "omega2", "mass1", "mass2",
+    "gravity", "damping", "frame_start", "frame_end", "ease_in", "ease_out", "speed", "seed")
+
+
+def _row(name):
+    return Row(name, when=is_one_of("function", *(one.identifier for one in expressions.FUNCTIONS if name in one.arguments)))
+
+
+REDO = (
+    Rows((Row("channel", when=is_not("channel", places.BY_PATH)), "function", *map(_row, _ORDER))),
+    Rows((
+        Row("start", when=is_one_of("function", *(one.identifier for one in expressions.FUNCTIONS if one.has_start))),
+        Row("base", when=is_given("base")), "amplitude")),
+)
+"""What the dialog and the redo panel draw."""
 
 
 def given(operator):

@@ -2,160 +2,166 @@
 
 import bpy
 
-from ..core import native
-from ..core.refusals import Refused, check_finite, check_local, named
+from ..core import datablocks, native
+from ..core.operators import Operator
+from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr
 from . import expressions, places, preview
-from .keywords import DriverKeywords, given
+from .keywords import REDO, DriverKeywords, given
 
 
-class _OnProperty:
+class _OnProperty(datablocks.OfADatablock):
     """Mixin: which property is meant."""
 
-    object: bpy.props.StringProperty(
-        name="Object", description="Name of the object with the property; empty takes the active one", options={'SKIP_SAVE'})
-    id_type: bpy.props.StringProperty(
-        name="ID Type", description="Kind of a datablock that is no object, as driver targets name it, such as MATERIAL",
-        options={'SKIP_SAVE'})
-    id_name: bpy.props.StringProperty(
-        name="ID", description="Name of that datablock", options={'SKIP_SAVE'})
-    data_path: bpy.props.StringProperty(
-        name="Data Path", description="Path of the property from the datablock; empty takes the property under the mouse",
-        options={'SKIP_SAVE'})
-    index: bpy.props.IntProperty(
-        name="Index", description="Component of an array; -1 takes all of them", default=-1, min=-1,
-        options={'SKIP_SAVE'})
+    channel: bpy.props.EnumProperty(
+        name="Channel", description="Which property of the object, where no data path is given", items=places.CHANNELS,
+        default=places.BY_PATH, options={'SKIP_SAVE'})
 
     def places(self, context):
         """The Places that are meant. Raises Refused."""
-        if not self.data_path:
-            self._take_hovered(context)
-        datablock = self._datablock(context)
+        datablock = self.id_data(context)
         check_local(datablock)
-        return places.find(datablock, self.data_path, self.index)
+        path, index = self.data_path, self.index
+        if not path:
+            if self.channel == places.BY_PATH:
+                raise Refused(tr("Point at a property with the mouse, or give its data path"))
+            path, index = places.of_channel(datablock, self.channel)
+        return places.find(datablock, path, index)
 
-    def _take_hovered(self, context):
-        hovered = places.hovered(context)
+    def take_hovered(self, context):
+        """Note the property under the mouse in words, by which the redo panel finds it again; whether there is one."""
+        hovered = None if self.data_path else places.hovered(context)
         if hovered is None:
-            raise Refused(tr("Point at a property with the mouse, or give its data path"))
+            return bool(self.data_path)
         datablock, path, self.index = hovered
-        # Noted in words, by which the redo panel finds it again.
-        datablock, self.data_path = places.named_by(datablock, path)
-        if isinstance(datablock, bpy.types.Object):
-            self.object = datablock.name
-        else:
-            self.id_type, self.id_name = places.type_of(datablock), datablock.name
-
-    def _datablock(self, context):
-        if not self.id_type:
-            found = named(self.object) if self.object else context.object
-            if found is None:
-                raise Refused(tr("There is no active object"))
-            return found
-        collection = places.datablocks(self.id_type)
-        found = collection.get(self.id_name) if collection is not None else None
-        if found is None:
-            raise Refused(tr("There is no {name} of the type {type}").format(name=self.id_name, type=self.id_type))
-        return found
+        datablock, self.data_path = datablocks.named_by(datablock, path)
+        self.datablock, self.collection = datablock.name, datablocks.collection_of(datablock)
+        return True
 
 
-class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, bpy.types.Operator):
+class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Operator):
     bl_idname = "motus.driver_add"
     bl_label = "Add Motion Driver"
     bl_description = "Let a property swing, ease or wander by itself"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+    needs_native = True
+    redo = REDO
+    for_scripts = ("replace",)
 
     replace: bpy.props.BoolProperty(
         name="Replace", description="Take the place of a driver that is there", options={'SKIP_SAVE'})
 
+    @classmethod
+    def check_offer(cls, context):
+        if context.object is None:
+            raise Refused(tr("Select an object, or name one"))
+        check_local(context.object)
+
     def invoke(self, context, _event):
         try:
-            found = self.places(context)
-            self._take_up(context, found)
+            if not self.take_hovered(context) and self.channel == places.BY_PATH:
+                self.channel = places.FIRST
+            self._take_up(context, self.places(context))
         except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+            return self.refuse(refusal)
         return context.window_manager.invoke_props_dialog(self, width=360)
 
     def _take_up(self, context, found):
         """Show what is there: the values of a driver of ours, else the property's own."""
         curve = found[0].curve
         known = curve and expressions.read(curve.driver.expression)
-        if curve and not known:
+        if curve and not known and self.data_path:
             raise Refused(_is_driven(found[0]))
         if known:
             for name, value in known.items():
                 setattr(self, name, value)
             self.replace = True
-        elif not self.properties.is_property_set("base"):
+            return
+        if len(found) == 1 and self.data_path and not self.is_given("base"):
             self.base = float(found[0].value)
-        if not known and context.scene.use_gravity and not self.properties.is_property_set("gravity"):
+        if context.scene.use_gravity and not self.is_given("gravity"):
             self.gravity = context.scene.gravity.length
 
     def draw(self, context):
-        preview.draw(self.layout, context, self)
+        super().draw(context)
+        preview.draw(self.layout, self)
 
-    def execute(self, context):
-        try:
-            found = self.places(context)
-            check_finite(self, given(self))
-            for place in found:
-                if place.curve and not self.replace:
-                    raise Refused(_is_driven(place))
-            _check(self)
-            texts = [expressions.compose(self._keywords(place, number)) for number, place in enumerate(found)]
-            for place, text in zip(found, texts):
+    def run(self, context):
+        found = self.places(context)
+        check_finite(self, given(self))
+        for place in found:
+            if place.curve and not self.replace:
+                raise Refused(_is_driven(place))
+        self._check()
+        texts = [expressions.compose(self._keywords(place, number)) for number, place in enumerate(found)]
+        for place, text in zip(found, texts):
+            try:
                 place.add(text)
-        except (Refused, TypeError) as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
+            except TypeError as error:
+                raise Refused(str(error)) from error
         function = expressions.BY_IDENTIFIER[self.function]
         self.report({'INFO'}, tr("{path} is driven by {function}").format(path=found[0].path, function=tr(function.label)))
-        return {'FINISHED'}
 
     def _keywords(self, place, number):
         """The keywords for a component of an array: each swings about its own value, and each noise is another one."""
         keywords = given(self)
-        if not self.properties.is_property_set("base") and not place.curve:
-            keywords["base"] = float(place.value)
+        if not self.is_given("base"):
+            known = place.curve and expressions.read(place.curve.driver.expression)
+            keywords["base"] = known["base"] if known else float(place.value)
         keywords["seed"] += number
         return keywords
+
+    def _check(self):
+        """Refuse what the function itself refuses, in its words."""
+        try:
+            preview.sample(given(self), [0.0])
+        except ValueError as error:
+            raise Refused(str(error)) from error
 
 
 def _is_driven(place):
     return tr("{path} has a driver already").format(path=place.path)
 
 
-def _check(operator):
-    """Refuse what the function itself refuses, in its words."""
-    if native.module is None:
-        raise Refused(tr(native.status.sentence))
-    try:
-        preview.sample(given(operator), [0.0])
-    except ValueError as error:
-        raise Refused(str(error)) from error
-
-
-class MOTUS_OT_driver_remove(_OnProperty, bpy.types.Operator):
+class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):
     bl_idname = "motus.driver_remove"
     bl_label = "Remove Motion Driver"
-    bl_description = "Take a motion driver off a property, which keeps the value that it has"
-    bl_options = {'REGISTER', 'UNDO'}
+    bl_description = (
+        "Take motion drivers off a property, or off all properties of the object; they keep the values that they have")
+    for_scripts = ("channel",)
 
-    def execute(self, context):
-        try:
-            found = [place for place in self.places(context)
-                     if place.curve and expressions.names_ours(place.curve.driver.expression)]
-            if not found:
-                raise Refused(tr("{path} has no motion driver").format(path=self.data_path))
-            depsgraph = context.evaluated_depsgraph_get()
-            for place, value in [(place, place.evaluated(depsgraph)) for place in found]:
-                place.remove()
-                place.rest_at(value)
-        except Refused as refusal:
-            self.report({'ERROR'}, str(refusal))
-            return {'CANCELLED'}
-        return {'FINISHED'}
+    @classmethod
+    def check_offer(cls, context):
+        if context.object is None:
+            raise Refused(tr("Select an object, or name one"))
+        check_local(context.object)
+        if not any(found.datablock == context.object for found in places.of_object(context.object)):
+            raise Refused(_has_none(context.object.name))
+
+    def invoke(self, context, _event):
+        self.take_hovered(context)
+        return self.execute(context)
+
+    def run(self, context):
+        found = [place for place in self._meant(context)
+                 if place.curve and expressions.names_ours(place.curve.driver.expression)]
+        if not found:
+            raise Refused(_has_none(self.data_path or self.id_data(context).name))
+        depsgraph = context.evaluated_depsgraph_get()
+        for place, value in [(place, place.evaluated(depsgraph)) for place in found]:
+            place.remove()
+            place.rest_at(value)
+
+    def _meant(self, context):
+        if self.data_path or self.channel != places.BY_PATH:
+            return self.places(context)
+        datablock = self.id_data(context)
+        check_local(datablock)
+        return [place for one in places.on(datablock) for place in places.find(datablock, one.path, one.index)]
+
+
+def _has_none(name):
+    return tr("{path} has no motion driver").format(path=name)
 
 
 classes = (MOTUS_OT_driver_add, MOTUS_OT_driver_remove)

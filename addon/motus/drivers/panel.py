@@ -1,23 +1,14 @@
-"""The motion drivers of the active object, in the sidebar."""
+"""The motion drivers of the active object, and of its data and materials."""
 
-import bpy
-
-from ..core import native, ui
+from ..core import native, panels, ui
+from ..core.datablocks import collection_of
 from . import expressions, places, preview
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 
 
-class MOTUS_PT_drivers(ui.Sidebar, bpy.types.Panel):
-    bl_label = "Motion Drivers"
-    bl_order = 40
-
-    @classmethod
-    def poll(cls, context):
-        return context.object is not None and bool(places.of_object(context.object))
-
-    def draw(self, context):
-        for found in places.of_object(context.object):
-            _draw_driver(self.layout, context.object, found)
+def _draw(layout, context):
+    for found in places.of_object(context.object):
+        _draw_driver(layout, context.object, found)
 
 
 def _draw_driver(layout, obj, found):
@@ -30,10 +21,7 @@ def _draw_driver(layout, obj, found):
         if operator is MOTUS_OT_driver_add and not keywords:
             continue  # written by hand
         button = row.operator(operator.bl_idname, text="", icon=icon)
-        if found.datablock == obj:
-            button.object = obj.name
-        else:
-            button.id_type, button.id_name = places.type_of(found.datablock), found.datablock.name
+        button.datablock, button.collection = found.datablock.name, collection_of(found.datablock)
         button.data_path, button.index = found.path, found.index
     if keywords and native.module is not None:
         try:
@@ -42,4 +30,14 @@ def _draw_driver(layout, obj, found):
             ui.draw_message(layout, str(error), 'ERROR')
 
 
-classes = (MOTUS_PT_drivers,)
+PANEL = panels.SystemPanel(
+    name="drivers",
+    prefix="MOTUS_PT_drivers",
+    label="Motion Drivers",
+    editors={"": ui.Sidebar},
+    suits=lambda obj: True,
+    draw=_draw,
+    is_used=lambda obj: bool(places.of_object(obj)),
+    adders=("motus.driver_add",),
+)
+classes = panels.classes(PANEL)

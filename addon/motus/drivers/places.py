@@ -13,6 +13,11 @@ from . import expressions
 _PATH = re.compile(r'(?:(?P<owner>.*)\.)?(?P<name>\w+)$|(?P<holder>.*?)(?P<key>\["(?:[^"\\]|\\.)*"\])$', re.DOTALL)
 _INDEX = re.compile(r"\[(\d{1,9})\]$")
 _NUMBERS = {'FLOAT', 'INT', 'BOOLEAN'}
+BY_PATH, FIRST = 'PATH', 'ROTATION_X'
+CHANNELS = [(BY_PATH, "By Path", "The property of the data path")] + [
+    (f"{kind}_{axis}", f"{label} {axis}", f"{label} along or about this axis of the object")
+    for kind, label in (('LOCATION', "Location"), ('ROTATION', "Rotation"), ('SCALE', "Scale")) for axis in "XYZ"]
+"""Items: what an object's motion drivers are put on where nothing is under the mouse."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +81,17 @@ class Place:
     def remove(self):
         """Drive it no more."""
         self.struct.driver_remove(self.name, self.index)
+
+
+def of_channel(obj, channel):
+    """(data path, index) of one of CHANNELS."""
+    kind, axis = channel.split("_")
+    if not isinstance(obj, bpy.types.Object):
+        raise Refused(tr("Only objects and bones have a transform: give a data path"))
+    if kind == 'ROTATION' and obj.rotation_mode in {'QUATERNION', 'AXIS_ANGLE'}:
+        raise Refused(tr("{object} is not turned by angles about X, Y and Z: choose another rotation mode").format(
+            object=obj.name))
+    return ("rotation_euler" if kind == 'ROTATION' else kind.lower()), "XYZ".index(axis)
 
 
 def _key(name):
@@ -173,25 +189,6 @@ def _hovered_index(context):
     return int(found[1]) if found else -1
 
 
-def named_by(datablock, path):
-    """A datablock that can be found by its name, and the path from there: node trees lie within others."""
-    if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:
-        return datablock, path
-    for _, _, prop in _types():
-        for one in getattr(bpy.data, prop.identifier):
-            if getattr(one, "node_tree", None) == datablock:
-                return one, f"node_tree.{path}"
-    return datablock, path
-
-
-def _types():
-    """(name, class, property of bpy.data) of each type of datablock."""
-    for prop in bpy.data.bl_rna.properties:
-        if prop.type == 'COLLECTION':
-            kind = prop.fixed_type
-            yield kind.name.upper().replace(" ", ""), getattr(bpy.types, kind.identifier), prop
-
-
 @dataclass(frozen=True)
 class Found:
     """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array."""
@@ -208,10 +205,11 @@ def of_object(obj):
     holders = [(obj, ""), (data, ""), (getattr(data, "shape_keys", None), "")]
     for slot in obj.material_slots:
         holders += [(slot.material, ""), (slot.material, "node_tree")]
-    return [one for datablock, within in dict.fromkeys(holders) if datablock for one in _on(datablock, within)]
+    return [one for datablock, within in dict.fromkeys(holders) if datablock for one in on(datablock, within)]
 
 
-def _on(datablock, within):
+def on(datablock, within=""):
+    """The drivers of our functions on a datablock, or on what lies within it at that path."""
     holder = getattr(datablock, within) if within else datablock
     animation = holder and holder.animation_data
     for curve in animation.drivers if animation else ():

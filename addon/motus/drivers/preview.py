@@ -1,4 +1,4 @@
-"""The dialog of motus.driver_add: the rows of the chosen function, and its graph."""
+"""The graph in the dialog of motus.driver_add."""
 
 from ..core import graph, native, ui
 from ..core.lazy import numpy as np
@@ -38,21 +38,11 @@ _NATIVE = {
     'EASE': ("ease", _ease), 'NOISE': ("noise1", _noise)}
 
 
-def draw(layout, _context, operator):
-    """Rows that matter for the function, then the graph, or the sentence that says why there is none."""
-    column = ui.split(layout)
-    column.prop(operator, "function")
-    column.separator()
-    function = expressions.BY_IDENTIFIER[operator.function]
-    for name in function.arguments:
-        column.prop(operator, name)
-    column.separator()
-    if function.has_start:
-        column.prop(operator, "start")
-    column.prop(operator, "base")
-    column.prop(operator, "amplitude")
+def draw(layout, operator):
+    """The graph of some seconds, or the sentence that says why there is none."""
     if not ui.draw_native_status(layout):
         return
+    function = expressions.BY_IDENTIFIER[operator.function]
     try:
         values = sample({name: getattr(operator, name) for name in (*function.arguments, "function")},
                         np.linspace(0.0, SECONDS, COUNT))

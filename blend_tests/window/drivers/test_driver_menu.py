@@ -64,7 +64,7 @@ def test_from_the_menu_of_a_property_to_the_list():
         if hasattr(bpy.context, "property"):
             bpy.ops.motus.driver_add('INVOKE_DEFAULT')
         else:
-            bpy.ops.motus.driver_add('INVOKE_DEFAULT', object="Lamp", data_path="rotation_euler", index=1)
+            bpy.ops.motus.driver_add('INVOKE_DEFAULT', datablock="Lamp", data_path="rotation_euler", index=1)
     yield
     yield from window_support.picture("driver_dialog")
     window_support.press('RET', x, y)
@@ -76,5 +76,5 @@ def test_from_the_menu_of_a_property_to_the_list():
     assert "MOTUS_PT_drivers" in drawn, drawn
     yield from window_support.picture("driver_list")
     with window_support.override():
-        bpy.ops.motus.driver_remove(object="Lamp", data_path="rotation_euler")
+        bpy.ops.motus.driver_remove(datablock="Lamp", data_path="rotation_euler")
     assert not lamp.animation_data.drivers

@@ -3,18 +3,27 @@
 INTERFACE = {
     "Motion Drivers": "Controladores de movimiento",
     "Let a property swing, ease or wander by itself": "Hace que una propiedad oscile, avance suavemente o divague por sí sola",
-    "Take a motion driver off a property, which keeps the value that it has":
-        "Quita de una propiedad un controlador de movimiento; la propiedad conserva el valor que tiene",
-    "Name of the object with the property; empty takes the active one":
-        "Nombre del objeto que tiene la propiedad; vacío toma el activo",
-    "ID Type": "Tipo de bloque",
-    "Kind of a datablock that is no object, as driver targets name it, such as MATERIAL":
-        "Tipo de un bloque de datos que no es objeto, con el nombre que le dan los objetivos de los controladores, como MATERIAL",
-    "Name of that datablock": "Nombre de ese bloque de datos",
-    "Data Path": "Ruta de datos",
-    "Path of the property from the datablock; empty takes the property under the mouse":
-        "Ruta de la propiedad desde el bloque de datos; vacía toma la propiedad bajo el ratón",
-    "Component of an array; -1 takes all of them": "Componente de una lista; -1 los toma todos",
+    "Take motion drivers off a property, or off all properties of the object; they keep the values that they have":
+        "Quita los controladores de movimiento de una propiedad, o de todas las del objeto; conservan los valores que tienen",
+    "Channel": "Canal",
+    "Which property of the object, where no data path is given":
+        "Qué propiedad del objeto, si no se indica una ruta de datos",
+    "By Path": "Por ruta",
+    "The property of the data path": "La propiedad de la ruta de datos",
+    "Location X": "Posición X",
+    "Location Y": "Posición Y",
+    "Location Z": "Posición Z",
+    "Rotation X": "Rotación X",
+    "Rotation Y": "Rotación Y",
+    "Rotation Z": "Rotación Z",
+    "Scale X": "Escala X",
+    "Scale Y": "Escala Y",
+    "Scale Z": "Escala Z",
+    "Location along or about this axis of the object": "Posición a lo largo de este eje del objeto",
+    "Rotation along or about this axis of the object": "Rotación alrededor de este eje del objeto",
+    "Scale along or about this axis of the object": "Escala a lo largo de este eje del objeto",
+    "{object} is not turned by angles about X, Y and Z: choose another rotation mode":
+        "{object} no gira por ángulos alrededor de X, Y y Z: elige otro modo de rotación",
     "Replace": "Reemplazar",
     "Take the place of a driver that is there": "Ocupa el lugar de un controlador que ya esté ahí",
     "Edit Motion Driver": "Editar controlador de movimiento",
@@ -84,8 +93,6 @@ INTERFACE = {
     "{object} has no property {path}": "{object} no tiene la propiedad {path}",
     "Point at a property with the mouse, or give its data path":
         "Señala una propiedad con el ratón, o indica su ruta de datos",
-    "There is no {name} of the type {type}": "No hay ningún {name} del tipo {type}",
-    "There is no active object": "No hay ningún objeto activo",
 }
 
 OPERATORS = {

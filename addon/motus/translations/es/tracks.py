@@ -22,10 +22,10 @@ INTERFACE = {
     "Own Transform": "Transformación propia",
     "Its own location, rotation and scale": "Su propia posición, rotación y escala",
     "Data Path": "Ruta de datos",
-    "Path of a property of the datablock; empty means a transform":
+    "Path of a property from the datablock":
         "Ruta de una propiedad del bloque de datos; vacío significa una transformación",
     "Index": "Índice",
-    "Index of a number in an array property; -1 for a property that is no array":
+    "Index of a number in an array property; -1 for a property that is no array, or all":
         "Índice de un número en una propiedad de varios; -1 si la propiedad es un solo número",
     # Why something is not known ahead
     "{thing} has the constraint {name}": "{thing} tiene la restricción {name}",
