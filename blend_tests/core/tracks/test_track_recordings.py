@@ -118,6 +118,12 @@ class Recording(RecordingCase):
         self.record(datablock="Material", collection="materials", data_path='["value"]')
         self.assertEqual(list(self.tracks.property_track(material, '["value"]').values((3.0, 40.0))), [3.0, 40.0])
 
+    def test_what_has_nothing_between(self):
+        self.thing.driver_add("hide_render").driver.expression = "frame >= 3"
+        self.record(data_path="hide_render")
+        track = self.tracks.property_track(self.thing, "hide_render")
+        self.assertEqual(list(track.values((0.0, 2.0, 2.75, 3.0, 3.5, 40.0, 99.0))), [0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 1.0])
+
     def test_it_goes_along_in_the_file(self):
         self.record()
         wanted = self.track().values(WITHIN)

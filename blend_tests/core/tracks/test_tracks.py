@@ -101,6 +101,9 @@ class Numbers(TrackTestCase):
         cube = self.link("Cube")
         refused = support.addon("core.refusals").Refused
         cube["text"] = "text"
+        camera = self.link("Camera", bpy.data.cameras.new("Camera"))
+        with self.assertRaisesRegex(refused, "has no number"):  # but its datablock has
+            self.tracks.property_track(camera, "data.lens")
         for path, index in (("name", -1), ("nothing", -1), ('["text"]', -1), ("location", 3), ("location", -1), ("data", -1),
                             ('["absent"]', -1), ("pass_index", 0), ("pose.bones", -1), ("", -1), ("[", -1), ('["', -1)):
             with self.subTest(path, index=index), self.assertRaisesRegex(refused, "has no number"):
@@ -480,6 +483,25 @@ class Kept(TrackTestCase):
         self.assertEqual(self.asked(10), 6, "the parent")
         self.thing.animation_data_clear()
         self.assertEqual(self.asked(10), 8, "the keys")
+
+    def test_second_order_dynamics_of_keys(self):
+        """What a solver of dynamics does: a native track of samples, made once, and evaluated on each frame."""
+        native = support.addon("core.native").module
+        filter = native.SecondOrder(2.0, 0.4, 0.0)
+
+        def make(track):
+            self.made += 1
+            times = track.bounds(1.0, 60.0)
+            return native.Track(filter, np.array(times) / 24.0, track.values(times))
+
+        found = []
+        for frame in (40.0, 10.0, 25.5, 60.0):
+            self.go_to(frame)
+            track = self.tracks.property_track(self.evaluated(self.top), "location", 1)
+            found.append(self.tracks.kept(track, (2.0, 0.4, 0.0), lambda: make(track)).evaluate(frame / 24.0))
+        self.assertEqual(self.made, 1)
+        original = self.tracks.property_track(self.top, "location", 1)
+        np.testing.assert_array_equal(found, [make(original).evaluate(frame / 24.0) for frame in (40.0, 10.0, 25.5, 60.0)])
 
     def test_originals_are_read_anew(self):
         track = self.tracks.world_track(self.thing, self.scene)

@@ -109,6 +109,8 @@ def number(id_data, data_path, index=-1):
     """The Number at a data path; refuses what is none. index: in an array, -1 for a property that is none."""
     try:
         holder, name = _holder(id_data, data_path)
+        if holder.id_data != id_data:  # what animates it is that one's
+            raise TypeError
         found = (_custom if name.startswith("[") else _declared)(holder, name, index)
         found.present  # whether it is there at all
     except (AttributeError, KeyError, IndexError, TypeError, ValueError):

@@ -140,6 +140,12 @@ def numbers(recording, times):
     return lower + parts[:, None] * (upper - lower)
 
 
+def steps(recording, times):
+    """(n, width) at times, each sample's until the next one: of what has nothing between."""
+    places, following, parts = recording.between(times)
+    return recording.samples[np.where(parts < 1.0, places, following)]
+
+
 def transforms(recording, times):
     """Locations, rotations and scales at times, of samples of "own"."""
     found = numbers(recording, times)

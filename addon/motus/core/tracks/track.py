@@ -88,7 +88,8 @@ class Track:
             return recordings.matrices(self.recording, times)
         if self.what.endswith("own"):
             return Transforms(*recordings.transforms(self.recording, times))
-        return recordings.numbers(self.recording, times)[:, 0]
+        read = recordings.numbers if self._source.number.type == 'FLOAT' else recordings.steps
+        return read(self.recording, times)[:, 0]
 
     def bounds(self, first, last):
         """Rising times from first to last between which it is smooth: where to take samples of it; a bounded number."""
