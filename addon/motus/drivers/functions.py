@@ -11,6 +11,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..core import handlers, native
+from . import history
 
 MOST_SAID = 100  # sentences in the console, of a file
 
@@ -69,6 +70,19 @@ def motus_noise(frame, speed=1.0, seed=0):
         return _at_rest("motus_noise", error, 0.0)
 
 
+def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
+    """What follows the keys of a property of the same datablock by second-order dynamics, of the frequency f in Hz, the
+    damping zeta and the response r. index: in an array.
+
+    Also on that property itself: its keys are followed then. At rest up to the scene's first frame.
+    """
+    try:
+        return history.followed(
+            self, data_path, index, frame, bpy.app.driver_namespace["depsgraph"].scene, (float(f), float(zeta), float(r)))
+    except Exception as error:
+        return _at_rest("motus_second_order", error, history.present(self, data_path, index))
+
+
 def _at_rest(name, error, value):
     # What the native module says of other types is written for C++.
     sentence = f"{name}: {'an argument is no number' if isinstance(error, TypeError) else error}"
@@ -78,7 +92,8 @@ def _at_rest(name, error, value):
     return float(value) if isinstance(value, (int, float)) and math.isfinite(value) else 0.0
 
 
-FUNCTIONS = {one.__name__: one for one in (motus_pendulum, motus_double_pendulum, motus_ease, motus_noise)}
+FUNCTIONS = {one.__name__: one for one in (
+    motus_pendulum, motus_double_pendulum, motus_ease, motus_noise, motus_second_order)}
 
 
 @persistent

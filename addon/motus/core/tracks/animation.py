@@ -53,9 +53,10 @@ class Channel:
     """A number over time. reason: why nobody knows it ahead; None where keys tell it, or nothing animates it.
 
     values(times) and bounds(first, last) are there where reason is None; stamp changes whenever what they say may.
+    is_beneath_driver: what keys and strips say is meant, though a driver sets the number in their place.
     """
 
-    def __init__(self, id_data, data_path, index):
+    def __init__(self, id_data, data_path, index, is_beneath_driver=False):
         self._id, self._path = id_data, data_path
         self._curve = self._stack = self.reason = None
         self.number = number(id_data, data_path, index)
@@ -63,7 +64,7 @@ class Channel:
         if animation is None:
             return
         place = max(index, 0)
-        if is_driven(id_data, data_path, place):
+        if not is_beneath_driver and is_driven(id_data, data_path, place):
             self.reason = Reason(Reason.DRIVEN, thing=id_data.name, path=data_path)
         elif is_in_strips(id_data, data_path, place):
             found = strips.Stack.of(animation, data_path, self.number, acting_curve(id_data, data_path, place))

@@ -59,6 +59,11 @@ class Track:
             return None
 
     @property
+    def is_constant(self):
+        """Whether nothing animates it, so that its present value is all that there is."""
+        return getattr(self._source, "is_constant", False)
+
+    @property
     def is_known(self):
         """Whether values() may be called."""
         return self.reason is None or self.recording is not None
@@ -109,9 +114,12 @@ class Track:
         return self._source.present
 
 
-def property_track(id_data, data_path, index=-1):
-    """The Track of a float, int, bool or enum property; index: in an array. Refuses what is no number."""
-    return Track(_Number(id_data, data_path, index), id_data, f"{data_path}[{index}]", 1)
+def property_track(id_data, data_path, index=-1, is_beneath_driver=False):
+    """The Track of a float, int, bool or enum property; index: in an array. Refuses what is no number.
+
+    is_beneath_driver: of what its keys say, where a driver that reads them sets it in their place.
+    """
+    return Track(_Number(id_data, data_path, index, is_beneath_driver), id_data, f"{data_path}[{index}]", 1)
 
 
 def own_track(thing):

@@ -1,0 +1,50 @@
+"""The keys of a property, followed by second-order dynamics."""
+
+from ..core import native, tracks
+from ..core.lazy import numpy as np
+
+PARTS = 8
+"""Samples of a frame: between them the input is taken for linear."""
+PIECE = 1024  # frames
+MOST = 65536  # frames after the first; what comes later is the last value
+
+
+def track_of(owner, data_path, index):
+    """The Track of a property of the owner's datablock. Raises Refused where it is no number."""
+    id_data = owner.id_data
+    value = id_data.path_resolve(data_path)
+    return tracks.property_track(
+        id_data, data_path, max(index, 0) if hasattr(value, "__len__") else -1, is_beneath_driver=True)
+
+
+def followed(owner, data_path, index, frame, scene, numbers):
+    """The value on a frame. numbers: frequency, damping, response. Raises ValueError, Refused where nobody knows it."""
+    track = track_of(owner, data_path, index)
+    if track.is_constant:
+        return track.present()[0]
+    if not track.is_known:
+        raise ValueError(track.sentence)
+    first, length = scene.frame_start, scene.render.fps_base / scene.render.fps
+    pieces = 1
+    while first + pieces * PIECE < frame and pieces * PIECE < MOST:
+        pieces *= 2
+    made = tracks.kept(
+        track, ("second_order", numbers, first, pieces, length), lambda: _followed(track, numbers, first, pieces, length))
+    return float(made.evaluate((frame - first) * length)[0])
+
+
+def _followed(track, numbers, first, pieces, length):
+    last = first + pieces * PIECE
+    # The same up to any frame, however many pieces there are: whoever asks for later ones changes nothing before.
+    frames = np.union1d(np.arange(first * PARTS, last * PARTS + 1) / PARTS, track.bounds(first, last))
+    return native.module.Track(
+        native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames)[:, None])
+
+
+def present(owner, data_path, index):
+    """The property as it stands; 0 where there is none."""
+    try:
+        value = owner.id_data.path_resolve(data_path)
+        return float(value[max(index, 0)] if hasattr(value, "__len__") else value)
+    except Exception:
+        return 0.0
