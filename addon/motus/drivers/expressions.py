@@ -13,7 +13,7 @@ class Function:
 
     identifier: the operator's `function`. name: in expressions. arguments: the keywords it is given, in its order, after
     `frame`. defaults: of the last of them, which are left out where they are the same. has_start: whether frames count from
-    a start of one's own.
+    a start of one's own. follows: whether it follows a property (`source` and `source_index`), and has no base.
     """
 
     identifier: str
@@ -23,6 +23,7 @@ class Function:
     arguments: tuple
     defaults: tuple = ()
     has_start: bool = True
+    follows: bool = False
 
 
 FUNCTIONS = (
@@ -40,6 +41,10 @@ FUNCTIONS = (
     Function(
         'NOISE', "motus_noise", "Noise", "Wander smoothly between -1 and 1",
         ("speed", "seed"), (1.0, 0)),
+    Function(
+        'SECOND_ORDER', "motus_second_order", "Follow Keys",
+        "Follow the keys of a property like a mass on a spring: late, with a swing, or ahead of them",
+        ("frequency", "damping_ratio", "response"), (1.0, 0.5, 0.0), has_start=False, follows=True),
 )
 BY_IDENTIFIER = {one.identifier: one for one in FUNCTIONS}
 BY_NAME = {one.name: one for one in FUNCTIONS}
@@ -56,6 +61,9 @@ def names_ours(expression):
 def compose(keywords):
     """The expression of an operator's keywords: `base` plus `amplitude` times the function's value."""
     function = BY_IDENTIFIER[keywords["function"]]
+    if function.follows:
+        numbers = ", ".join(_text(keywords[name]) for name in function.arguments)
+        return f"{function.name}(self, {keywords['source']!r}, {keywords['source_index']}, frame, {numbers})"
     values = [_number(name, keywords[name]) for name in function.arguments]
     first_default = len(values) - len(function.defaults)
     while len(values) > first_default and values[-1] == _text(function.defaults[len(values) - 1 - first_default]):
@@ -90,6 +98,8 @@ def read(expression):
     function = BY_NAME.get(call.func.id)
     if function is None or base is None or amplitude is None or not call.args:
         return None
+    if function.follows:
+        return _read_follower(function, call.args) if call is tree else None
     start = _start(call.args[0])
     given = [_constant(one) for one in call.args[1:]]
     least = len(function.arguments) - len(function.defaults)
@@ -104,6 +114,17 @@ def read(expression):
             value = _ENUMS[name][int(value)]
         keywords[name] = value
     return keywords
+
+
+def _read_follower(function, given):
+    if len(given) != 4 + len(function.arguments) or [getattr(given[at], "id", "") for at in (0, 3)] != ["self", "frame"]:
+        return None
+    source, index = getattr(given[1], "value", None), _constant(given[2])
+    numbers = [_constant(one) for one in given[4:]]
+    if not isinstance(source, str) or not isinstance(index, int) or None in numbers:
+        return None
+    return {"function": function.identifier, "source": source, "source_index": index,
+            **dict(zip(function.arguments, numbers))}
 
 
 def _split(tree, operator, neutral):

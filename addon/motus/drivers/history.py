@@ -34,9 +34,8 @@ def followed(owner, data_path, index, frame, scene, numbers):
 
 
 def _followed(track, numbers, first, pieces, length):
-    last = first + pieces * PIECE
-    # The same up to any frame, however many pieces there are: whoever asks for later ones changes nothing before.
-    frames = np.union1d(np.arange(first * PARTS, last * PARTS + 1) / PARTS, track.bounds(first, last))
+    # The same samples up to any frame, however many pieces there are: whoever asks for later ones changes nothing before.
+    frames = np.arange(first * PARTS, (first + pieces * PIECE) * PARTS + 1) / PARTS
     return native.module.Track(
         native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames)[:, None])
 

@@ -65,6 +65,20 @@ class DriverKeywords:
     ease_out: bpy.props.FloatProperty(
         name="Ease Out", description="Fraction of the time in which the motion slows down", subtype='FACTOR', default=0.3,
         min=0.0, max=1.0)
+    source: bpy.props.StringProperty(
+        name="Source", description="Data path of the property of the same datablock whose keys are followed; empty takes the "
+        "driven property's own keys")
+    source_index: bpy.props.IntProperty(
+        name="Source Index", description="Component of the source where it is an array", default=0, min=0)
+    frequency: bpy.props.FloatProperty(
+        name="Frequency", description="How fast it reacts, in swings a second", default=1.0, min=0.0, soft_min=0.1,
+        soft_max=10.0)
+    damping_ratio: bpy.props.FloatProperty(
+        name="Damping Ratio", description="0 rings for ever, 1 comes to rest without a swing", default=0.5, min=0.0,
+        soft_max=2.0)
+    response: bpy.props.FloatProperty(
+        name="Response", description="0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first",
+        default=0.0, soft_min=-2.0, soft_max=3.0)
     seed: bpy.props.IntProperty(
         name="Seed", description="Another number gives another noise", default=0, min=0)
 
@@ -73,18 +87,24 @@ NAMES = tuple(DriverKeywords.__annotations__)
 
 _ORDER = (
     "which", "theta", "theta1", "theta2", "length", "length1", "length2", "omega", "omega1", "omega2", "mass1", "mass2",
-    "gravity", "damping", "frame_start", "frame_end", "ease_in", "ease_out", "speed", "seed")
+    "gravity", "damping", "frame_start", "frame_end", "ease_in", "ease_out", "speed", "seed",
+    "frequency", "damping_ratio", "response")
 
 
 def _row(name):
     return Row(name, when=is_one_of("function", *(one.identifier for one in expressions.FUNCTIONS if name in one.arguments)))
 
 
+def _follows(operator):
+    return expressions.BY_IDENTIFIER[operator.function].follows
+
+
 REDO = (
     Rows((Row("channel", when=is_not("channel", places.BY_PATH)), "function", *map(_row, _ORDER))),
     Rows((
         Row("start", when=is_one_of("function", *(one.identifier for one in expressions.FUNCTIONS if one.has_start))),
-        Row("base", when=is_given("base")), "amplitude")),
+        Row("base", when=lambda operator: operator.is_given("base") and not _follows(operator)),
+        Row("amplitude", when=lambda operator: not _follows(operator)))),
 )
 """What the dialog and the redo panel draw."""
 

@@ -6,7 +6,7 @@ from ..core import datablocks, native
 from ..core.operators import Operator
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr
-from . import expressions, places, preview
+from . import expressions, history, places, preview
 from .keywords import REDO, DriverKeywords, given
 
 
@@ -93,7 +93,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             if place.curve and not self.replace:
                 raise Refused(_is_driven(place))
         self._check()
-        texts = [expressions.compose(self._keywords(place, number)) for number, place in enumerate(found)]
+        texts = [self._text(place, number) for number, place in enumerate(found)]
         for place, text in zip(found, texts):
             try:
                 place.add(text)
@@ -102,6 +102,16 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         function = expressions.BY_IDENTIFIER[self.function]
         self.report({'INFO'}, tr("{path} is driven by {function}").format(path=found[0].path, function=tr(function.label)))
 
+    def _text(self, place, number):
+        keywords = self._keywords(place, number)
+        if expressions.BY_IDENTIFIER[self.function].follows:
+            _check_source(place, keywords["source"], keywords["source_index"])
+        text = expressions.compose(keywords)
+        if len(text) > expressions.LONGEST:
+            raise Refused(tr("The expression has {count} characters, of which a driver takes {most}: shorten the names").format(
+                count=len(text), most=expressions.LONGEST))
+        return text
+
     def _keywords(self, place, number):
         """The keywords for a component of an array: each swings about its own value, and each noise is another one."""
         keywords = given(self)
@@ -109,6 +119,8 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             known = place.curve and expressions.read(place.curve.driver.expression)
             keywords["base"] = known["base"] if known else float(place.value)
         keywords["seed"] += number
+        if not keywords["source"]:
+            keywords["source"], keywords["source_index"] = place.path, max(place.index, 0)
         return keywords
 
     def _check(self):
@@ -117,6 +129,18 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             preview.sample(given(self), [0.0])
         except ValueError as error:
             raise Refused(str(error)) from error
+
+
+def _check_source(place, path, index):
+    """Refuse what cannot be followed at any frame."""
+    try:
+        track = history.track_of(place.holder, path, index)
+    except ValueError as error:
+        raise Refused(tr("{object} has no property {path}").format(object=place.holder.name, path=path)) from error
+    if track.is_constant:
+        raise Refused(tr("{path} has no keys that could be followed").format(path=path))
+    if not track.is_known:
+        raise Refused(track.sentence)
 
 
 def _is_driven(place):

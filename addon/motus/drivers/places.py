@@ -76,6 +76,7 @@ class Place:
         for key in reversed(made.keyframe_points):
             made.keyframe_points.remove(key)
         made.driver.type = 'SCRIPTED'
+        made.driver.use_self = "(self" in expression
         made.driver.expression = expression
 
     def remove(self):

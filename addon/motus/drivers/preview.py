@@ -33,9 +33,14 @@ def _noise(call, k, times):
     return call(np.float32(times * k["speed"]), k["seed"])
 
 
+def _second_order(call, k, times):
+    return call(times, k["frequency"], k["damping_ratio"], k["response"])
+
+
 _NATIVE = {
     'PENDULUM': ("single_pendulum", _pendulum), 'DOUBLE_PENDULUM': ("double_pendulum", _double_pendulum),
-    'EASE': ("ease", _ease), 'NOISE': ("noise1", _noise)}
+    'EASE': ("ease", _ease), 'NOISE': ("noise1", _noise),
+    'SECOND_ORDER': ("step_response", _second_order)}
 
 
 def draw(layout, operator):
@@ -49,4 +54,5 @@ def draw(layout, operator):
     except ValueError as error:
         ui.draw_message(layout, str(error), 'ERROR')
         return
-    layout.template_icon(graph.icon("drivers", values), scale=8.0)
+    levels = (0.0, 1.0) if function.follows else (0.0,)
+    layout.template_icon(graph.icon("drivers", values, levels), scale=8.0)
