@@ -197,13 +197,79 @@ class Add(DriverTestCase):
         self.refused("is linked from another file", datablock="Cube", data_path="location", index=0)
 
 
+class FollowedKeys(DriverTestCase):
+    """motus_second_order."""
+
+    def setUp(self):
+        super().setUp()
+        bpy.context.scene.frame_start = 1
+        for frame, place in ((1, 0.0), (20, 0.0), (40, 2.0), (70, -1.0)):
+            self.cube.location.x = place
+            self.cube.keyframe_insert("location", index=0, frame=frame)
+
+    def wanted(self, frame, numbers, fps=24.0):
+        """By the filter over the F-curve, sampled more finely than the driver does."""
+        curve = support.addon("core.actions").find(self.cube, "location", 0)
+        frames = [1.0 + part / 32.0 for part in range(32 * 150)]
+        track = native().Track(native().SecondOrder(*numbers), [(one - 1.0) / fps for one in frames],
+                               [[curve.evaluate(one)] for one in frames])
+        return track.evaluate((frame - 1.0) / fps)[0]
+
+    def test_own_keys_and_those_of_another_property(self):
+        numbers = 2.0, 0.3, 0.5
+        keywords = dict(zip(("frequency", "damping_ratio", "response"), numbers))
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=2, function='SECOND_ORDER',
+                                 source="location", source_index=0, **keywords)
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=0, function='SECOND_ORDER', **keywords)
+        frames = [45, 1, 100, 30.25, 72, -20]
+        found = [[self.value(frame, index=index) for index in (0, 2)] for frame in frames]
+        for frame, (own, other) in zip(frames, found):
+            with self.subTest(frame=frame):
+                self.assertAlmostEqual(own, self.wanted(frame, numbers), delta=2e-3)
+                self.assertEqual(own, other)
+        # Played to from the first frame on: the same bits.
+        played = {frame: self.value(frame) for frame in range(1, 101)}
+        for frame, (own, _) in zip(frames, found):
+            if frame in played:
+                self.assertEqual(played[frame], own)
+        curve = support.addon("core.actions").find(self.cube, "location", 0)
+        curve.keyframe_points[2].co.y = 5.0
+        curve.update()
+        self.assertAlmostEqual(self.value(45), self.wanted(45, numbers), delta=5e-3)
+
+    def test_far_frames_and_frame_rates(self):
+        bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=0, function='SECOND_ORDER')
+        late = self.value(5000)
+        self.assertAlmostEqual(late, -1.0, places=4)
+        self.assertEqual(self.value(1e6), late)
+        bpy.context.scene.render.fps = 48
+        self.assertAlmostEqual(self.value(45), self.wanted(45, (1.0, 0.5, 0.0), 48.0), delta=2e-3)
+
+    def test_refused_and_at_rest_without_keys(self):
+        self.refused("has no keys", datablock="Cube", data_path="scale", index=0, function='SECOND_ORDER')
+        self.refused("has no property", datablock="Cube", data_path="scale", index=0, function='SECOND_ORDER', source="gone")
+        driver = self.cube.driver_add("scale", 0).driver
+        driver.use_self = True
+        self.cube.scale.x = 3.0
+        for expression, rest in (("motus_second_order(self, 'location', 1, frame, 1, 0.5, 0)", 0.0),
+                                 ("motus_second_order(self, 'gone', 0, frame, 1, 0.5, 0)", 0.0),
+                                 ("motus_second_order(self, 'location', 0, frame, -1, 0.5, 0)", None),
+                                 ("motus_second_order(7, 'location', 0, frame, -1, 0.5, 0)", 0.0)):
+            with self.subTest(expression):
+                driver.expression = expression
+                value = self.value(20, "scale", 0)
+                self.assertTrue(driver.is_valid)
+                self.assertAlmostEqual(value, self.value(20) if rest is None else rest, 5)
+
+
 @support.in_one_blender
 class Expressions(DriverTestCase):
     def test_composed_and_read_back(self):
         expressions = support.addon("drivers.expressions")
         for text in ("motus_pendulum(frame, 0.5, 1)", "2 * motus_pendulum(frame - 12, 0.5, 2, 0, 1.6)",
                      "0.1 + 0.5 * motus_noise(frame + 3, 2, 5)", "-1 + motus_ease(frame, 1, 50, 0.25)",
-                     "motus_double_pendulum(frame, 3, 2, -1, 0, 0, 1, 0.5)"):
+                     "motus_double_pendulum(frame, 3, 2, -1, 0, 0, 1, 0.5)",
+                     "motus_second_order(self, 'pose.bones[\"a\\'b\"].location', 2, frame, 2, 0.5, -1)"):
             with self.subTest(text):
                 self.assertEqual(expressions.compose(self._filled(expressions.read(text))), text)
         for text in ("", "frame", "motus_pendulum(", "motus_pendulum(frame)", "motus_noise(frame, var)", "motus_gone(frame, 1)",

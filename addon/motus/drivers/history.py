@@ -2,6 +2,8 @@
 
 from ..core import native, tracks
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
+from ..core.translations import tr
 
 PARTS = 8
 """Samples of a frame: between them the input is taken for linear."""
@@ -15,6 +17,18 @@ def track_of(owner, data_path, index):
     value = id_data.path_resolve(data_path)
     return tracks.property_track(
         id_data, data_path, max(index, 0) if hasattr(value, "__len__") else -1, is_beneath_driver=True)
+
+
+def check(id_data, data_path, index):
+    """Refuse what cannot be followed at any frame."""
+    try:
+        track = track_of(id_data, data_path, index)
+    except ValueError as error:
+        raise Refused(tr("{object} has no property {path}").format(object=id_data.name, path=data_path)) from error
+    if track.is_constant:
+        raise Refused(tr("{path} has no keys that could be followed").format(path=data_path))
+    if not track.is_known:
+        raise Refused(track.sentence)
 
 
 def followed(owner, data_path, index, frame, scene, numbers):

@@ -105,7 +105,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
     def _text(self, place, number):
         keywords = self._keywords(place, number)
         if expressions.BY_IDENTIFIER[self.function].follows:
-            _check_source(place, keywords["source"], keywords["source_index"])
+            history.check(place.holder, keywords["source"], keywords["source_index"])
         text = expressions.compose(keywords)
         if len(text) > expressions.LONGEST:
             raise Refused(tr("The expression has {count} characters, of which a driver takes {most}: shorten the names").format(
@@ -129,18 +129,6 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             preview.sample(given(self), [0.0])
         except ValueError as error:
             raise Refused(str(error)) from error
-
-
-def _check_source(place, path, index):
-    """Refuse what cannot be followed at any frame."""
-    try:
-        track = history.track_of(place.holder, path, index)
-    except ValueError as error:
-        raise Refused(tr("{object} has no property {path}").format(object=place.holder.name, path=path)) from error
-    if track.is_constant:
-        raise Refused(tr("{path} has no keys that could be followed").format(path=path))
-    if not track.is_known:
-        raise Refused(track.sentence)
 
 
 def _is_driven(place):

@@ -2,7 +2,8 @@
 
 from ..core import native, panels, ui
 from ..core.datablocks import collection_of
-from . import expressions, places, preview
+from ..core.refusals import Refused
+from . import expressions, history, places, preview
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 
 
@@ -23,11 +24,20 @@ def _draw_driver(layout, obj, found):
         button = row.operator(operator.bl_idname, text="", icon=icon)
         button.datablock, button.collection = found.datablock.name, collection_of(found.datablock)
         button.data_path, button.index = found.path, found.index
-    if keywords and native.module is not None:
-        try:
-            preview.sample(keywords, [0.0])
-        except ValueError as error:
-            ui.draw_message(layout, str(error), 'ERROR')
+    sentence = _problem(found, keywords) if keywords and native.module is not None else ""
+    if sentence:
+        ui.draw_message(layout, sentence, 'ERROR')
+
+
+def _problem(found, keywords):
+    """Why a driver of ours stands at its value at rest; "" where it moves."""
+    try:
+        preview.sample(keywords, [0.0])
+        if expressions.BY_IDENTIFIER[keywords["function"]].follows:
+            history.check(found.holder, keywords["source"], keywords["source_index"])
+    except (ValueError, Refused) as error:
+        return str(error)
+    return ""
 
 
 PANEL = panels.SystemPanel(

@@ -192,9 +192,13 @@ def _hovered_index(context):
 
 @dataclass(frozen=True)
 class Found:
-    """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array."""
+    """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array.
+
+    holder: what has the driver, the datablock or a node tree in it.
+    """
 
     datablock: Any
+    holder: Any
     path: str
     index: int
     expression: str
@@ -216,7 +220,7 @@ def on(datablock, within=""):
     for curve in animation.drivers if animation else ():
         if expressions.names_ours(curve.driver.expression):
             path = f"{within}.{curve.data_path}" if within else curve.data_path
-            yield Found(datablock, path, curve.array_index if _is_array(datablock, path) else -1, curve.driver.expression)
+            yield Found(datablock, holder, path, curve.array_index if _is_array(datablock, path) else -1, curve.driver.expression)
 
 
 def _is_array(datablock, path):

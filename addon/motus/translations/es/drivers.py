@@ -24,6 +24,24 @@ INTERFACE = {
     "Scale along or about this axis of the object": "Escala a lo largo de este eje del objeto",
     "{object} is not turned by angles about X, Y and Z: choose another rotation mode":
         "{object} no gira por ángulos alrededor de X, Y y Z: elige otro modo de rotación",
+    "Follow Keys": "Seguir claves",
+    "Follow the keys of a property like a mass on a spring: late, with a swing, or ahead of them":
+        "Sigue las claves de una propiedad como una masa en un resorte: con retraso, con rebote o adelantándose",
+    "Source": "Origen",
+    "Data path of the property of the same datablock whose keys are followed; empty takes the driven property's own keys":
+        "Ruta de datos de la propiedad del mismo bloque cuyas claves se siguen; vacío toma las claves de la propia propiedad",
+    "Source Index": "Índice del origen",
+    "Component of the source where it is an array": "Componente del origen si es una lista",
+    "Frequency": "Frecuencia",
+    "How fast it reacts, in swings a second": "Con qué rapidez reacciona, en oscilaciones por segundo",
+    "Damping Ratio": "Razón de amortiguación",
+    "0 rings for ever, 1 comes to rest without a swing": "0 oscila para siempre, 1 llega al reposo sin oscilar",
+    "Response": "Respuesta",
+    "0 starts slowly, 1 at once, above 1 overshoots, below 0 goes the other way first":
+        "0 empieza despacio, 1 enseguida, por encima de 1 se pasa, por debajo de 0 va primero al revés",
+    "The expression has {count} characters, of which a driver takes {most}: shorten the names":
+        "La expresión tiene {count} caracteres y un controlador admite {most}: acorta los nombres",
+    "{path} has no keys that could be followed": "{path} no tiene claves que se puedan seguir",
     "Replace": "Reemplazar",
     "Take the place of a driver that is there": "Ocupa el lugar de un controlador que ya esté ahí",
     "Edit Motion Driver": "Editar controlador de movimiento",
