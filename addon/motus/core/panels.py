@@ -185,8 +185,7 @@ def _part(panel, part):
 def _end(panel, menu, kind, draw_end):
     """Read-outs or actions, without a header, so that they go on below the settings."""
     class End:
-        bl_label = panel.label
-        bl_translation_context = panel.translation_context
+        bl_label = ""  # a popover would show it
         bl_options = {'HIDE_HEADER'}
 
         @classmethod
