@@ -73,7 +73,7 @@ class Layout:
 
     def __init__(self, drawn=None, above=None):
         self.drawn = [] if drawn is None else drawn
-        self.enabled, self._above = True, above
+        self.enabled, self.use_property_split, self._above = True, False, above
 
     @property
     def is_enabled(self):

@@ -10,10 +10,10 @@ from .viewports import view_at
 class PointDrag:
     """Mixin of a modal operator: press on something, drag, release; Esc or the right button restores what was.
 
-    The operator is one of core's (operators.py), and has: _hold(context, region, view, mouse) -> (point in the world, the same in the region) of what lies there and
-    is kept as self._held, whose restore() puts all back, or None; _move(place), called with where the point goes; _finish(
-    context), called when it was let go after a move; _show_keys(context). It may have _press(event): whether a key has
-    changed a setting before anything is held.
+    The operator is one of core's (operators.py), and has: _hold(context, region, view, mouse) -> (point in the world, the
+    same in the region) of what lies there and is kept as self._held, whose restore() puts all back, or None; _move(place),
+    called with where the point goes; _finish(context), called when it was let go after a move; _show_keys(context). It may
+    have _press(event): whether a key has changed a setting before anything is held.
     """
 
     def _begin(self, context, event):

@@ -92,24 +92,24 @@ def described(system):
 
 def _of_editor(panel, end, editor):
     name = panel.prefix + end
-    menu = _menu(panel, f"{name.replace('_PT_', '_MT_')}_more")
+    menu = [_menu(panel, f"{name.replace('_PT_', '_MT_')}_more")] if panel.refresh else []
     own = {"bl_options": {'DEFAULT_CLOSED'} if panel.is_used is None else set(),
            "bl_label": panel.labels.get(end, panel.label)}
-    found = [menu, type(name, (_main(panel), editor, bpy.types.Panel), own | _common(panel))]
+    found = [*menu, type(name, (_main(panel), editor, bpy.types.Panel), own | _common(panel))]
+    for part, mixin in _parts(panel, *menu):
+        found.append(type(f"{name}_{part}", (mixin, editor, bpy.types.Panel), {"bl_parent_id": name} | _common(panel)))
+    return found
+
+
+def _parts(panel, menu=None):
+    """(end of the class's name, mixin) of the sub-panels, in their order."""
     settings = [part for part in panel.parts if not part.is_action]
     tools = [part for part in panel.parts if part.is_action]
-    ends = [(kind, draw) for kind, draw in (("readouts", panel.readouts), ("actions", panel.actions)) if draw]
-    children = [_part(panel, part) for part in settings]
-    names = [part.name for part in settings]
-    for kind, draw in ends:
-        if kind == "actions":
-            children += [_part(panel, part) for part in tools]
-            names += [part.name for part in tools]
-        children.append(_end(panel, menu, kind, draw))
-        names.append(kind)
-    for child, mixin in zip(names, children):
-        found.append(type(f"{name}_{child}", (mixin, editor, bpy.types.Panel), {"bl_parent_id": name} | _common(panel)))
-    return found
+    return [
+        *((part.name, _part(panel, part)) for part in settings),
+        *([("readouts", _readouts(panel))] if panel.readouts else ()),
+        *((part.name, _part(panel, part)) for part in tools),
+        *([("actions", _actions(panel, menu))] if panel.actions else ())]
 
 
 def _common(panel):
@@ -120,9 +120,7 @@ def _menu(panel, name):
     """What is seldom needed."""
 
     def draw(self, context):
-        layout = operators.offer(self.layout, context)
-        if panel.refresh:
-            layout.operator(panel.refresh, icon='FILE_REFRESH')
+        operators.offer(self.layout, context).operator(panel.refresh, icon='FILE_REFRESH')
 
     return type(name, (bpy.types.Menu,), {"bl_label": "More", "draw": draw, **_common(panel)})
 
@@ -182,26 +180,40 @@ def _part(panel, part):
     return Sub
 
 
-def _end(panel, menu, kind, draw_end):
-    """Read-outs or actions, without a header, so that they go on below the settings."""
-    class End:
-        bl_label = panel.label
-        bl_translation_context = panel.translation_context
-        bl_options = {'HIDE_HEADER'}
+class _WithoutHeader:
+    """Mixin of sub-panels that go on below the settings."""
 
+    bl_label = ""  # a popover would show it
+    bl_options = {'HIDE_HEADER'}
+
+
+def _readouts(panel):
+    class Readouts(_WithoutHeader):
         @classmethod
         def poll(cls, context):
             # What is baked is not computed any more.
-            return panel.shows_settings(context) and (kind == "actions" or panel.baked_frames(context) is None)
+            return panel.shows_settings(context) and panel.baked_frames(context) is None
+
+        def draw(self, context):
+            panel.readouts(self.layout, context)
+
+    return Readouts
+
+
+def _actions(panel, menu):
+    class Actions(_WithoutHeader):
+        @classmethod
+        def poll(cls, context):
+            return panel.shows_settings(context)
 
         def draw(self, context):
             self.layout.enabled = panel.baked_frames(context) is None
             row = self.layout.row()
-            draw_end(row.column(), context)
-            if panel.refresh and kind == "actions":
+            panel.actions(row.column(), context)
+            if menu:
                 row.menu(menu.__name__, text="", icon='DOWNARROW_HLT')
 
-    return End
+    return Actions
 
 
 class _Adding:

@@ -51,11 +51,14 @@ class Row:
         """Draw the row, if it matters."""
         if self.when and not self.when(settings):
             return
-        # In a row the parts of a vector would stand side by side in a narrow region.
-        row = layout.row(align=True) if self.expand else layout.column(align=True)
-        row.active = self.active is None or bool(self.active(settings))
         words = {} if self.text is None else {"text": self.text, "text_ctxt": self.text_ctxt}
         properties = _properties(settings)
+        if self.expand:
+            # Only beside fields do items that stand side by side have the property's name.
+            row = layout.row(align=True, heading="" if layout.use_property_split else properties[self.name].name)
+        else:
+            row = layout.column(align=True)  # in a row the parts of a vector would be too narrow
+        row.active = self.active is None or bool(self.active(settings))
         if self.switch:
             row = layout.row(heading=properties[self.name].name, align=True)
             row.prop(settings, self.switch, text="")
