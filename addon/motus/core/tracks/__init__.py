@@ -5,8 +5,8 @@
     animation, keys                          which F-curve animates a property, and its integral and bounds
     draw, classes, register                  for the panel: what kind it is, and the buttons that record it
 
-A Track is EXACT (read from keys, NLA strips and parents), or it is RECORDED: then an operator has gone through the frames and
-keeps samples in the file.
+A Track is EXACT (read from keys, NLA strips and parents), SOLVED (a system of Motus's is asked), or RECORDED: an operator goes
+through the frames and keeps samples in the file. See docs/tracks.md.
 """
 
 from .operators import classes

@@ -25,7 +25,8 @@ LARGEST = 1 << 18
 """Numbers in a recording: 1.4 MB in the file, and a world matrix for a quarter of an hour."""
 WIDTHS = {"world": 12, "own": 10}
 """Numbers in a sample, of a transform: a matrix without its last row; location, rotation and scale. Else one."""
-LARGEST_CACHE = 64  # recordings
+LARGEST_MEMORY = 1 << 28
+"""Bytes of recordings that are kept unpacked, the latest ones."""
 
 _FORM = (int, float, float, str, str)
 _read = OrderedDict()
@@ -71,7 +72,7 @@ def read(id_data, what, width):
     found = _read.get((what, head))
     if found is None:
         found = _read[what, head] = _opened(head, entry.data, width)
-        if len(_read) > LARGEST_CACHE:
+        while len(_read) > 1 and sum(one.samples.nbytes for one in list(_read.values())) > LARGEST_MEMORY:
             _read.popitem(last=False)
     return found
 
