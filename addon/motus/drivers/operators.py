@@ -17,7 +17,7 @@ class _OnProperty(datablocks.OfADatablock):
         name="Channel", description="Which property of the object, where no data path is given", items=places.CHANNELS,
         default=places.BY_PATH, options={'SKIP_SAVE'})
 
-    def places(self, context):
+    def properties_meant(self, context):
         """The Places that are meant. Raises Refused."""
         datablock = self.id_data(context)
         check_local(datablock)
@@ -61,7 +61,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         try:
             if not self.take_hovered(context) and self.channel == places.BY_PATH:
                 self.channel = places.FIRST
-            self._take_up(context, self.places(context))
+            self._take_up(context, self.properties_meant(context))
         except Refused as refusal:
             return self.refuse(refusal)
         return context.window_manager.invoke_props_dialog(self, width=360)
@@ -87,7 +87,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         preview.draw(self.layout, self)
 
     def run(self, context):
-        found = self.places(context)
+        found = self.properties_meant(context)
         check_finite(self, given(self))
         for place in found:
             if place.curve and not self.replace:
@@ -166,7 +166,7 @@ class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):
 
     def _meant(self, context):
         if self.data_path or self.channel != places.BY_PATH:
-            return self.places(context)
+            return self.properties_meant(context)
         datablock = self.id_data(context)
         check_local(datablock)
         return [place for one in places.on(datablock) for place in places.find(datablock, one.path, one.index)]
