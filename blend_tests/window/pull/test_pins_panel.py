@@ -33,11 +33,6 @@ def test_sidebar():
     grid = build()
     yield
     drawn = yield from window_support.open_tab("Motus")
-    with bpy.context.temp_override(window=window_support.window(), area=window_support.area(),
-                                   region=window_support.region('UI')):
-        for _ in range(20):
-            bpy.ops.view2d.scroll_down()
-    yield
     yield from window_support.picture("pins_sidebar")
     assert any("pins" in name for name in drawn), drawn
     grid.data.attributes.remove(grid.data.attributes["motus_pin"])
