@@ -1,5 +1,6 @@
 """What a system declares: its settings, inputs, outputs and solve function. The wiring does the rest."""
 
+import functools
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Optional
 
@@ -216,7 +217,8 @@ class System(Feature):
 
     moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. unbakeable: a sentence
     that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
-    (Context.wants_to_settle), with the owner. bone_renamed: called with the owner, a rig, and the old and the new name of a
+    (Context.wants_to_settle), with the owner. shared: names of the settings that solve() reads beside its inputs; if it reads
+    nothing else, owners with the same inputs are solved by one solver as long as their settings are still. bone_renamed: called with the owner, a rig, and the old and the new name of a
     bone of it that the owner drives or reads.
     """
 
@@ -234,11 +236,15 @@ class System(Feature):
     moves_points: bool = False
     settle: Optional[Callable] = None
     unbakeable: str = ""
+    shared: tuple = ()
 
 
 @dataclass
 class Context:
-    """What solve() reads beyond its declared inputs, and what it fills; see docs/architecture.md."""
+    """What solve() reads beyond its declared inputs, and what it fills; see docs/architecture.md.
+
+    common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
+    """
 
     settings: Any
     owner: Any
@@ -254,6 +260,12 @@ class Context:
     offsets: Any = None
     wants_to_settle: bool = False
     memo: Any = None
+    targets: Any = None
+    common: dict = field(default_factory=dict)
+
+    def target(self, name):
+        """The evaluated object that a pointer setting names."""
+        return getattr(self.settings, name) if self.targets is None else self.targets[name]
 
     @property
     def is_still(self):
@@ -269,7 +281,7 @@ class Context:
             found = self.memo[name] = key, make()
         return found[1]
 
-    @property
+    @functools.cached_property
     def fps(self):
         render = self.depsgraph.scene.render
         return render.fps / render.fps_base

@@ -20,7 +20,7 @@ from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native
 from ..system import of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, outbox, overrides, proxy_sink, relations
+from . import attaching, carriers, geometry_sink, outbox, overrides, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -52,7 +52,7 @@ def note_use():
 
 
 def check(system, owner):
-    """Called by the solver with the evaluated owner."""
+    """Called by the solver, or by the outlet of an owner that shares one, with the evaluated owner."""
     if owner.library:
         return
     animation = owner.animation_data
@@ -152,6 +152,8 @@ def _heal_copies():
         attaching.refresh(system, owner)
         if carriers.has_strange_carriers(system, owner):
             _given_up.add(place)
+    for system in systems():
+        rows.tidy(system)
     _object_count[0] = len(bpy.data.objects)
 
 

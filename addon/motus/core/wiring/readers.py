@@ -81,7 +81,8 @@ def point(system, owner, readers):
     places = {}
     for key, carrier in _carriers(system, owner):
         for name in outbox.output_names(system, carrier, key):
-            places.setdefault(name, (carrier, outbox.output_path(system, name, owner, key)))
+            path = outbox.output_path(system, name, *(() if carrier == owner and not system.groups else (owner, key)))
+            places.setdefault(name, (carrier, path))
     for reader in readers:
         animation = reader.user.animation_data
         curve = animation and animation.drivers.find(reader.data_path, index=reader.array_index)
