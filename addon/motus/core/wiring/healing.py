@@ -145,6 +145,8 @@ def _heal_copies():
     if count == _object_count[0]:
         return
     relations.look()
+    for system in systems():
+        rows.tidy(system)
     for system, owner in _attached():
         place = system.name, owner.name
         if place in _given_up or not carriers.has_strange_carriers(system, owner):
@@ -152,8 +154,6 @@ def _heal_copies():
         attaching.refresh(system, owner)
         if carriers.has_strange_carriers(system, owner):
             _given_up.add(place)
-    for system in systems():
-        rows.tidy(system)
     _object_count[0] = len(bpy.data.objects)
 
 
