@@ -56,7 +56,9 @@ def check(system, owner):
     if owner.library:
         return
     animation = owner.animation_data
-    place, seen = (system.name, owner.name), (len(animation.drivers) if animation else 0, copies.has_moving_settings(owner))
+    place = system.name, owner.name
+    # Whether settings are animated counts for outlets alone.
+    seen = len(animation.drivers) if animation else 0, bool(system.outputs) and copies.has_moving_settings(owner)
     if _seen.get(place) != seen:
         _seen[place] = seen
         _asked.add(place)
