@@ -126,6 +126,22 @@ class Sharing(SharedTestCase):
         self.assertAlmostEqual(self.hub(cars[3]).data.evaluated_get(graph).path_resolve(path), 2.8, places=5)
 
 
+    def test_reader_of_a_hubs_slot(self):
+        """A driver that reads an output from the hub, as tools make it, reads it when the follower has left, too."""
+        cars = self.cars()
+        reader = self.link("Reader")
+        driver = reader.driver_add("location", 2).driver
+        driver.type = 'SUM'
+        target = driver.variables.new().targets[0]
+        target.id_type, target.id = 'MESH', self.hub(cars[2]).data
+        target.data_path = self.wiring.output_path(self.system, "distance", cars[2])
+        self.assertAlmostEqual(self.at(reader, 25).translation.z, 2.2, places=4)
+        cars[2].keyframe_insert("motus.path.offset", frame=1)
+        self.assertAlmostEqual(self.at(reader, 49).translation.z, 3.4, places=4)
+        self.assertFalse(self.is_shared(cars[2]))
+        self.assertAlmostEqual(self.at(reader, 25).translation.z, 2.2, places=4)
+
+
 class Leaving(SharedTestCase):
     def test_keyed_and_back(self):
         cars = self.cars()
@@ -135,7 +151,8 @@ class Leaving(SharedTestCase):
             cars[1].keyframe_insert("motus.path.offset", frame=frame)
         curve = support.addon("core.actions").find(cars[1], "motus.path.offset")
         for frame in (60, 25):
-            self.assertAlmostEqual(self.at(cars[1], frame).translation.x, curve.evaluate(frame) + 1.1 * (frame - 1) / 24, places=4)
+            wanted = curve.evaluate(frame) + 1.1 * (frame - 1) / 24
+            self.assertAlmostEqual(self.at(cars[1], frame).translation.x, wanted, places=4)
         self.assertFalse(self.is_shared(cars[1]))
         self.assertRuns(cars[2], 1.2, 1.0)
         support.addon("core.actions").remove(cars[1], ("motus.path.",))

@@ -217,9 +217,9 @@ class System(Feature):
 
     moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. unbakeable: a sentence
     that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
-    (Context.wants_to_settle), with the owner. shared: names of the settings that solve() reads beside its inputs; if it reads
-    nothing else, owners with the same inputs are solved by one solver as long as their settings are still. bone_renamed: called with the owner, a rig, and the old and the new name of a
-    bone of it that the owner drives or reads.
+    (Context.wants_to_settle), with the owner. bone_renamed: called with the owner, a rig, and the old and the new name of a
+    bone of it that the owner drives or reads. shared: names of the settings that solve() reads beside its inputs; if it
+    reads nothing else, owners with the same inputs are solved by one solver as long as their settings are still.
     """
 
     solve: Callable

@@ -26,7 +26,10 @@ INFINITE = 3.4e38  # what Blender makes of infinity lies above
 
 @dataclass(frozen=True)
 class Motion:
-    """The distance along the curve is timing.distance(time) + offset. clock: tells the time at another frame, if settings are still."""
+    """The distance along the curve is timing.distance(time) + offset.
+
+    clock: tells the time at another frame, as long as the settings are still; None if the time stays.
+    """
 
     timing: Any
     time: float

@@ -57,7 +57,7 @@ def _path(context, matrix, splines, index):
 
 
 def _still(context, numbers, length):
-    """What does not change as long as the settings do not: the Motion, keywords of follow(), the members' offsets; or a Problem."""
+    """What stays as long as the settings do: the Motion, keywords of follow(), the members' offsets; or a Problem."""
     settings = context.settings
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS

@@ -56,15 +56,15 @@ def has_outlet(system, owner):
 
 
 def signature(system, owner, groups):
-    """A text that changes when the way does in which a system is to be wired on an owner, or its groups do if it declares any."""
+    """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
     said = [(group.key, group.outputs, sorted(group.data.items()),
              [(_name(member.thing.id_data, owner), member.thing.name, sorted(member.channels), member.space,
                member.is_relative, member.thing.name in driven) for member in group.members],
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
-    digest = hashlib.sha1(repr((uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner), said)).encode()).hexdigest()
-    return f"{VERSION} {digest}"
+    ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner)
+    return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
 
 
 def is_old(settings):

@@ -80,9 +80,9 @@ def _call(system, owner, group, hub):
     """Further arguments of a solver call, with its driver variables; what has no variable is passed as 0.
 
     The solver reads the settings of the evaluated owner. To Blender's dependency graph all plain properties of an object are
-    one node, which comes after their animation and drivers, and after the owner's outlet, which waits for the solver. Of a
-    shared hub the solver does not read them. So an owner of its own hub without an outlet is waited for by one of its settings, and one that has it, whose settings do not change in time, by
-    a custom property that nothing writes.
+    one node, which comes after their animation and drivers, and after the owner's outlet, which waits for the solver. So an
+    owner without an outlet is waited for by one of its settings, and one that has it, whose settings do not change in time,
+    by a custom property that nothing writes. The solver of a shared hub does not read owners.
     """
     arguments, variables = [""], {}
     for index, (declared, variable) in enumerate(input_variables(system, owner)):
