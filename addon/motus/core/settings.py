@@ -59,6 +59,9 @@ class SystemSettings:
     hub: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Hub", description="Hidden object that computes for all members",
         override={'LIBRARY_OVERRIDABLE'})
+    row: bpy.props.IntProperty(
+        name="Row", description="Which of the objects that share the hub this one is", min=0, options=set(),
+        override={'LIBRARY_OVERRIDABLE'})
     more_hubs: bpy.props.CollectionProperty(
         type=MOTUS_PG_helper, name="More Hubs", description="Hubs of the groups but the first, by the groups' keys",
         override={'LIBRARY_OVERRIDABLE', 'USE_INSERTION'})

@@ -1,5 +1,6 @@
 """What a system declares: its settings, inputs, outputs and solve function. The wiring does the rest."""
 
+import functools
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Optional
 
@@ -219,7 +220,8 @@ class System(Feature):
     that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
     (Context.wants_to_settle), with the owner. over_time: called with the owner, a driven object and the scene; gives what
     core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner, a rig, and the old and the new name of a
-    bone of it that the owner drives or reads.
+    bone of it that the owner drives or reads. shared: names of the settings that solve() reads beside its inputs; if it
+    reads nothing else, owners with the same inputs are solved by one solver as long as their settings are still.
     """
 
     solve: Callable
@@ -237,11 +239,15 @@ class System(Feature):
     settle: Optional[Callable] = None
     over_time: Optional[Callable] = None
     unbakeable: str = ""
+    shared: tuple = ()
 
 
 @dataclass
 class Context:
-    """What solve() reads beyond its declared inputs, and what it fills; see docs/architecture.md."""
+    """What solve() reads beyond its declared inputs, and what it fills; see docs/architecture.md.
+
+    common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
+    """
 
     settings: Any
     owner: Any
@@ -257,6 +263,12 @@ class Context:
     offsets: Any = None
     wants_to_settle: bool = False
     memo: Any = None
+    targets: Any = None
+    common: dict = field(default_factory=dict)
+
+    def target(self, name):
+        """The evaluated object that a pointer setting names."""
+        return getattr(self.settings, name) if self.targets is None else self.targets[name]
 
     @property
     def is_still(self):
@@ -272,7 +284,7 @@ class Context:
             found = self.memo[name] = key, make()
         return found[1]
 
-    @property
+    @functools.cached_property
     def fps(self):
         render = self.depsgraph.scene.render
         return render.fps / render.fps_base

@@ -22,6 +22,7 @@ SYSTEM = System(
     members=members.members,
     member_data=members.offsets,
     over_time=over_time.over_time,
+    shared=solve.SHARED,
     overlay=overlay.overlay,
     add_menu=("motus.path_new_bezier",),
     object_menu=("motus.path_follow_add", "motus.path_train_add", "motus.path_follow_remove", "motus.path_edit_views"),

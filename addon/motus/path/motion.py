@@ -1,7 +1,7 @@
 """Where on the way at the present frame: the settings as a native Timing."""
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any, Callable, Optional
 
 from ..core import native
@@ -27,7 +27,10 @@ INFINITE = 3.4e38  # what Blender makes of infinity lies above
 
 @dataclass(frozen=True)
 class Motion:
-    """The distance along the curve is timing.distance(time) + offset. clock: tells the time at another frame, if settings are still."""
+    """The distance along the curve is timing.distance(time) + offset.
+
+    clock: tells the time at another frame, as long as the settings are still; None if the time stays.
+    """
 
     timing: Any
     time: float
@@ -49,13 +52,6 @@ def motion(context, numbers, length, past):
 
     past: for how many seconds before the present time the timing has to be right, which a lag and the overlay need.
     """
-    found = context.kept("motion", (length, context.fps), lambda: _motion(context, numbers, length, past))
-    if context.is_still and isinstance(found, Motion) and found.clock:
-        return replace(found, time=found.clock(context, numbers))
-    return found
-
-
-def _motion(context, numbers, length, past):
     if not all(map(is_finite, numbers.values())):
         return NOT_FINITE
     return _BY_TIMING[context.settings.timing](context, numbers, length, past)
@@ -85,11 +81,13 @@ def _by_duration(context, numbers, length, _past):
 
 def _by_speed(context, numbers, _length, past):
     settings, owner = context.settings, context.owner
-    curve, unknown = keyed.find(owner, settings, "speed"), None
-    if keyed.is_driven(owner, settings, "speed"):
-        unknown = DRIVEN_SPEED
-    elif keyed.is_in_strips(owner, settings, "speed"):
-        unknown = SPEED_IN_STRIPS
+    curve = unknown = None
+    if not context.is_still:
+        curve = keyed.find(owner, settings, "speed")
+        if keyed.is_driven(owner, settings, "speed"):
+            unknown = DRIVEN_SPEED
+        elif keyed.is_in_strips(owner, settings, "speed"):
+            unknown = SPEED_IN_STRIPS
     if curve is None or unknown:
         timing = native.module.Timing.constant(numbers["speed"])
         return Motion(timing, _since_start(context, numbers), problem=unknown, clock=_since_start)
@@ -126,8 +124,8 @@ def _by_pins(context, numbers, length, _past):
 def _by_hand(context, numbers, length, past):
     settings, owner = context.settings, context.owner
     distance = numbers["distance_factor"] * length
-    curve = keyed.find(owner, settings, "distance_factor")
-    in_strips = keyed.is_in_strips(owner, settings, "distance_factor")
+    curve = None if context.is_still else keyed.find(owner, settings, "distance_factor")
+    in_strips = not context.is_still and keyed.is_in_strips(owner, settings, "distance_factor")
     if curve is None or in_strips:
         return Motion(native.module.Timing.constant(0.0), 0.0, distance, FRACTION_IN_STRIPS if in_strips else None)
     if not past or len(curve.keyframe_points) == 0:

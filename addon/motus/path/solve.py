@@ -14,6 +14,7 @@ NUMBERS = (
     "spline", "duration", "speed", "start_frame", "offset", "distance_factor", "ease_in", "ease_out",
     "bank_strength", "bank_limit", "bank_smoothing", "gravity", "lag_rate", "curvature_outward",
 )
+SHARED = ("influence", "timing", "extend", "orientation", "forward_axis", "up_axis", "lag_by", "pins", "pins_by")
 INPUTS = (Matrix("matrix", of="curve"), Splines("splines", of="curve"), Deformed("deformed", of="curve"),
           *(Setting(name) for name in NUMBERS))
 
@@ -22,39 +23,51 @@ OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
 
 def solve(context, matrix, splines, deformed, **numbers):
     """Pose of the owner and its wagons at the context's frame, in world space. Never raises for a user's error."""
-    settings = context.settings
-    if matrix is None or splines is None or settings.curve is None:
-        return NO_CURVE
-    if deleted.is_deleted(settings.curve):
-        return CURVE_DELETED
-    problem = context.kept("problem", None, lambda: _problem(settings))
-    if problem:
-        return problem
-    if not np.isfinite(context.member_data).all():
-        return motion.NOT_FINITE
-    try:
-        path = curves.read(settings.curve, splines, context.depsgraph, int(numbers["spline"]), matrix)
-    except curves.Unreadable as error:
-        return error.problem
-    past = native.module.LAG_MEMORY if numbers["lag_rate"] > 0.0 else 0.0
-    moving = motion.motion(context, numbers, path.curve.length(), past)
-    if isinstance(moving, Problem):
-        return moving
-    offsets = context.member_data + (numbers["offset"] + moving.offset)
-    options = context.kept("options", None, lambda: follow_options(settings, numbers, None))
+    index = int(numbers["spline"])
+    path = context.common.get(index)
+    if path is None:
+        path = context.common[index] = _path(context, matrix, splines, index)
+    if isinstance(path, Problem):
+        return path
+    length, fps = path.curve.length(), context.fps
+    still = context.kept("still", (length, fps), lambda: _still(context, numbers, length))
+    if isinstance(still, Problem):
+        return still
+    moving, options, offsets = still
+    time = moving.clock(context, numbers) if moving.clock else moving.time
     if "tilt" in options:
-        options["tilt"] = path.tilt
+        options = options | {"tilt": path.tilt}
     native.module.follow(
-        path.curve, moving.timing, moving.time, offsets, locations=context.locations, rotations=context.rotations, **options)
-    _write_outputs(context.outputs, path.curve, moving, numbers["offset"], options["extend"])
+        path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
+    _write_outputs(context.outputs, path.curve, length, moving, time, numbers["offset"], options["extend"])
     return moving.problem
 
 
-def _problem(settings):
-    """What is wrong with the settings, whatever the curve; None if nothing is."""
+def _path(context, matrix, splines, index):
+    """The WorldCurve to follow, or what is wrong with it."""
+    followed = context.target("curve")
+    if matrix is None or splines is None or followed is None or followed.type != 'CURVE':
+        return NO_CURVE
+    if deleted.is_deleted(followed):
+        return CURVE_DELETED
+    try:
+        return curves.read(followed, splines, context.depsgraph, index, matrix)
+    except curves.Unreadable as error:
+        return error.problem
+
+
+def _still(context, numbers, length):
+    """What stays as long as the settings do: the Motion, keywords of follow(), the members' offsets; or a Problem."""
+    settings = context.settings
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
-    return None if motion.is_finite(settings.influence) else motion.NOT_FINITE
+    if not (motion.is_finite(settings.influence) and np.isfinite(context.member_data).all()):
+        return motion.NOT_FINITE
+    past = native.module.LAG_MEMORY if numbers["lag_rate"] > 0.0 else 0.0
+    moving = motion.motion(context, numbers, length, past)
+    if isinstance(moving, Problem):
+        return moving
+    return moving, follow_options(settings, numbers, None), context.member_data + (numbers["offset"] + moving.offset)
 
 
 def follow_options(settings, numbers, tilt):
@@ -92,11 +105,11 @@ def axis_name(identifier):
     return identifier.replace("POS_", "").replace("NEG_", "-")
 
 
-def _write_outputs(outputs, curve, moving, offset, extend):
-    length = curve.length()
-    within = _within(moving.distance + offset, length, extend)
+def _write_outputs(outputs, curve, length, moving, time, offset, extend):
+    within = _within(moving.timing.distance(time) + moving.offset + offset, length, extend)
     on_curve = min(max(within, 0.0), length)
-    outputs[:] = (curve.t_at_length(on_curve), within / length if length else 0.0, within, moving.speed, length)
+    outputs[:] = (
+        curve.t_at_length(on_curve), within / length if length else 0.0, within, moving.timing.speed(time), length)
 
 
 def _within(distance, length, extend):

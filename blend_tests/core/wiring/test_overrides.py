@@ -77,7 +77,8 @@ class TestInverseKinematics(OverrideTestCase):
 
     @staticmethod
     def count(rig):
-        return len(rig.animation_data.drivers) if rig.animation_data else 0, [[one.name for one in bone.constraints] for bone in rig.pose.bones]
+        drivers = rig.animation_data.drivers if rig.animation_data else ()
+        return len(drivers), [[one.name for one in bone.constraints] for bone in rig.pose.bones]
 
     def new_goal(self, place=PLACE):
         toy_system.new_object("Goal").location = place

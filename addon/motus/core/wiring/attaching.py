@@ -5,7 +5,7 @@ import bpy
 from .. import actions, copies
 from ..system import drop_dead_copy, groups_of, of_owner, systems
 from . import (
-    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, proxy_sink, readers,
+    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, proxy_sink, readers, rows,
     solver_driver, transform_sink)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
@@ -26,8 +26,11 @@ def _attach(system, owner):
     copies.prepare(owner)
     copies.mark(*solver_driver.curves_for(system, owner))
     groups = groups_of(system, owner)
-    for group in groups:
-        _wire(system, owner, group)
+    if rows.can_share(system, owner):
+        _wire_row(system, owner, groups[0])
+    else:
+        for group in groups:
+            _wire(system, owner, group)
     readers.point(system, owner, followers)
     settings.wired = carriers.signature(system, owner, groups)
     overrides.mark(system, owner, groups)
@@ -62,6 +65,26 @@ def _wire(system, owner, group):
             of_owner(system, member.thing.id_data).leader = owner
 
 
+def _wire_row(system, owner, group):
+    uses_attribute = carriers.uses_attribute()
+    hub = rows.hub_for(system, owner, uses_attribute, lambda mesh: solver_driver.reads_the_same(system, owner, mesh))
+    is_new = hub is None
+    if is_new:
+        hub = carriers.new_hub(system.label)
+        outbox.create_shared(system, hub.data, uses_attribute)
+        for name, target in rows.pointers(system, owner).items():
+            hub.data[rows.target_key(name)] = target
+        copies.mark(hub.data)
+    row = rows.take(system, owner, hub)
+    outbox.create_outlet(system, owner, hub.data)
+    if is_new:
+        solver_driver.add(system, owner, group, hub)
+    active = owner.constraints.active
+    sink = attribute_sink if uses_attribute else transform_sink
+    sink.add(system, group, 0, hub, row)
+    owner.constraints.active = active
+
+
 def detach(system, owner):
     """Remove everything attach() made; the owner's and members' own transforms, keys and constraints stay."""
     followers = readers.of(system, owner)
@@ -87,8 +110,13 @@ def _detach(system, owner):
     for mesh in own + outbox.lost_hubs(system, owner):
         read.update(solver_driver.curves_of(mesh))
         bpy.data.meshes.remove(mesh)
+    shared = outbox.hub_of(system, owner)
+    if shared and not shared.library and outbox.is_shared(system, shared.data):
+        read.update(solver_driver.curves_of(shared.data))
+        settings.hub = None  # by which the row is free
+        rows.prune(system, shared.data)
     for curve in read:
-        if not any(curve in solver_driver.curves_of(mesh) for mesh in bpy.data.meshes if outbox.OWNER_KEY in mesh):
+        if not any(curve in solver_driver.curves_of(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh)):
             copies.unmark(curve)
     settings.hub = None
     settings.more_hubs.clear()
@@ -212,6 +240,8 @@ def _tag(system, owner):
     for _, hub in outbox.hubs(system, owner):
         hub.data.update_tag()
     hub = outbox.hub_of(system, owner)
+    if hub and outbox.is_shared(system, hub.data):
+        return rows.write(system, owner)
     if hub and system.member_data:
         # Reading a list of settings item by item in every solve would be dear where there are many members.
         data = [float(value) for value in system.member_data(owner)]

@@ -34,16 +34,26 @@ def prepare(mesh, owner, group):
     _store(mesh, *own_poses(group.members))
 
 
-def add(system, group, index, hub):
-    """Drive member `index` of the group by its row of the hub's attribute."""
+def prepare_row(mesh):
+    """Give the mesh of a shared hub one point and matrix more, or its first."""
+    if ATTRIBUTE not in mesh.attributes:
+        mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
+    mesh.vertices.add(1)
+    mesh[STILL_KEY] = [MOVES] * len(mesh.vertices)
+
+
+def add(system, group, index, hub, row=None):
+    """Drive member `index` of the group by its row of the hub's attribute; row: where that is another, as the hub is shared."""
     member = group.members[index]
+    first = 0 if row is None else outbox.first_slot(system, member.thing)
+    place = index if row is None else row
     constraint = member.thing.constraints.new('GEOMETRY_ATTRIBUTE')
     constraint.name = marks.name(system)
-    marks.put(constraint, hub, index)
+    marks.put(constraint, hub, place)
     constraint.target = hub
     constraint.attribute_name = ATTRIBUTE
     constraint.data_type = 'FLOAT4X4'
-    constraint.sample_index = index
+    constraint.sample_index = place
     constraint.owner_space = 'LOCAL' if member.is_relative else member.space
     constraint.apply_target_transform = False
     constraint.mix_loc = "location" in member.channels
@@ -51,8 +61,8 @@ def add(system, group, index, hub):
     constraint.mix_scl = "scale" in member.channels
     if member.is_relative:
         constraint.mix_mode = 'AFTER_SPLIT'
-    elif hub.data[STILL_KEY][index] == MOVES:
-        weight = Variable('MESH', hub.data, outbox.out_path(system, outbox.WEIGHT, group.key))
+    elif hub.data[STILL_KEY][place] == MOVES:
+        weight = Variable('MESH', hub.data, outbox.out_path(system, first + outbox.WEIGHT, group.key))
         drivers.copy_value(constraint, "influence", weight)
 
 

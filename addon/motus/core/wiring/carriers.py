@@ -6,7 +6,7 @@ import bpy
 
 from .. import capabilities, copies
 from ..system import of_owner
-from . import drivers, outbox, proxy_sink
+from . import drivers, outbox, proxy_sink, rows
 
 VERSION = 2
 """Of how owners are wired; what an older version has wired, which is noted with it, is wired anew."""
@@ -19,16 +19,28 @@ def uses_attribute():
 
 def has_strange_carriers(system, owner):
     """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
-    return outbox.has_strange_hubs(system, owner) or (
+    return any(_is_strange(system, owner, hub) for _, hub in outbox.hubs(system, owner)) or (
         system.groups is not None and proxy_sink.has_strange_proxies(owner))
 
 
-def make_hub(system, owner, group):
-    """A new hub."""
-    mesh = bpy.data.meshes.new(" ".join(filter(None, ("Motus", system.label, owner.name, group.key))))
+def _is_strange(system, owner, hub):
+    if outbox.is_shared(system, hub.data):
+        return bool(hub.library or hub.override_library) or not rows.is_own(system, owner, hub.data)
+    return not outbox.is_own_hub(hub, owner)
+
+
+def new_hub(*names):
+    """A hidden object that stands in no collection, with an empty mesh."""
+    mesh = bpy.data.meshes.new(" ".join(filter(None, ("Motus", *names))))
     hub = bpy.data.objects.new(mesh.name, mesh)
     hub.hide_render = hub.hide_viewport = True
-    mesh[outbox.OWNER_KEY] = owner
+    return hub
+
+
+def make_hub(system, owner, group):
+    """A new hub for one owner alone."""
+    hub = new_hub(system.label, owner.name, group.key)
+    hub.data[outbox.OWNER_KEY] = owner
     settings = of_owner(system, owner)
     if group.key:
         entry = settings.more_hubs.add()
@@ -44,15 +56,15 @@ def has_outlet(system, owner):
 
 
 def signature(system, owner, groups):
-    """A text that changes when the way does in which a system is to be wired on an owner, or its groups do if it declares any."""
+    """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
     said = [(group.key, group.outputs, sorted(group.data.items()),
              [(_name(member.thing.id_data, owner), member.thing.name, sorted(member.channels), member.space,
                member.is_relative, member.thing.name in driven) for member in group.members],
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
-    digest = hashlib.sha1(repr((uses_attribute(), has_outlet(system, owner), said)).encode()).hexdigest()
-    return f"{VERSION} {digest}"
+    ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner)
+    return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
 
 
 def is_old(settings):

@@ -20,7 +20,7 @@ from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native
 from ..system import of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, outbox, overrides, proxy_sink, relations
+from . import attaching, carriers, geometry_sink, outbox, overrides, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -52,11 +52,13 @@ def note_use():
 
 
 def check(system, owner):
-    """Called by the solver with the evaluated owner."""
+    """Called by the solver, or by the outlet of an owner that shares one, with the evaluated owner."""
     if owner.library:
         return
     animation = owner.animation_data
-    place, seen = (system.name, owner.name), (len(animation.drivers) if animation else 0, copies.has_moving_settings(owner))
+    place = system.name, owner.name
+    # Whether settings are animated counts for outlets alone.
+    seen = len(animation.drivers) if animation else 0, bool(system.outputs) and copies.has_moving_settings(owner)
     if _seen.get(place) != seen:
         _seen[place] = seen
         _asked.add(place)
@@ -145,6 +147,8 @@ def _heal_copies():
     if count == _object_count[0]:
         return
     relations.look()
+    for system in systems():
+        rows.tidy(system)
     for system, owner in _attached():
         place = system.name, owner.name
         if place in _given_up or not carriers.has_strange_carriers(system, owner):

@@ -37,6 +37,8 @@ SCALE_SIZE = 3
 
 OWNER_KEY = "motus_owner"
 """Custom property of a hub's mesh: the object whose settings it computes."""
+SHARED_KEY = "motus_shared"
+"""Custom property of the mesh of a hub that owners share (see rows): [1], or [0] where the members sample no attribute."""
 MEMBER_DATA_KEY = "motus_member_data"
 """Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
 INTERNAL, SILENT, DAMAGED, NEWER = -1, -2, -3, -4
@@ -173,13 +175,73 @@ def create(system, carrier, group, uses_attribute):
         carrier[info_key(system, group.key)] = {"version": VERSION, "text": json.dumps(list(vars(noted).values()))}
 
 
+def is_shared(system, mesh):
+    """Whether owners of the system share a hub's mesh."""
+    return SHARED_KEY in mesh and key_on_hub(system, mesh) is not None
+
+
+def has_attribute(mesh):
+    """Whether the members of a shared hub sample an attribute."""
+    return stored.whole_numbers(mesh.get(SHARED_KEY), 1)[0] != 0
+
+
+def row_layout(system, mesh):
+    """The Layout of one row of a shared hub."""
+    return Layout(FIRST_OUTPUT + len(system.outputs), 1, False, False, has_attribute(mesh))
+
+
+def row_count(system, mesh):
+    """How many rows a shared hub has room for; 0 where it is damaged."""
+    try:
+        return len(stored.doubles(mesh.get(out_key(system)))) // row_layout(system, mesh).size
+    except Damaged:
+        return 0
+
+
+def is_whole(system, mesh):
+    """Whether a shared hub is what create_shared() and add_row() make."""
+    try:
+        count = row_count(system, mesh)
+        opened(system, mesh, row=count - 1)
+    except Damaged:
+        return False
+    return len(mesh.vertices) == (count if has_attribute(mesh) else 0)
+
+
+def create_shared(system, mesh, uses_attribute):
+    """Give a hub's mesh an outbox without rows."""
+    mesh[SHARED_KEY] = [int(uses_attribute)]
+    mesh[out_key(system)] = [0.0]
+
+
+def add_row(system, mesh):
+    """Make room for one more row in the outbox of a shared hub."""
+    layout = row_layout(system, mesh)
+    slots = list(mesh[out_key(system)]) if row_count(system, mesh) else []
+    mesh[out_key(system)] = slots + [float(SILENT)] + [0.0] * (layout.size - 1)
+
+
+def first_slot(system, owner):
+    """Where the slots of an owner begin in its hub's outbox."""
+    hub, row = hub_of(system, owner), row_of(system, owner)
+    return 0 if row is None else row * row_layout(system, hub.data).size
+
+
+def row_of(system, owner):
+    """Row of an owner in its hub; None where it shares none."""
+    settings = of_owner(system, owner)
+    hub = hub_of(system, owner)
+    return settings.row if hub and is_shared(system, hub.data) else None
+
+
 def create_outlet(system, owner, mesh):
     """Let scripts and users' own drivers read the outputs, as far as System.outputs names them, from the owner itself.
 
     Only where no setting is animated: the solver would have to wait for the settings, which to Blender are one with this.
     """
     owner[out_key(system)] = [float(SILENT)] + [0.0] * (FIRST_OUTPUT + len(system.outputs) - 1)
-    drivers.copy_value(owner, out_path(system), Variable('MESH', mesh, out_path(system, STATUS)), index=STATUS)
+    solved = {"v0": Variable('MESH', mesh, out_path(system))}
+    drivers.add(owner, out_path(system), f'motus_outlet(self,"{system.name}",v0)', solved, index=STATUS, use_self=True)
 
 
 def has_outlet(system, owner):
@@ -191,11 +253,12 @@ def _size(value):
     return len(value) if hasattr(value, "typecode") else 0
 
 
-def let_out(system, owner, box):
-    """Let an evaluated owner's outlet, if it has one, hold what its solver has found."""
-    if has_outlet(system, owner):
-        slots = stored.doubles(owner[out_key(system)])
-        slots[:] = box.slots[:len(slots)]
+def let_out(system, owner, mesh):
+    """Let an evaluated owner's outlet hold what was found on its evaluated hub's mesh; returns the status."""
+    slots = stored.doubles(owner.get(out_key(system)), FIRST_OUTPUT + len(system.outputs))
+    row = of_owner(system, owner).row if SHARED_KEY in mesh else None
+    slots[:] = opened(system, mesh, row=row).slots[:len(slots)]
+    return slots[STATUS]
 
 
 def remove(system, carrier):
@@ -225,6 +288,11 @@ def hub_meshes(system, owner):
     return [hub.data for _, hub in hubs(system, owner)] + lost_hubs(system, owner)
 
 
+def is_hub(mesh):
+    """Whether a mesh is that of a hub."""
+    return OWNER_KEY in mesh or SHARED_KEY in mesh
+
+
 def lost_hubs(system, owner):
     """Meshes of hubs of the owner whose object somebody has deleted: drivers keep them alive."""
     known = {hub.data for _, hub in hubs(system, owner)}
@@ -250,26 +318,28 @@ def carrier_of(system, owner, group=""):
 
 
 def is_own_hub(hub, owner):
-    """Whether a hub computes for this owner; a copy shares the hubs of the object it was copied from.
+    """Whether a hub computes for this owner alone; a copy shares the hubs of the object it was copied from.
 
     Blender may override the hub along with its owner, but saves only the library's owner with it.
     """
     return hub.data.get(OWNER_KEY) == owner and not hub.data.override_library
 
 
-def has_strange_hubs(system, owner):
-    """Whether the owner was copied from another one and still hangs on its hubs."""
-    return any(not is_own_hub(hub, owner) for _, hub in hubs(system, owner))
-
-
 def key_on_hub(system, mesh):
     """Key of the system's group that a hub's mesh serves; None where it serves none."""
-    return next((key for key, _ in _on(system, mesh)), None)
+    return "" if out_key(system) in mesh else next((key for key, _ in _on(system, mesh)), None)
 
 
-def opened(system, carrier, group=""):
-    """A group's Outbox on a carrier, original or evaluated. Raises Damaged where it is not what create() makes."""
+def opened(system, carrier, group="", row=None):
+    """A group's Outbox on a carrier, original or evaluated; one row's of a shared hub. Raises Damaged where it is not what
+    create() makes."""
     slots = stored.doubles(carrier.get(out_key(system, group)))
+    if row is not None:
+        layout = row_layout(system, carrier)
+        part = slots[row * layout.size:(row + 1) * layout.size]
+        if row < 0 or len(part) != layout.size:
+            raise Damaged("no such row")
+        return Outbox(part, layout, None)
     noted = _info(system, carrier, group)
     layout = _layout_without_info(system, carrier, len(slots)) if noted is None else noted.layout
     if len(slots) != layout.size:
@@ -355,20 +425,23 @@ def output_names(system, carrier, group=""):
 
 def output_path(system, name, owner=None, group=""):
     """Data path, on the carrier, of an output for users' own drivers. owner: needed where the system declares groups."""
-    names = system.outputs if owner is None else output_names(system, carrier_of(system, owner, group), group)
-    return out_path(system, FIRST_OUTPUT + names.index(name), group)
+    if owner is None:
+        return out_path(system, FIRST_OUTPUT + system.outputs.index(name), group)
+    names = output_names(system, carrier_of(system, owner, group), group)
+    return out_path(system, first_slot(system, owner) + FIRST_OUTPUT + names.index(name), group)
 
 
 def output(system, owner, name, depsgraph, group=""):
     """Value of an output as last evaluated; None where nothing was."""
-    _, values = _told(system, carrier_of(system, owner, group).evaluated_get(depsgraph), group, [name])
+    evaluated = carrier_of(system, owner, group).evaluated_get(depsgraph)
+    _, values = _told(system, evaluated, group, [name], row_of(system, owner))
     return values[0] if values else None
 
 
-def _told(system, evaluated, group, names):
+def _told(system, evaluated, group, names, row=None):
     """(weight, values of the outputs) on an evaluated carrier; values: None where not all of them are there."""
     try:
-        box = opened(system, evaluated, group)
+        box = opened(system, evaluated, group, row)
     except Damaged:
         return 0.0, None
     known = _places(system.outputs) if box.info is None else box.info.places
@@ -400,7 +473,8 @@ def problem(system, owner, depsgraph):
     if not carried:
         is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
         return _DAMAGED_PROBLEM if is_bereft else None
-    problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key) for key, carrier in carried)
+    row = row_of(system, owner)
+    problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key, row) for key, carrier in carried)
     found = sorted(filter(None, problems), key=lambda one: not one.blocking)
     if found:
         return found[0]
@@ -409,10 +483,11 @@ def problem(system, owner, depsgraph):
     return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
 
 
-def _problem_of(system, evaluated, key):
+def _problem_of(system, evaluated, key, row):
     try:
-        owner_of(system, evaluated)
-        status = opened(system, evaluated, key).slots[STATUS]
+        if row is None:
+            owner_of(system, evaluated)
+        status = opened(system, evaluated, key, row).slots[STATUS]
     except Newer:
         return _NEWER_PROBLEM
     except Damaged:

@@ -33,7 +33,8 @@ def of(system, owner):
     for holder, curve, variable, index in targets_on(read):
         target = variable.targets[index]
         at, absent = slot.match(target.data_path), waiting.match(target.data_path)
-        output = _output(names, target.id, at) if at else absent and bpy.utils.unescape_identifier(absent[1])
+        first = 0 if target.id == owner else outbox.first_slot(system, owner)
+        output = _output(names, target.id, at, first) if at else absent and bpy.utils.unescape_identifier(absent[1])
         if output is not None:
             found.append(Reader(holder, curve.data_path, curve.array_index, variable.name, index, output))
     return found
@@ -69,10 +70,10 @@ def _drivers(users):
                     yield holder, curve
 
 
-def _output(names, carrier, slot):
-    """Name of the output in a slot; None where something else is."""
+def _output(names, carrier, slot, first):
+    """Name of the output in a slot; None where something else is. first: slot at which the owner's begin."""
     known = names.get((carrier, slot["key"] or ""), ())
-    place = int(slot["slot"]) - outbox.FIRST_OUTPUT
+    place = int(slot["slot"]) - first - outbox.FIRST_OUTPUT
     return known[place] if 0 <= place < len(known) else None
 
 
@@ -81,7 +82,8 @@ def point(system, owner, readers):
     places = {}
     for key, carrier in _carriers(system, owner):
         for name in outbox.output_names(system, carrier, key):
-            places.setdefault(name, (carrier, outbox.output_path(system, name, owner, key)))
+            path = outbox.output_path(system, name, *(() if carrier == owner and not system.groups else (owner, key)))
+            places.setdefault(name, (carrier, path))
     for reader in readers:
         animation = reader.user.animation_data
         curve = animation and animation.drivers.find(reader.data_path, index=reader.array_index)

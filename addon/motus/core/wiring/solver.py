@@ -11,7 +11,7 @@ from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
 from ..stored import Damaged, Newer
 from ..system import Context, Setting, Vertices, groups_of, of_owner, registered
-from . import attribute_sink, geometry_sink, healing, outbox, revival
+from . import attribute_sink, geometry_sink, healing, outbox, revival, rows
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
@@ -28,10 +28,11 @@ def motus_solve(self, name, frame, depsgraph, *values):
         keep_state()
         healing.note_use()
         system, key = _called(name)
+        if outbox.SHARED_KEY in self:
+            return _solve_rows(system, self, name, frame, depsgraph, values)
         box = outbox.opened(system, self, key)
         owner = outbox.owner_of(system, self)
         _solve(system, key, self, owner, box, frame, depsgraph, values)
-        outbox.let_out(system, owner, box)
         if system.moves_points:
             healing.watch(system, owner)
         else:
@@ -53,6 +54,71 @@ class _Points:
     def __getitem__(self, arguments):
         carrier, name, *values = arguments
         return motus_solve(carrier, name, 0.0, None, *values)
+
+
+def motus_outlet(self, name, solved):
+    """Let the evaluated owner's outlet hold what its hub has, whose outbox `solved` is. Never raises. Returns status."""
+    try:
+        system, mesh = registered[name], getattr(solved, "id_data", None)
+        if not isinstance(mesh, bpy.types.Mesh):
+            raise Damaged("no outbox")
+        if outbox.SHARED_KEY in mesh:
+            healing.check(system, self)
+        return outbox.let_out(system, self, mesh)
+    except Exception as error:
+        _log(self, name, error)
+        return float(outbox.DAMAGED)
+
+
+def _solve_rows(system, mesh, name, frame, depsgraph, values):
+    """Solve every row of a shared hub; returns the status of the first one, on which the driver sits."""
+    layout = outbox.row_layout(system, mesh)
+    slots = np.frombuffer(stored.doubles(mesh.get(outbox.out_key(system))))
+    count = len(slots) // layout.size
+    if count == 0 or count * layout.size != len(slots) or layout.has_attribute and count != len(mesh.vertices):
+        raise Damaged("another number of rows")
+    table = slots.reshape(count, layout.size)
+    table[:, outbox.WEIGHT] = 0.0
+    if native.module is None:
+        return table[0, outbox.STATUS]
+    poses = _poses(count)
+    poses.reset()
+    inputs = {declared.name: declared.read(value, None)
+              for declared, value in zip(system.inputs, values) if not isinstance(declared, Setting)}
+    context = Context(
+        settings=None, owner=None, frame=frame, depsgraph=depsgraph, locations=None, rotations=None,
+        targets=rows.targets(system, mesh))
+    for index, row in enumerate(rows.read(system, mesh)):
+        if row is None:
+            continue
+        if row is Damaged:
+            table[index, outbox.STATUS] = outbox.DAMAGED
+            continue
+        context.settings, context.member_data, context.memo = row.settings, row.member_data, row.memo
+        context.locations, context.rotations = poses.locations[index:index + 1], poses.rotations[index:index + 1]
+        context.outputs = table[index, outbox.FIRST_OUTPUT:layout.base]
+        _solve_row(system, name, mesh, context, inputs | row.inputs, table[index])
+    if layout.has_attribute:
+        attribute_sink.write(mesh, None, poses.locations, poses.rotations, None, 1.0)
+    else:
+        table[:, layout.base:layout.base + 3] = poses.locations
+        table[:, layout.base + 3:] = native.module.euler_xyz(poses.rotations)
+    return table[0, outbox.STATUS]
+
+
+def _solve_row(system, name, mesh, context, inputs, slots):
+    try:
+        problem = system.solve(context, **inputs)
+    except Exception as error:
+        _log(mesh, name, error)
+        slots[outbox.STATUS] = outbox.DAMAGED if isinstance(error, Damaged) else outbox.INTERNAL
+    else:
+        slots[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
+        if problem is None or not problem.blocking:
+            slots[outbox.WEIGHT] = context.settings.influence
+            return
+    context.locations[:] = 0.0
+    context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
 
 
 def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
@@ -189,7 +255,7 @@ def _member_data(system, carrier, owner, count):
 def _fail(carrier, name, error):
     """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
     _log(carrier, name, error)
-    if isinstance(carrier, bpy.types.Mesh) and carrier.get(outbox.OWNER_KEY) is None:
+    if isinstance(carrier, bpy.types.Mesh) and outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
         healing.note_orphan(carrier)
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):
@@ -223,7 +289,7 @@ def _rest_attribute(system, key, carrier):
         attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 
 
-_FUNCTIONS = {"motus_solve": motus_solve, "motus_points": _Points()}
+_FUNCTIONS = {"motus_solve": motus_solve, "motus_outlet": motus_outlet, "motus_points": _Points()}
 
 
 @persistent

@@ -8,7 +8,7 @@ from . import drivers, outbox, waiting
 
 
 def add(system, owner, group, hub):
-    """Give the hub's mesh the driver on its outbox."""
+    """Give the hub's mesh, which may be one that owners share, the driver on its outbox."""
     expression, variables = _call(system, owner, group, hub)
     call = f'motus_solve(self,"{_name(system, group)}",frame,depsgraph{expression})'
     if system.moves_points:
@@ -81,8 +81,8 @@ def _call(system, owner, group, hub):
 
     The solver reads the settings of the evaluated owner. To Blender's dependency graph all plain properties of an object are
     one node, which comes after their animation and drivers, and after the owner's outlet, which waits for the solver. So an
-    owner without an outlet is waited for by one of its settings, and one that has it, whose settings do not change in time, by
-    a custom property that nothing writes.
+    owner without an outlet is waited for by one of its settings, and one that has it, whose settings do not change in time,
+    by a custom property that nothing writes. The solver of a shared hub does not read owners.
     """
     arguments, variables = [""], {}
     for index, (declared, variable) in enumerate(input_variables(system, owner)):
@@ -97,8 +97,20 @@ def _call(system, owner, group, hub):
         variables["waits"] = waiting.wait_for(hub, group.reads)
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
-    path = f"{of_owner(system, owner).path_from_id()}.influence"
-    if outbox.has_outlet(system, owner):
-        path = f'["{copies.KEY}"][0]'
-    variables["owner"] = Variable('OBJECT', owner, path)
+    if not outbox.is_shared(system, hub.data):
+        path = f"{of_owner(system, owner).path_from_id()}.influence"
+        if outbox.has_outlet(system, owner):
+            path = f'["{copies.KEY}"][0]'
+        variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables
+
+
+def reads_the_same(system, owner, mesh):
+    """Whether the solver of a shared hub reads what one for an owner would."""
+    wanted = [variable and (variable.id, variable.data_path) for _, variable in input_variables(system, owner)]
+    animation = mesh.animation_data
+    curve = animation and animation.drivers.find(outbox.out_path(system), index=outbox.STATUS)
+    if not curve:
+        return False
+    found = {variable.name: (variable.targets[0].id, variable.targets[0].data_path) for variable in curve.driver.variables}
+    return [found.get(f"v{index}") for index in range(len(wanted))] == wanted

@@ -11,23 +11,24 @@ AXES = "xyz"
 LIMITS = ("min_{}", "max_{}")
 
 
-def add(system, group, index, hub):
-    """Drive member `index` of the group by its slots of the hub's outbox."""
+def add(system, group, index, hub, row=None):
+    """Drive member `index` of the group by its slots of the hub's outbox; row: its own, where the hub is shared."""
     member = group.members[index]
-    pose, scale = outbox.pose_slot(group, index), outbox.scale_slot(group, index)
+    first = 0 if row is None else outbox.first_slot(system, member.thing)
+    pose, scale = first + outbox.pose_slot(group, index), first + outbox.scale_slot(group, index)
     for channel, slot in (("location", pose), ("rotation", pose + 3), ("scale", scale)):
         if channel not in member.channels:
             continue
         is_limit = not member.is_relative and "rotation" not in member.channels and channel == "location"
         constraint, paths = _limit(member) if is_limit else _mapped(member, channel, hub)
         constraint.name = marks.name(system, channel)
-        marks.put(constraint, hub, index)
+        marks.put(constraint, hub, index if row is None else row)
         for axis, letter in enumerate(AXES):
             for path in paths:
                 _drive(constraint, path.format(letter), system, group, hub, slot + axis)
         # Influence costs a driver, and relative sinks need none: neutral values do nothing.
         if not member.is_relative:
-            _drive(constraint, "influence", system, group, hub, outbox.WEIGHT)
+            _drive(constraint, "influence", system, group, hub, first + outbox.WEIGHT)
 
 
 def _mapped(member, channel, hub):

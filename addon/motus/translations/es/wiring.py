@@ -5,6 +5,8 @@ INTERFACE = {
     "More Hubs": "Más núcleos",
     "Hubs of the groups but the first, by the groups' keys":
         "Núcleos de los grupos menos el primero, por las claves de los grupos",
+    "Row": "Fila",
+    "Which of the objects that share the hub this one is": "Cuál de los objetos que comparten el núcleo es este",
     "Targets": "Objetivos",
     "Hidden objects that the constraints have as targets":
         "Objetos ocultos que las restricciones tienen como objetivos",

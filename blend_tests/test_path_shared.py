@@ -1,0 +1,313 @@
+"""Followers of one curve that share a solver: who does, what they leave it for, and that nobody sees any of it."""
+
+from unittest import mock
+
+import bpy
+import support
+from path_cases import PathTestCase
+
+FRAMES = (1, 60, 12.5, 97, 30)
+
+
+class SharedTestCase(PathTestCase):
+    def setUp(self):
+        super().setUp()
+        self.outbox = support.addon("core.wiring.outbox")
+        self.line(20.0)
+
+    def cars(self, count=4, **keywords):
+        return [self.follow(f"Car {index}", timing='SPEED', speed=1.0 + 0.1 * index, offset=0.5 * index, **keywords)
+                for index in range(count)]
+
+    def hub(self, car):
+        return car.motus.path.hub
+
+    def is_shared(self, car):
+        return self.outbox.row_of(self.system, car) is not None
+
+    def assertRuns(self, car, speed, offset, frames=FRAMES):
+        for frame in frames:
+            wanted = min(offset + speed * max(0.0, frame - 1.0) / 24.0, 20.0)
+            self.assertAlmostEqual(self.at(car, frame).translation.x, wanted, places=4, msg=f"{car.name} at {frame}")
+
+    def assertAllRun(self, cars):
+        for index, car in enumerate(cars):
+            self.assertRuns(car, 1.0 + 0.1 * index, 0.5 * index)
+            self.assertIsNone(self.wiring.problem(self.system, car, bpy.context.evaluated_depsgraph_get()))
+
+
+class Sharing(SharedTestCase):
+    def test_one_hub_a_curve(self):
+        cars = self.cars()
+        self.line(20.0, "Other")
+        other = self.follow("Other Car", curve="Other")
+        self.assertEqual(len({self.hub(car) for car in cars}), 1)
+        self.assertNotEqual(self.hub(other), self.hub(cars[0]))
+        self.assertEqual(sorted(car.motus.path.row for car in cars), [0, 1, 2, 3])
+        self.assertAllRun(cars)
+
+    def test_one_call_a_frame(self):
+        self.cars()
+        self.at(bpy.data.objects["Car 0"], 3)
+        solver = support.addon("core.wiring.solver")
+        with mock.patch.object(solver, "_solve_rows", wraps=solver._solve_rows) as solve:
+            bpy.context.scene.frame_set(5)
+        self.assertEqual(solve.call_count, 1)
+
+    def test_same_bits_as_alone(self):
+        keywords = {"orientation": 'BANKING', "extend": 'LOOP', "lag_rate": 0.3}
+        rows = support.addon("core.wiring.rows")
+        self.cubic(name="Bend")
+        found = []
+        for is_shared in (True, False):
+            with mock.patch.object(rows, "can_share", wraps=rows.can_share) if is_shared else \
+                    mock.patch.object(rows, "can_share", return_value=False):
+                cars = [self.follow(f"Car {index} {is_shared}", curve="Bend", timing=timing, offset=0.3 * index, **keywords)
+                        for index, timing in enumerate(('SPEED', 'DURATION', 'MANUAL', 'SPEED'))]
+                self.assertEqual([self.is_shared(car) for car in cars], [is_shared] * 4)
+                found.append([[self.at(car, frame) for car in cars] for frame in FRAMES])
+        self.assertEqual(*found)
+
+    def test_edited(self):
+        cars = self.cars()
+        cars[2].motus.path.speed = 3.0
+        self.assertRuns(cars[2], 3.0, 1.0)
+        self.assertRuns(cars[1], 1.1, 0.5)
+        cars[1].motus.path.influence = 0.5
+        self.assertAlmostEqual(self.at(cars[1], 25).translation.x, 0.8, places=4)
+
+    def test_a_problem_is_one_followers_own(self):
+        cars = self.cars()
+        cars[1].location = (0.0, 3.0, 0.0)
+        cars[1].motus.path.up_axis = 'POS_Y'
+        self.assertEqual(self.at(cars[1], 30).translation[:], (0.0, 3.0, 0.0))
+        graph = bpy.context.evaluated_depsgraph_get()
+        self.assertTrue(self.wiring.problem(self.system, cars[1], graph).blocking)
+        for index in (0, 2, 3):
+            self.assertRuns(cars[index], 1.0 + 0.1 * index, 0.5 * index)
+
+    def test_what_a_file_holds_of_one_is_damaged(self):
+        cars = self.cars()
+        self.hub(cars[0]).data["motus_path_row_1"] = '{"name": "Car 1"}'
+        self.hub(cars[0]).data.update_tag()
+        self.at(cars[0], 30)
+        told = self.wiring.problem(self.system, cars[1], bpy.context.evaluated_depsgraph_get())
+        self.assertIn("damaged", told.sentence)
+        self.assertEqual(self.at(cars[1], 30).translation.x, 0.0)
+        self.assertRuns(cars[2], 1.2, 1.0)
+        bpy.ops.motus.path_refresh(object="Car 1")
+        self.assertAllRun(cars)
+
+    def test_curve_is_edited(self):
+        cars = self.cars(2)
+        curve = bpy.data.objects["Course"]
+        self.assertAllRun(cars)
+        curve.scale.x = 0.1
+        self.assertAlmostEqual(self.at(cars[1], 97).translation.x, 2.0, places=4)
+        curve.scale.x = 1.0
+        point = curve.data.splines[0].bezier_points[1]
+        for name in ("co", "handle_left", "handle_right"):
+            setattr(point, name, [0.5 * value for value in getattr(point, name)])
+        self.assertAlmostEqual(self.at(cars[1], 250).translation.x, 10.0, places=4)
+        bpy.context.view_layer.objects.active = curve
+        bpy.ops.object.mode_set(mode='EDIT')
+        bpy.ops.curve.select_all(action='SELECT')
+        bpy.ops.transform.translate(value=(0.0, 0.0, 2.0))
+        bpy.ops.object.mode_set(mode='OBJECT')
+        self.assertAlmostEqual(self.at(cars[1], 30).translation.z, 2.0, places=4)
+
+    def test_outputs(self):
+        cars = self.cars()
+        self.at(cars[3], 25)
+        graph = bpy.context.evaluated_depsgraph_get()
+        self.assertAlmostEqual(self.wiring.output(self.system, cars[3], "distance", graph), 2.8, places=5)
+        self.assertAlmostEqual(cars[3].evaluated_get(graph)["motus_path_out"][4], 2.8, places=5)
+        path = self.wiring.output_path(self.system, "distance", cars[3])
+        self.assertAlmostEqual(self.hub(cars[3]).data.evaluated_get(graph).path_resolve(path), 2.8, places=5)
+
+
+    def test_reader_of_a_hubs_slot(self):
+        """A driver that reads an output from the hub, as tools make it, reads it when the follower has left, too."""
+        cars = self.cars()
+        reader = self.link("Reader")
+        driver = reader.driver_add("location", 2).driver
+        driver.type = 'SUM'
+        target = driver.variables.new().targets[0]
+        target.id_type, target.id = 'MESH', self.hub(cars[2]).data
+        target.data_path = self.wiring.output_path(self.system, "distance", cars[2])
+        self.assertAlmostEqual(self.at(reader, 25).translation.z, 2.2, places=4)
+        cars[2].keyframe_insert("motus.path.offset", frame=1)
+        self.assertAlmostEqual(self.at(reader, 49).translation.z, 3.4, places=4)
+        self.assertFalse(self.is_shared(cars[2]))
+        self.assertAlmostEqual(self.at(reader, 25).translation.z, 2.2, places=4)
+
+
+class Leaving(SharedTestCase):
+    def test_keyed_and_back(self):
+        cars = self.cars()
+        self.assertAllRun(cars)
+        for frame, offset in ((1, 0.0), (97, 8.0)):
+            cars[1].motus.path.offset = offset
+            cars[1].keyframe_insert("motus.path.offset", frame=frame)
+        curve = support.addon("core.actions").find(cars[1], "motus.path.offset")
+        for frame in (60, 25):
+            wanted = curve.evaluate(frame) + 1.1 * (frame - 1) / 24
+            self.assertAlmostEqual(self.at(cars[1], frame).translation.x, wanted, places=4)
+        self.assertFalse(self.is_shared(cars[1]))
+        self.assertRuns(cars[2], 1.2, 1.0)
+        support.addon("core.actions").remove(cars[1], ("motus.path.",))
+        cars[1].motus.path.offset = 0.5
+        self.at(cars[1], 3)
+        bpy.context.view_layer.update()
+        self.assertTrue(self.is_shared(cars[1]))
+        self.assertAllRun(cars)
+
+    def test_driven_by_a_script(self):
+        cars = self.cars()
+        self.assertAllRun(cars)
+        cars[1].driver_add("motus.path.offset").driver.expression = "0.05*frame"
+        for frame in (60, 25):
+            self.assertAlmostEqual(self.at(cars[1], frame).translation.x, 0.05 * frame + 1.1 * (frame - 1) / 24, places=4)
+        self.assertFalse(self.is_shared(cars[1]))
+
+    def test_not_finite(self):
+        cars = self.cars()
+        cars[1].motus.path.speed = float("inf")
+        self.assertIn("finite", self.sentence(cars[1], 30))
+        self.assertRuns(cars[2], 1.2, 1.0)
+        cars[1].motus.path.speed = 1.1
+        self.assertAllRun(cars)
+
+    def test_removed(self):
+        cars = self.cars()
+        bpy.ops.motus.path_follow_remove(object="Car 1")
+        self.assertEqual(self.at(cars[1], 30).translation.x, 0.0)
+        self.assertRuns(cars[3], 1.3, 1.5)
+        new = self.follow("New", timing='SPEED', speed=1.0)
+        self.assertEqual(new.motus.path.row, 1)
+        for car in (cars[0], cars[2], cars[3], new):
+            bpy.ops.motus.path_follow_remove(object=car.name)
+        self.assertEqual(len(bpy.data.meshes), 0)
+        self.assertEqual([key for key in bpy.data.objects["Course"].data.keys() if key.startswith("motus")], [])
+
+    def test_deleted(self):
+        cars = self.cars()
+        self.assertAllRun(cars)
+        hub = self.hub(cars[0])
+        with bpy.context.temp_override(selected_objects=[cars[1]]):
+            bpy.ops.object.delete()
+        bpy.context.view_layer.update()
+        self.assertNotIn("Car 1", bpy.data.objects)
+        self.assertNotIn("motus_path_row_1", hub.data)
+        self.assertRuns(cars[2], 1.2, 1.0)
+
+
+class Copies(SharedTestCase):
+    def test_copied(self):
+        cars = self.cars(2)
+        self.assertAllRun(cars)
+        copy = cars[1].copy()
+        self.scene.collection.objects.link(copy)
+        self.at(copy, 3)
+        bpy.context.view_layer.update()
+        self.assertEqual(len({car.motus.path.row for car in (*cars, copy)}), 3)
+        copy.motus.path.offset = 4.0
+        self.assertRuns(copy, 1.1, 4.0)
+        self.assertAllRun(cars)
+
+    def test_copied_and_changed_before_anything_is_evaluated(self):
+        cars = self.cars(2)
+        copy = cars[1].copy()
+        self.scene.collection.objects.link(copy)
+        copy.motus.path.offset = 4.0
+        self.assertRuns(copy, 1.1, 4.0)
+        self.assertAllRun(cars)
+
+    def test_renamed(self):
+        cars = self.cars(2)
+        cars[0].name = "Renamed"
+        self.follow("Car 0", timing='SPEED', speed=3.0)
+        cars[0].motus.path.offset = 0.25
+        self.assertRuns(cars[0], 1.0, 0.25)
+        self.assertRuns(bpy.data.objects["Car 0"], 3.0, 0.0)
+        self.assertRuns(cars[1], 1.1, 0.5)
+
+    def test_exchanged_names(self):
+        cars = self.cars(2)
+        cars[0].name, cars[1].name = "Other", "Car 0"
+        cars[0].name = "Car 1"
+        self.assertAllRun(cars)
+        cars[0].motus.path.offset, cars[1].motus.path.offset = 1.0, 2.0
+        self.assertRuns(cars[0], 1.0, 1.0)
+        self.assertRuns(cars[1], 1.1, 2.0)
+
+    def test_undone(self):
+        bpy.context.preferences.edit.use_global_undo = True
+        self.cars(2)
+        bpy.ops.ed.undo_push(message="two")
+        bpy.data.objects["Car 1"].motus.path.offset = 5.0
+        self.follow("Third", timing='SPEED', speed=2.0)
+        bpy.ops.ed.undo_push(message="three")
+        bpy.ops.ed.undo()
+        self.scene = bpy.context.scene
+        self.assertAllRun([bpy.data.objects[f"Car {index}"] for index in range(2)])
+        bpy.ops.ed.redo()
+        self.scene = bpy.context.scene
+        self.assertRuns(bpy.data.objects["Car 1"], 1.1, 5.0)
+        self.assertRuns(bpy.data.objects["Third"], 2.0, 0.0)
+
+
+class Files(SharedTestCase):
+    def save(self):
+        path = str(self.folder / "shared.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        return path
+
+    def test_reopened(self):
+        self.cars()
+        bpy.ops.wm.open_mainfile(filepath=self.save())
+        self.scene = bpy.context.scene
+        self.assertAllRun([bpy.data.objects[f"Car {index}"] for index in range(4)])
+
+    def test_one_is_appended(self):
+        self.cars()
+        folder = f"{self.save()}/Object/"
+        for is_new in (True, False):
+            with self.subTest(is_new=is_new):
+                support.empty_scene()
+                self.scene = bpy.context.scene
+                if not is_new:
+                    self.line(20.0)
+                    self.cars(3)
+                bpy.ops.wm.append(filepath=folder + "Car 2", directory=folder, filename="Car 2")
+                car = bpy.data.objects["Car 2" if is_new else "Car 2.001"]
+                self.assertRuns(car, 1.2, 1.0)
+                bpy.context.view_layer.update()
+                self.assertEqual(len([obj for obj in bpy.data.objects if obj.name.startswith("Car")]), 1 if is_new else 4)
+                rows = [key for key in self.hub(car).data.keys() if key.startswith("motus_path_row_")]
+                self.assertEqual(len(rows), 1)
+                car.motus.path.offset = 3.0
+                self.assertRuns(car, 1.2, 3.0)
+                if not is_new:
+                    self.assertAllRun([bpy.data.objects[f"Car {index}"] for index in range(3)])
+
+    def test_one_is_linked_and_overridden(self):
+        self.cars()
+        path = self.save()
+        support.empty_scene()
+        self.scene = bpy.context.scene
+        with bpy.data.libraries.load(path, link=True) as (_, wanted):
+            wanted.objects = ["Car 2"]
+        car, = wanted.objects
+        self.scene.collection.objects.link(car)
+        self.assertRuns(car, 1.2, 1.0)
+        self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith("Car")], ["Car 2"])
+        car = car.override_create(remap_local_usages=True)
+        self.assertRuns(car, 1.2, 1.0)
+        car.motus.path.offset = 3.0
+        self.assertRuns(car, 1.2, 3.0)
+        bpy.ops.wm.save_as_mainfile(filepath=str(self.folder / "override.blend"))
+        bpy.ops.wm.open_mainfile(filepath=str(self.folder / "override.blend"))
+        self.scene = bpy.context.scene
+        car = next(obj for obj in bpy.data.objects if obj.name == "Car 2" and obj.override_library)
+        self.assertRuns(car, 1.2, 3.0)
