@@ -88,12 +88,16 @@ class Operator:
         self.report({'ERROR'}, str(refusal))
         return {'CANCELLED'}
 
-    def draw(self, _context):
+    def draw(self, context):
         layout = self.layout
         layout.use_property_split = True
         layout.use_property_decorate = False
         for group in self.redo:
             group.draw(layout, self, has_title=len(self.redo) > 1)
+        self.draw_below(context)
+
+    def draw_below(self, context):
+        """Draw what is no row."""
 
     def is_given(self, name):
         """Whether the caller gave a keyword."""

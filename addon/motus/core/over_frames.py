@@ -82,8 +82,7 @@ class OverFrames(Operator):
         self._is_asked = True
         return context.window_manager.invoke_props_dialog(self)
 
-    def draw(self, context):
-        super().draw(context)
+    def draw_below(self, context):
         first, last = span(self, context.scene)
         text = bpy.app.translations.pgettext_iface("Frames {first}-{last}")
         self.layout.label(text=text.format(first=f"{first:g}", last=f"{last:g}"), icon='TIME', translate=False)

@@ -67,7 +67,9 @@ class Row:
         if self.search:
             row.prop_search(settings, self.name, *self.search(settings), **words)
         else:
-            is_factor = properties[self.name].subtype == 'FACTOR'
+            prop = properties[self.name]
+            # Of a number with another unit Blender warns when its subtype is asked for.
+            is_factor = prop.unit == 'NONE' and prop.subtype == 'FACTOR'
             row.prop(settings, self.name, slider=is_factor, expand=self.expand, **words)
 
 

@@ -46,7 +46,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     needs_native = True
     redo = REDO
-    for_scripts = ("replace",)
+    for_scripts = ("replace", "source_index")
 
     replace: bpy.props.BoolProperty(
         name="Replace", description="Take the place of a driver that is there", options={'SKIP_SAVE'})
@@ -82,8 +82,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         if context.scene.use_gravity and not self.is_given("gravity"):
             self.gravity = context.scene.gravity.length
 
-    def draw(self, context):
-        super().draw(context)
+    def draw_below(self, _context):
         preview.draw(self.layout, self)
 
     def run(self, context):

@@ -12,7 +12,7 @@ import bpy
 from .. import actions
 from ..lazy import numpy as np
 from ..refusals import Refused
-from ..system import registered
+from ..system import systems
 from . import animation
 
 MOST = 256
@@ -76,9 +76,9 @@ class _Digest:
             self._note(bone.name, bone.parent and bone.parent.name, tuple(bone.bone.matrix_local.to_translation()))
             self._constraints(bone)
         if id_data.is_property_set("motus"):  # to ask for what is not there would make it
-            for name in registered:
-                settings = getattr(id_data.motus, name, None)
-                if getattr(settings, "is_active", False):
+            for system in systems():
+                settings = getattr(id_data.motus, system.name)
+                if settings.is_active:
                     self._settings(settings)
 
     def _animation(self, id_data):

@@ -11,7 +11,7 @@ import threading
 
 from .. import wiring
 from ..lazy import numpy as np
-from ..system import registered
+from ..system import systems
 from . import rotations
 from .reason import Reason
 
@@ -59,8 +59,8 @@ def of(obj, scene):
     acting = [constraint for constraint in obj.constraints if not constraint.mute]
     if not acting or not obj.is_property_set("motus"):
         return None
-    for system in registered.values():
-        if getattr(system, "over_time", None) is None:
+    for system in systems():
+        if system.over_time is None:
             continue
         settings = getattr(obj.motus, system.name)
         owner = obj if settings.is_active else settings.leader

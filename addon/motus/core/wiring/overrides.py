@@ -78,7 +78,7 @@ def complete_reference(owner):
     Blender 5 takes a group that only the override has for a pointer that was replaced, which it can write but not read.
     """
     reference = owner.override_library.reference
-    for name in registered:
+    for name in [one.name for one in registered.values() if one.settings is not None]:
         if reference and owner.is_property_set("motus") and owner.motus.is_property_set(name):
             # To ask an object for its settings gives it some, in memory: linked data is not saved.
             getattr(reference.motus, name)
