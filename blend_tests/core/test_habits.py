@@ -156,7 +156,8 @@ class RedoPanel(support.SceneTestCase):
 
     def draw(self, operator, **choices):
         layout, made = Layout(), Properties(operator)
-        vars(made).update(choices, layout=layout, redo=operator.redo, for_scripts=operator.for_scripts)
+        vars(made).update(choices, layout=layout, redo=operator.redo, for_scripts=operator.for_scripts,
+                          draw_below=lambda _context: None)
         core.Operator.draw(made, bpy.context)
         return layout
 

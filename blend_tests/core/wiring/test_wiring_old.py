@@ -4,12 +4,12 @@ is wired as today when the file is opened."""
 from unittest import mock
 
 import bpy
-import old_wiring
+from core.wiring import old_wiring
 import support
 import toy_bone_system
 import toy_system
-from bone_cases import BoneTestCase, build_few, build_without_stretch, poses
-from wiring_cases import WiringTestCase, build_bone, build_object, each_of, frame_set
+from core.wiring.bone_cases import BoneTestCase, build_few, build_without_stretch, poses
+from core.wiring.wiring_cases import WiringTestCase, build_bone, build_object, each_of, frame_set
 
 wiring = support.addon("core.wiring")
 attaching = support.addon("core.wiring.attaching")

@@ -4,7 +4,7 @@ from unittest import mock
 
 import bpy
 import support
-from path_cases import PathTestCase
+from path.path_cases import PathTestCase
 
 FRAMES = (1, 60, 12.5, 97, 30)
 
