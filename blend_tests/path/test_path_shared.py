@@ -43,6 +43,7 @@ class Sharing(SharedTestCase):
         other = self.follow("Other Car", curve="Other")
         self.assertEqual(len({self.hub(car) for car in cars}), 1)
         self.assertNotEqual(self.hub(other), self.hub(cars[0]))
+        self.assertFalse(self.is_shared(other))
         self.assertEqual(sorted(car.motus.path.row for car in cars), [0, 1, 2, 3])
         self.assertAllRun(cars)
 
@@ -88,7 +89,7 @@ class Sharing(SharedTestCase):
 
     def test_what_a_file_holds_of_one_is_damaged(self):
         cars = self.cars()
-        self.hub(cars[0]).data["motus_path_row_1"] = '{"name": "Car 1"}'
+        self.hub(cars[0]).data[f"motus_path_row_{cars[1].motus.path.row}"] = '{"name": "Car 1"}'
         self.hub(cars[0]).data.update_tag()
         self.at(cars[0], 30)
         told = self.wiring.problem(self.system, cars[1], bpy.context.evaluated_depsgraph_get())
@@ -137,6 +138,7 @@ class Sharing(SharedTestCase):
         target.data_path = self.wiring.output_path(self.system, "distance", cars[2])
         self.assertAlmostEqual(self.at(reader, 25).translation.z, 2.2, places=4)
         cars[2].keyframe_insert("motus.path.offset", frame=1)
+        self.at(reader, 48)  # here it is noticed
         self.assertAlmostEqual(self.at(reader, 49).translation.z, 3.4, places=4)
         self.assertFalse(self.is_shared(cars[2]))
         self.assertAlmostEqual(self.at(reader, 25).translation.z, 2.2, places=4)
@@ -180,11 +182,12 @@ class Leaving(SharedTestCase):
 
     def test_removed(self):
         cars = self.cars()
+        row = cars[1].motus.path.row
         bpy.ops.motus.path_follow_remove(object="Car 1")
         self.assertEqual(self.at(cars[1], 30).translation.x, 0.0)
         self.assertRuns(cars[3], 1.3, 1.5)
         new = self.follow("New", timing='SPEED', speed=1.0)
-        self.assertEqual(new.motus.path.row, 1)
+        self.assertEqual(new.motus.path.row, row)
         for car in (cars[0], cars[2], cars[3], new):
             bpy.ops.motus.path_follow_remove(object=car.name)
         self.assertEqual(len(bpy.data.meshes), 0)
@@ -193,12 +196,12 @@ class Leaving(SharedTestCase):
     def test_deleted(self):
         cars = self.cars()
         self.assertAllRun(cars)
-        hub = self.hub(cars[0])
+        hub, row = self.hub(cars[0]), cars[1].motus.path.row
         with bpy.context.temp_override(selected_objects=[cars[1]]):
             bpy.ops.object.delete()
         bpy.context.view_layer.update()
         self.assertNotIn("Car 1", bpy.data.objects)
-        self.assertNotIn("motus_path_row_1", hub.data)
+        self.assertNotIn(f"motus_path_row_{row}", hub.data)
         self.assertRuns(cars[2], 1.2, 1.0)
 
 

@@ -26,15 +26,15 @@ def _attach(system, owner):
     copies.prepare(owner)
     copies.mark(*solver_driver.curves_for(system, owner))
     groups = groups_of(system, owner)
-    if rows.can_share(system, owner):
-        _wire_row(system, owner, groups[0])
-    else:
-        for group in groups:
-            _wire(system, owner, group)
+    partner = _wire_row(system, owner, groups[0]) if rows.can_share(system, owner) else owner
+    for group in groups if partner == owner else ():
+        _wire(system, owner, group)
     readers.point(system, owner, followers)
     settings.wired = carriers.signature(system, owner, groups)
     overrides.mark(system, owner, groups)
     _tag(system, owner)
+    if partner not in {None, owner}:
+        _refresh(system, partner)
 
 
 def _wire(system, owner, group):
@@ -66,9 +66,20 @@ def _wire(system, owner, group):
 
 
 def _wire_row(system, owner, group):
+    """Give an owner a row of a shared hub, a new one if another owner is there to join it.
+
+    Returns that other one, None where the hub was there, the owner itself where it is alone and was not wired.
+    """
     uses_attribute = carriers.uses_attribute()
-    hub = rows.hub_for(system, owner, uses_attribute, lambda mesh: solver_driver.reads_the_same(system, owner, mesh))
+
+    def reads_the_same(mesh):
+        return solver_driver.reads_the_same(system, owner, mesh)
+
+    hub = rows.hub_for(system, owner, uses_attribute, reads_the_same)
+    partner = None if hub else rows.partner_for(system, owner, reads_the_same)
     is_new = hub is None
+    if is_new and partner is None:
+        return owner
     if is_new:
         hub = carriers.new_hub(system.label)
         outbox.create_shared(system, hub.data, uses_attribute)
@@ -83,6 +94,7 @@ def _wire_row(system, owner, group):
     sink = attribute_sink if uses_attribute else transform_sink
     sink.add(system, group, 0, hub, row)
     owner.constraints.active = active
+    return partner
 
 
 def detach(system, owner):

@@ -240,6 +240,10 @@ def create_outlet(system, owner, mesh):
     Only where no setting is animated: the solver would have to wait for the settings, which to Blender are one with this.
     """
     owner[out_key(system)] = [float(SILENT)] + [0.0] * (FIRST_OUTPUT + len(system.outputs) - 1)
+    if not is_shared(system, mesh):
+        # The solver, which knows the owner, fills in the rest.
+        drivers.copy_value(owner, out_path(system), Variable('MESH', mesh, out_path(system, STATUS)), index=STATUS)
+        return
     solved = {"v0": Variable('MESH', mesh, out_path(system))}
     drivers.add(owner, out_path(system), f'motus_outlet(self,"{system.name}",v0)', solved, index=STATUS, use_self=True)
 

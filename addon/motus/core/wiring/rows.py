@@ -183,6 +183,17 @@ def hub_for(system, owner, uses_attribute, reads):
     return None
 
 
+def partner_for(system, owner, reads):
+    """Another owner that has a hub of its own, reads the same and may share one; None without."""
+    for mesh in bpy.data.meshes:
+        other = mesh.get(outbox.OWNER_KEY)
+        if mesh.library or not isinstance(other, bpy.types.Object) or other == owner or not claims(system, other, mesh):
+            continue
+        if reads(mesh) and can_share(system, other):
+            return other
+    return None
+
+
 def take(system, owner, hub):
     """Give an owner a row of a hub; returns it."""
     mesh, settings = hub.data, of_owner(system, owner)

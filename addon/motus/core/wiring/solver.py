@@ -33,6 +33,8 @@ def motus_solve(self, name, frame, depsgraph, *values):
         box = outbox.opened(system, self, key)
         owner = outbox.owner_of(system, self)
         _solve(system, key, self, owner, box, frame, depsgraph, values)
+        if outbox.has_outlet(system, owner):
+            outbox.let_out(system, owner, self)
         if system.moves_points:
             healing.watch(system, owner)
         else:
@@ -57,13 +59,12 @@ class _Points:
 
 
 def motus_outlet(self, name, solved):
-    """Let the evaluated owner's outlet hold what its hub has, whose outbox `solved` is. Never raises. Returns status."""
+    """Let the evaluated owner's outlet hold what its shared hub has, whose outbox `solved` is. Never raises. Returns status."""
     try:
         system, mesh = registered[name], getattr(solved, "id_data", None)
         if not isinstance(mesh, bpy.types.Mesh):
             raise Damaged("no outbox")
-        if outbox.SHARED_KEY in mesh:
-            healing.check(system, self)
+        healing.check(system, self)
         return outbox.let_out(system, self, mesh)
     except Exception as error:
         _log(self, name, error)

@@ -106,7 +106,7 @@ def _call(system, owner, group, hub):
 
 
 def reads_the_same(system, owner, mesh):
-    """Whether the solver of a shared hub reads what one for an owner would."""
+    """Whether the solver of a hub reads what one for an owner would."""
     wanted = [variable and (variable.id, variable.data_path) for _, variable in input_variables(system, owner)]
     animation = mesh.animation_data
     curve = animation and animation.drivers.find(outbox.out_path(system), index=outbox.STATUS)
