@@ -222,9 +222,12 @@ def add_row(system, mesh):
 
 
 def first_slot(system, owner):
-    """Where the slots of an owner begin in its hub's outbox."""
+    """Where the slots of an owner begin in its hub's outbox; 0 where that is damaged."""
     hub, row = hub_of(system, owner), row_of(system, owner)
-    return 0 if row is None else row * row_layout(system, hub.data).size
+    try:
+        return 0 if row is None else row * row_layout(system, hub.data).size
+    except Damaged:
+        return 0
 
 
 def row_of(system, owner):
