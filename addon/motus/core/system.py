@@ -194,7 +194,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Feature:
-    """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/architecture.md.
+    """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/systems.md.
 
     settings: a PropertyGroup that becomes Object.motus.<name>. scene_settings: one that becomes Scene.motus.<name>.
     extras: with register() and unregister() of their own.
@@ -244,7 +244,7 @@ class System(Feature):
 
 @dataclass
 class Context:
-    """What solve() reads beyond its declared inputs, and what it fills; see docs/architecture.md.
+    """What solve() reads beyond its declared inputs, and what it fills; see docs/systems.md.
 
     common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
     """

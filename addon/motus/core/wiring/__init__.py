@@ -1,7 +1,7 @@
 """From a system's solve function to the scene: solver driver, outbox, sinks.
 
 The only module that knows how results reach Blender. A system never looks inside; it is attached, refreshed and
-detached here. See docs/architecture.md for the way of the data and docs/gotchas.md for why it is this way.
+detached here. See docs/wiring.md for the way of the data and docs/gotchas.md for why it is this way.
 """
 
 from .attaching import attach, detach, is_attached, refresh, touch
