@@ -18,31 +18,39 @@ def build():
     return cube
 
 
-def over(region):
-    return bpy.context.temp_override(window=window_support.window(), area=window_support.area(), region=region)
+def editor():
+    """The properties editor's region with the object's transform, the same in all Blenders."""
+    area = window_support.area('PROPERTIES')
+    area.spaces.active.context = 'OBJECT'
+    return area, next(one for one in area.regions if one.type == 'WINDOW')
+
+
+def over():
+    area, region = editor()
+    return bpy.context.temp_override(window=window_support.window(), area=area, region=region)
 
 
 def hover(wanted):
-    """Generator: moves the mouse down the sidebar until it is over that property; its value is the place, or None."""
-    sidebar, places = window_support.region('UI'), support.addon("drivers.places")
-    x = sidebar.x + sidebar.width // 2
-    for y in range(sidebar.y + sidebar.height - STEP, sidebar.y, -STEP):
+    """Generator: moves the mouse down the editor until it is over that property; its value is the place, or None."""
+    _, region = editor()
+    x = region.x + 7 * region.width // 10
+    for y in range(region.y + region.height - STEP, region.y, -STEP):
         window_support.move(x, y)
         yield
-        with over(sidebar):
+        with over():
             if bpy.ops.ui.copy_data_path_button.poll():
                 bpy.ops.ui.copy_data_path_button(full_path=False)
                 if bpy.context.window_manager.clipboard.startswith(wanted):
-                    return x, y, places
+                    return x, y
     return None
 
 
 def test_from_the_menu_of_a_property_to_the_list():
     lamp = build()
-    yield from window_support.open_tab("Item")
+    yield
     found = yield from hover("rotation_euler")
-    assert found, "the sidebar shows no rotation"
-    x, y, places = found
+    assert found, "the editor shows no rotation"
+    (x, y), places = found, support.addon("drivers.places")
 
     hovered, as_it_is = [], places.hovered
     places.hovered = lambda *arguments, **keywords: hovered.append(as_it_is(*arguments, **keywords)) or hovered[-1]
@@ -60,7 +68,7 @@ def test_from_the_menu_of_a_property_to_the_list():
     yield
     window_support.move(x, y)
     yield
-    with over(window_support.region('UI')):
+    with over():
         if hasattr(bpy.context, "property"):
             bpy.ops.motus.driver_add('INVOKE_DEFAULT')
         else:

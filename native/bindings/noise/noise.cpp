@@ -64,9 +64,14 @@ struct Places {
 };
 
 template <class Place>
+constexpr py::ssize_t coordinates_of = Place::length();
+template <>
+constexpr py::ssize_t coordinates_of<float> = 1;
+
+template <class Place>
 [[nodiscard]] py::object values_at(const py::object& places, const char* name, const py::object& seed) {
     const std::uint32_t from = seed_of(seed);
-    const Places at(places, name, sizeof(Place) / sizeof(float));
+    const Places at(places, name, coordinates_of<Place>);
     FloatArray result(static_cast<py::ssize_t>(at.count));
     {
         const std::span<float> out{result.mutable_data(), at.count};

@@ -1,10 +1,13 @@
 #include "motus/mesh/picker.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <new>
 #include <stdexcept>
 
 #include "motus/core/numeric.hpp"
@@ -119,7 +122,9 @@ Picker::Picker(Picker&&) noexcept = default;
 Picker& Picker::operator=(Picker&&) noexcept = default;
 
 const Picker::Tree& Picker::tree() const noexcept {
-    static const Tree& of_nothing = *new Tree;  // never destroyed: threads may ask while the process ends
+    // Never destroyed: threads may ask while the process ends.
+    alignas(Tree) static std::array<std::byte, sizeof(Tree)> memory;
+    static const Tree& of_nothing = *::new (memory.data()) Tree;
     return tree_ ? *tree_ : of_nothing;
 }
 
