@@ -177,7 +177,9 @@ template <std::size_t dimensions>
     return sum;
 }
 
-[[nodiscard]] std::array<double, 1> numbers(double place) noexcept { return {place}; }
+[[nodiscard]] std::array<double, 1> numbers(double place) noexcept {
+    return {place};
+}
 template <class T>
 [[nodiscard]] std::array<double, 2> numbers(const glm::vec<2, T>& place) noexcept {
     return {place.x, place.y};
