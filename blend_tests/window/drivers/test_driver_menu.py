@@ -33,7 +33,7 @@ def over():
 def hover(wanted):
     """Generator: moves the mouse down the editor until it is over that property; its value is the place, or None."""
     _, region = editor()
-    x = region.x + 7 * region.width // 10
+    x = region.x + 11 * region.width // 20
     for y in range(region.y + region.height - STEP, region.y, -STEP):
         window_support.move(x, y)
         yield
