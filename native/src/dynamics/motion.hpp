@@ -10,7 +10,7 @@
 
 #include "gauss.hpp"
 #include "motus/core/cache.hpp"
-#include "sine.hpp"
+#include "motus/core/sine.hpp"
 
 namespace motus::dynamics {
 

@@ -1,10 +1,11 @@
-// Sine and cosine of several numbers at once, with the same bits on every machine. Private to the library.
+// Sine and cosine of several numbers at once, with the same bits on every machine. For the topics of the
+// library alone.
 #pragma once
 #include <cstdint>
 
 #include "motus/core/wide.hpp"
 
-namespace motus::dynamics {
+namespace motus {
 
 template <class Real>
 struct SineCosine {
@@ -55,4 +56,4 @@ template <int n>
             Real(__builtin_bit_cast(Numbers, ((s & odd) | (c & ~odd)) ^ cosine_sign))};
 }
 
-}  // namespace motus::dynamics
+}  // namespace motus

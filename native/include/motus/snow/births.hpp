@@ -1,0 +1,59 @@
+// When flakes are born: a steady stream and bursts, numbered in the order of birth.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+namespace motus::snow {
+
+/// Many flakes at once.
+struct Burst {
+    double time = 0.0;        ///< s after the delay, >= 0
+    std::uint64_t count = 0;  ///< flakes
+};
+
+/// Flake j of the stream is born at delay + (j + 1) / rate, the first at j = 0; bursts come once. What is
+/// born at the same moment is numbered stream first. At most `most_ids` flakes are ever born.
+class Births {
+  public:
+    static constexpr std::uint64_t most_ids = std::uint64_t{1} << 53U;  ///< doubles count no further
+
+    /// rate: flakes a second, >= 0. delay: s, >= 0. duration: s, >= 0; the stream ends then, unless it is
+    /// `looping`. Throws std::invalid_argument, naming the argument, where one is not finite or outside its
+    /// domain, or bursts hold more than most_ids flakes.
+    Births(double rate, double delay, double duration, bool looping, std::vector<Burst> bursts);
+
+    /// Flakes born at `time` or before: those with the numbers 0 to count - 1.
+    [[nodiscard]] std::uint64_t count(double time) const;
+
+    /// Of these the ones whose age, time - birth, is `age` or more.
+    [[nodiscard]] std::uint64_t count_older(double time, double age) const;
+
+    /// Flakes with successive numbers that are born in a burst, all at once, or as a part of the stream.
+    struct Piece {
+        std::uint64_t first = 0;     ///< number of its first flake
+        std::uint64_t last = 0;      ///< number after its last one
+        std::uint64_t streamed = 0;  ///< flakes of the stream before the piece
+        double burst = 0.0;          ///< time of birth, s
+        bool is_burst = false;
+    };
+    /// One after the other from flake 0 on.
+    [[nodiscard]] const std::vector<Piece>& pieces() const noexcept { return pieces_; }
+
+    /// Time of birth of flake j of the stream, s.
+    [[nodiscard]] double streamed(std::uint64_t j) const noexcept {
+        return delay_ + static_cast<double>(j + 1) / rate_;
+    }
+    [[nodiscard]] double rate() const noexcept { return rate_; }
+    [[nodiscard]] double delay() const noexcept { return delay_; }
+
+    /// Most flakes born within any time of this length.
+    [[nodiscard]] double most_within(double length) const;
+
+  private:
+    double rate_;
+    double delay_;
+    std::uint64_t stream_ = 0;  ///< flakes of the stream
+    std::vector<Piece> pieces_;
+};
+
+}  // namespace motus::snow

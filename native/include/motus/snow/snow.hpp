@@ -1,0 +1,128 @@
+// Flakes at any time, without a state: everything that a flake does follows from its number and its age.
+//
+// Birth is a formula (births.hpp), random numbers are drawn by flake number (Philox 4x32-10, key the seed,
+// counter the number and what is drawn). The flake steers through the air as noise of its age turns it about
+// the world's X and Y, the integral of which is tabulated; drag, wind and gusts act by the closed form of
+// linear drag: c' = g + k (W - c). The same bits on every machine and for any number of threads.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "motus/core/parallel.hpp"
+#include "motus/snow/births.hpp"
+
+namespace motus::snow {
+
+/// Where flakes are born, in the emitter's space, evenly spread; r is Settings::radius. They leave along +Z
+/// but where said.
+enum class Shape : std::uint8_t {
+    square,  ///< |x|, |y| <= r, z = 0
+    disc,    ///< about Z
+    box,     ///< |x|, |y|, |z| <= r
+    sphere,  ///< the ball; away from its middle
+    cone,    ///< the disc; leaning outwards, from 0 in the middle to cone_angle at the edge
+};
+
+struct GradientStop {
+    float position = 0.0F;
+    glm::vec4 color{1.0F};
+};
+
+/// Metres, seconds, radians, world space; every number finite.
+struct Settings {
+    double start_speed = 5.0;
+    double lifetime = 2.0;  ///< >= 0
+    double start_size = 1.0;
+    std::vector<GradientStop> start_color{{}};  ///< positions rising; linear between; its first colour counts
+
+    double rate = 5.0;      ///< flakes a second, >= 0
+    double delay = 0.0;     ///< >= 0
+    double duration = 5.0;  ///< >= 0
+    bool looping = true;    ///< flakes are born for ever, whatever the duration is
+    std::vector<Burst> bursts;
+
+    Shape shape = Shape::square;
+    double cone_angle = 0.0;   ///< half the opening, [0, pi]
+    double cone_radius = 1.0;  ///< >= 0, r above
+
+    bool random_speed = false;        ///< start_speed +-1 m/s
+    bool random_orientation = false;  ///< leaving anywhere within cone_angle of where it would leave
+    bool random_lifetime = false;     ///< lifetime +-1 s, at least 0
+    bool random_size = false;         ///< start_size +-10 %
+    bool random_color = false;        ///< anywhere on the gradient
+
+    bool snow = false;                      ///< flakes turn as they fly
+    double max_angle = 1.3962634015954636;  ///< of the turn about X and about Y
+    double snow_frequency = 1.0;            ///< of the noise that turns them, 1/s, (0, 1000]
+    bool snow_offsets = false;              ///< each flake begins at a time of its own in the noise
+
+    bool gravity = false;
+    glm::dvec3 acceleration{0.0, 0.0, -9.81};  ///< of gravity, m/s^2
+
+    double drag = 0.0;            ///< 1/s, [0, 1000]; without it there is no wind
+    glm::dvec3 wind{0.0};         ///< velocity of the air, m/s
+    double gusts = 0.0;           ///< how much the wind varies, fraction of it, >= 0
+    double gust_frequency = 0.3;  ///< 1/s, (0, 1000]
+
+    double tumble = 0.0;  ///< rad/s: each flake turns about an axis of its own at up to this speed, >= 0
+
+    std::uint64_t seed = 0;
+
+    std::vector<double> emitter_times;         ///< strictly rising; held before the first and after the last
+    std::vector<glm::dmat4> emitter_matrices;  ///< one for each time; none: the identity
+};
+
+/// Arrays of as many rows as there are living flakes; empty ones are not filled.
+struct Fields {
+    std::span<glm::vec3> position{};
+    std::span<glm::vec3> velocity{};  ///< derivative of the position
+    std::span<float> size{};
+    std::span<glm::vec4> color{};
+    std::span<float> age{};
+    std::span<glm::vec4> rotation{};  ///< unit quaternion w, x, y, z: turns +Z to where the flake heads
+    std::span<std::int64_t> id{};
+};
+
+/// The flakes that live at a time.
+struct Living {
+    double time = 0.0;
+    std::uint64_t first = 0;            ///< number of the oldest that may be living
+    std::uint64_t last = 0;             ///< number after the youngest
+    std::size_t count = 0;              ///< that live
+    std::vector<std::size_t> before{};  ///< that live before each block of 256 numbers; empty: all of them
+};
+
+/// Immutable, so that several threads may ask at once.
+class Snow {
+  public:
+    static constexpr double most_flakes = 1e8;  ///< living at once
+
+    /// Throws std::invalid_argument, naming the argument, where a value is outside its domain, or more flakes
+    /// than most_flakes would live at once.
+    explicit Snow(Settings settings);
+    ~Snow();
+    Snow(Snow&& other) noexcept;
+    Snow& operator=(Snow&& other) noexcept;
+    Snow(const Snow&) = delete;
+    Snow& operator=(const Snow&) = delete;
+
+    /// Flakes with 0 <= age < lifetime. Throws std::invalid_argument where the time is not finite.
+    [[nodiscard]] Living living(double time, std::size_t threads = thread_count()) const;
+
+    /// Fills the fields in the order of flake numbers. Throws std::invalid_argument where one that is not
+    /// empty has another number of rows than there are living flakes. `threads` as in in_parts.
+    void evaluate(const Living& living, const Fields& out, std::size_t threads = thread_count()) const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<const Parts> parts_;
+};
+
+}  // namespace motus::snow

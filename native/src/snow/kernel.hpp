@@ -1,0 +1,130 @@
+// The inner loops: runs of flakes that differ in nothing but their number and their age within a short
+// interval, compiled for several instruction sets. Private to the library.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "motus/snow/snow.hpp"
+#include "philox.hpp"
+
+namespace motus::snow {
+
+/// Flakes worked on at once, and a multiple of every set's lanes.
+inline constexpr std::size_t block_size = 256;
+
+/// Numbers that Kernel::fill() keeps between its loops: rows of block_size.
+inline constexpr std::size_t scratch_rows = 32;
+inline constexpr std::size_t scratch_size = scratch_rows * block_size;
+
+/// What is drawn: the counter's third word.
+enum class Stream : std::uint32_t { place, life, depth, spin };
+
+/// c0 + c1 u + c2 u^2 + c3 u^3 for u in [0, 1].
+struct Cubic {
+    float c0 = 0.0F, c1 = 0.0F, c2 = 0.0F, c3 = 0.0F;
+};
+
+/// By the values and slopes at its ends, the latter by whatever changes by `step` from the one to the other.
+[[nodiscard, gnu::always_inline]] inline Cubic cubic(double start, double slope_start, double end,
+                                                     double slope_end, double step) {
+    const double m0 = step * slope_start, m1 = step * slope_end;
+    return {static_cast<float>(start), static_cast<float>(m0),
+            static_cast<float>(3.0 * (end - start) - 2.0 * m0 - m1),
+            static_cast<float>(2.0 * (start - end) + m0 + m1)};
+}
+
+/// Rows of three, single precision for the loops.
+using Rows = std::array<float, 9>;
+
+/// An emitter's pose over a part of its motion, where w goes from 0 to 1: a stretch, then a turn about an
+/// axis, then a rotation and a translation.
+struct Glide {
+    bool is_moving = false;
+    Rows stretch{}, stretch_change{};
+    std::array<float, 3> axis{};
+    float turn = 0.0F;  ///< in whole turns
+    Rows rotation{};
+    std::array<float, 4> quaternion{1.0F, 0.0F, 0.0F, 0.0F};  ///< of the rotation, w, x, y, z
+    std::array<float, 3> location{}, location_change{};
+    float w_start = 0.0F, w_change = 0.0F;  ///< at u = 0, and from there to u = 1
+};
+
+/// Entries of the integral of Rx(a) Ry(b) that are not 0 for all ages, by rows: 00 02 10 11 12 20 21 22.
+inline constexpr std::size_t entries = 8;
+
+/// Of the steering's table: the integral and its derivative by u, the rotation times the step. The angles of
+/// the two turns, and their derivatives by u, in whole turns.
+struct Node {
+    std::array<double, entries> integral{};
+    std::array<double, entries> slope{};
+    std::array<double, 2> angle{}, angle_slope{};
+};
+
+/// What flakes have in common. Colours: stop s is at places[s], and from there to the next one the colour
+/// changes by changes[s], in 1 / scales[s].
+struct Kind {
+    Key key;
+    Shape shape = Shape::square;
+    float radius = 1.0F;
+    bool turns_out = false;   ///< random_orientation, and there is a cone
+    float cone_depth = 0.0F;  ///< 1 - cos(cone_angle)
+    float cone_turn = 0.0F;   ///< cone_angle in whole turns
+    float speed = 0.0F, speed_range = 0.0F;
+    float size = 1.0F, size_range = 0.0F;
+    bool random_color = false;
+    std::array<float, 4> first_color{};
+    std::span<const float> places, scales;
+    std::span<const std::array<float, 4>> changes;
+    bool snow = false;
+    bool snow_offsets = false;
+    float offset_count = 1.0F;
+    float tumble = 0.0F;  ///< whole turns a second
+};
+
+/// Flakes of ages within one interval, u = (age - start) / step going from 0 to 1.
+struct Run {
+    const double* ages = nullptr;         ///< block_size of them, whatever follows the first `count`
+    const std::uint32_t* lows = nullptr;  ///< lower words of flake numbers, as many
+    std::uint32_t high = 0;               ///< the upper word
+    std::size_t count = 0;
+    double start = 0.0, step = 1.0;
+    Glide glide;
+    Cubic way, way_rate;           ///< without steering: distance along the direction, per speed; its rate
+    const Node* origin = nullptr;  ///< with it: the table's first node
+    const Node* node = nullptr;    ///< and the one at u = 0, of flakes without offset
+    std::array<Cubic, 3> drift{};  ///< gravity's and the wind's part of the way
+    std::array<Cubic, 3> drift_velocity{};
+    // Where to write, nullptr for what is not wanted.
+    float* position = nullptr;
+    float* velocity = nullptr;
+    float* size = nullptr;
+    float* color = nullptr;
+    float* age = nullptr;
+    float* rotation = nullptr;
+    std::int64_t* id = nullptr;
+};
+
+/// Loops for one instruction set; all sets give the same bits.
+struct Kernel {
+    const char* name;
+    /// time - (delay + (j + 1) / rate) of flakes j = streamed, streamed + 1, ... of the stream.
+    void (*ages)(double time, double delay, double rate, std::uint64_t streamed, std::size_t count,
+                 double* out);
+    /// What is added to a random lifetime, in [-1, 1); count <= block_size.
+    void (*lives)(Key key, std::uint32_t high, const std::uint32_t* lows, std::size_t count, float* out);
+    /// scratch: scratch_size numbers.
+    void (*fill)(const Kind& kind, const Run& run, float* scratch);
+};
+
+extern const Kernel base_kernel;
+#if defined(__x86_64__)
+extern const Kernel avx2_kernel;
+extern const Kernel avx512_kernel;
+#endif
+
+/// Those that this processor can run, the fastest last.
+[[nodiscard]] std::span<const Kernel* const> kernels();
+
+}  // namespace motus::snow

@@ -1,0 +1,15 @@
+// Compiled for this instruction set, whatever else is not: see CMakeLists.txt.
+#include "kernel.hpp"
+
+#if defined(__x86_64__)
+namespace motus::snow {
+namespace {
+
+#include "kernel_loops.inc"
+
+}  // namespace
+
+const Kernel avx512_kernel{"AVX-512", &stream_ages, &draw_lives, &fill};
+
+}  // namespace motus::snow
+#endif

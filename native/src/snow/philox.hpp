@@ -1,0 +1,39 @@
+// Random numbers by a counter, Philox 4x32-10: Salmon, Moraes, Dror, Shaw, "Parallel Random Numbers: As Easy
+// as 1, 2, 3" (2011). Private to the library.
+#pragma once
+#include <cstdint>
+
+namespace motus::snow {
+
+struct Key {
+    std::uint32_t low = 0;
+    std::uint32_t high = 0;
+};
+
+struct Words {
+    std::uint32_t a = 0, b = 0, c = 0, d = 0;
+};
+
+// Always inlined: files for different instruction sets share these lines, and none may get another one's.
+
+/// A bijection of the counter for each key.
+[[nodiscard, gnu::always_inline]] inline Words philox(Words counter, Key key) {
+    for (int round = 0; round < 10; ++round) {
+        const std::uint64_t first = std::uint64_t{0xd2511f53U} * counter.a;
+        const std::uint64_t second = std::uint64_t{0xcd9e8d57U} * counter.c;
+        counter = {static_cast<std::uint32_t>(second >> 32U) ^ counter.b ^ key.low,
+                   static_cast<std::uint32_t>(second),
+                   static_cast<std::uint32_t>(first >> 32U) ^ counter.d ^ key.high,
+                   static_cast<std::uint32_t>(first)};
+        key.low += 0x9e3779b9U;
+        key.high += 0xbb67ae85U;
+    }
+    return counter;
+}
+
+/// In [0, 1), of the word's upper 24 bits.
+[[nodiscard, gnu::always_inline]] inline float fraction(std::uint32_t word) {
+    return static_cast<float>(static_cast<std::int32_t>(word >> 8U)) * 0x1p-24F;
+}
+
+}  // namespace motus::snow

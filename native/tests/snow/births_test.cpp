@@ -1,0 +1,104 @@
+#include "motus/snow/births.hpp"
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "random.hpp"
+
+using namespace motus;
+using namespace motus::snow;
+
+namespace {
+
+/// All times of birth in the order of numbers, by definition.
+[[nodiscard]] std::vector<double> listed(double rate, double delay, double end,
+                                         const std::vector<Burst>& bursts) {
+    std::vector<std::pair<double, int>> births;
+    for (std::uint64_t j = 0; rate > 0.0; ++j) {
+        const double time = delay + static_cast<double>(j + 1) / rate;
+        if (time > end) break;
+        births.emplace_back(time, 0);
+    }
+    for (const Burst& burst : bursts)
+        for (std::uint64_t i = 0; i < burst.count; ++i) births.emplace_back(delay + burst.time, 1);
+    std::ranges::stable_sort(births);
+    std::vector<double> times;
+    for (const auto& [time, kind] : births) times.push_back(time);
+    return times;
+}
+
+[[nodiscard]] std::vector<double> in_pieces(const Births& births, std::size_t most) {
+    std::vector<double> times;
+    std::uint64_t next = 0, streamed = 0;
+    for (const Births::Piece& piece : births.pieces()) {
+        CHECK(piece.first == next);
+        CHECK(piece.last > piece.first);
+        CHECK(piece.streamed == streamed);
+        next = piece.last;
+        if (!piece.is_burst) streamed += piece.last - piece.first;
+        for (std::uint64_t i = piece.first; i < piece.last && times.size() < most; ++i)
+            times.push_back(piece.is_burst ? piece.burst
+                                           : births.streamed(piece.streamed + (i - piece.first)));
+    }
+    return times;
+}
+
+}  // namespace
+
+TEST_CASE("births are those of the definition", "[snow]") {
+    test::Random random(1);
+    for (int round = 0; round < 60; ++round) {
+        const double rate = random.chance(0.1) ? 0.0 : random.between(0.3, 40.0);
+        const double delay = random.chance(0.5) ? 0.0 : random.between(0.0, 3.0);
+        const double duration = random.between(0.0, 8.0);
+        const bool looping = random.chance(0.5);
+        std::vector<Burst> bursts(random.below(4));
+        for (Burst& burst : bursts) {
+            // Some at the very moment at which a flake of the stream is born.
+            burst.time = rate > 0.0 && random.chance(0.5) ? 3.0 / rate : random.between(0.0, 9.0);
+            burst.count = random.below(30);
+        }
+        const Births births(rate, delay, duration, looping, bursts);
+        const std::vector<double> all = listed(rate, delay, looping ? 20.0 : delay + duration, bursts);
+        const std::vector<double> found = in_pieces(births, all.size());
+        REQUIRE(found == all);
+        for (int i = 0; i < 50; ++i) {
+            double time = random.between(-1.0, 20.0);
+            if (!all.empty() && random.chance(0.5)) time = all[random.below(all.size())];
+            const double age = random.chance(0.3) && !all.empty() ? time - all[random.below(all.size())]
+                                                                  : random.between(0.0, 5.0);
+            const auto born = std::ranges::count_if(all, [&](double birth) { return birth <= time; });
+            const auto older = std::ranges::count_if(all, [&](double birth) { return time - birth >= age; });
+            CHECK(births.count(time) == static_cast<std::uint64_t>(born));
+            CHECK(births.count_older(time, age) == static_cast<std::uint64_t>(older));
+        }
+    }
+}
+
+TEST_CASE("a stream that never ends is counted at any time", "[snow]") {
+    const Births births(1e6, 0.5, 0.0, true, {});
+    CHECK(births.count(0.5) == 0);
+    CHECK(births.count(3600.5) == 3600000000U);
+    CHECK(births.count(1e300) == Births::most_ids);
+    CHECK(births.count(-1e300) == 0);
+    CHECK(Births(0.0, 0.0, 5.0, true, {}).count(1e300) == 0);
+    CHECK(Births(5.0, 0.0, 0.0, false, {}).count(1e300) == 0);
+    CHECK(births.most_within(2.0) == 2000001.0);
+}
+
+TEST_CASE("births refuse what they cannot count", "[snow]") {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    for (const double bad : {-1.0, infinite, std::numeric_limits<double>::quiet_NaN()}) {
+        CHECK_THROWS_AS(Births(bad, 0.0, 5.0, true, {}), std::invalid_argument);
+        CHECK_THROWS_AS(Births(1.0, bad, 5.0, true, {}), std::invalid_argument);
+        CHECK_THROWS_AS(Births(1.0, 0.0, bad, true, {}), std::invalid_argument);
+        CHECK_THROWS_AS(Births(1.0, 0.0, 5.0, true, {{bad, 1}}), std::invalid_argument);
+    }
+    CHECK_THROWS_AS(Births(1.0, 0.0, 5.0, true, {{0.0, Births::most_ids}, {1.0, 1}}), std::invalid_argument);
+}
