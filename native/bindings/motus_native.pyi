@@ -17,6 +17,8 @@ _Number = Union[float, int]
 _Extend = Literal["clamp", "extrapolate", "loop", "ping_pong"]
 _Mode = Literal["world_up", "minimal", "banking", "curvature", "tilt"]
 _Axis = Literal["X", "Y", "Z", "-X", "-Y", "-Z"]
+_EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface"]
+_FlakeField = Literal["position", "velocity", "size", "color", "age", "rotation", "id"]
 _Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
 
 __version__: str
@@ -533,6 +535,57 @@ def keep_thread_state() -> bool: ...
 def noise1(x: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...
 def noise2(xy: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (2,) or (m, 2)
 def noise3(xyz: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (3,) or (m, 3)
+
+# --- Snow ----------------------------------------------------------------------------------------------------------------
+
+class Snow:
+    """Flakes at any time, in any order of times, without a state. Immutable."""
+
+    def __init__(
+        self,
+        *,
+        start_speed: float = 5.0,
+        lifetime: float = 2.0,
+        start_size: float = 1.0,
+        start_color: tuple[ArrayLike, ArrayLike] | None = None,  # positions (k,), colours (k, 4); None: white
+        rate: float = 5.0,
+        delay: float = 0.0,
+        duration: float = 5.0,
+        looping: bool = True,
+        burst_times: ArrayLike | None = None,  # (b,)
+        burst_counts: ArrayLike | None = None,  # (b,)
+        shape: _EmitterShape = "square",
+        surface_positions: ArrayLike | None = None,  # (v, 3)
+        surface_triangles: ArrayLike | None = None,  # (t, 3)
+        cone_angle: float = 0.0,
+        cone_radius: float = 1.0,
+        random_speed: bool = False,
+        random_orientation: bool = False,
+        random_lifetime: bool = False,
+        random_size: bool = False,
+        random_color: bool = False,
+        snow: bool = False,
+        max_angle: float = 1.3962634015954636,  # 80 degrees
+        snow_frequency: float = 1.0,
+        snow_offsets: bool = False,
+        gravity: bool = False,
+        acceleration: ArrayLike = (0.0, 0.0, -9.81),  # (3,)
+        drag: float = 0.0,
+        wind: ArrayLike = (0.0, 0.0, 0.0),  # (3,)
+        gusts: float = 0.0,
+        gust_frequency: float = 0.3,
+        tumble: float = 0.0,
+        seed: int = 0,
+        emitter_times: ArrayLike | None = None,  # (k,)
+        emitter_matrices: ArrayLike | None = None,  # (k, 4, 4)
+    ) -> None: ...
+    # float32 position (m, 3), velocity (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), int64 id (m,).
+    def evaluate(
+        self,
+        time: float,
+        fields: Sequence[_FlakeField] | None = None,  # None: those in out, or all
+        out: dict[str, NDArray] | None = None,  # C-contiguous, m rows or more, written into
+    ) -> dict[str, NDArray]: ...
 
 # --- Dynamics -----------------------------------------------------------------------------------------------------------
 

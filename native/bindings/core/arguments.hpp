@@ -3,6 +3,8 @@
 #pragma once
 #include <pybind11/pybind11.h>
 
+#include <cmath>
+#include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <string>
@@ -47,6 +49,14 @@ namespace motus::bindings {
     if (overflow > 0 || value > highest) return static_cast<int>(highest);
     if (overflow < 0 || value < lowest) return static_cast<int>(lowest);
     return static_cast<int>(value);
+}
+
+/// Of random numbers.
+[[nodiscard]] inline std::uint32_t seed_of(py::handle object) {
+    const double given = number(object, "seed");
+    if (!(given >= 0.0 && given < 0x1p32) || given != std::floor(given))
+        value_error("seed", "must be a whole number from 0 to 2^32 - 1");
+    return static_cast<std::uint32_t>(given);
 }
 
 /// An object of a bound class, called `wanted` in the message.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "areas.hpp"
+#include "core/arguments.hpp"
 #include "core/arrays.hpp"
 
 namespace motus::bindings {
@@ -24,13 +25,6 @@ using namespace pybind11::literals;
 using FloatArray = py::array_t<float, py::array::c_style>;
 
 constexpr double noise_cost = 60.0;  // ns, rough
-
-[[nodiscard]] std::uint32_t seed_of(const py::object& object) {
-    const double given = number(object, "seed");
-    if (!(given >= 0.0 && given < 0x1p32) || given != std::floor(given))
-        value_error("seed", "must be a whole number from 0 to 2^32 - 1");
-    return static_cast<std::uint32_t>(given);
-}
 
 /// A copy of places as rows of float32, in an array of the shape of the result: `rows` without the last axis
 /// where a place has several coordinates.

@@ -24,9 +24,9 @@ namespace {
 
 [[nodiscard]] Rows rows_of(const glm::dmat3& matrix) {
     Rows rows{};
+    std::size_t at = 0;
     for (int row = 0; row < 3; ++row)
-        for (int column = 0; column < 3; ++column)
-            rows[static_cast<std::size_t>(3 * row + column)] = static_cast<float>(matrix[column][row]);
+        for (int column = 0; column < 3; ++column) rows[at++] = static_cast<float>(matrix[column][row]);
     return rows;
 }
 

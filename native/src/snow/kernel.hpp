@@ -54,6 +54,14 @@ struct Glide {
 /// Entries of the integral of Rx(a) Ry(b) that are not 0 for all ages, by rows: 00 02 10 11 12 20 21 22.
 inline constexpr std::size_t entries = 8;
 
+/// A triangle of an emitter's surface: a draw that falls on it goes to `other` unless a second one is below
+/// `kept`.
+struct Facet {
+    std::array<float, 3> corner{}, edge1{}, edge2{}, normal{};
+    float kept = 1.0F;
+    std::uint32_t other = 0;
+};
+
 /// Of the steering's table: the integral and its derivative by u, the rotation times the step. The angles of
 /// the two turns, and their derivatives by u, in whole turns.
 struct Node {
@@ -68,9 +76,10 @@ struct Kind {
     Key key;
     Shape shape = Shape::square;
     float radius = 1.0F;
-    bool turns_out = false;   ///< random_orientation, and there is a cone
-    float cone_depth = 0.0F;  ///< 1 - cos(cone_angle)
-    float cone_turn = 0.0F;   ///< cone_angle in whole turns
+    std::span<const Facet> facets;  ///< of Shape::surface
+    bool turns_out = false;         ///< random_orientation, and there is a cone
+    float cone_depth = 0.0F;        ///< 1 - cos(cone_angle)
+    float cone_turn = 0.0F;         ///< cone_angle in whole turns
     float speed = 0.0F, speed_range = 0.0F;
     float size = 1.0F, size_range = 0.0F;
     bool random_color = false;

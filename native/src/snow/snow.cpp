@@ -19,6 +19,7 @@
 #include "motus/core/sine.hpp"
 #include "motus/core/unfilled.hpp"
 #include "steering.hpp"
+#include "surface.hpp"
 
 namespace motus::snow {
 namespace {
@@ -93,6 +94,7 @@ struct Snow::Parts {
     Air air;
     double step;
     Kind kind;
+    std::vector<Facet> facets;
     std::vector<float> places, scales;
     std::vector<std::array<float, 4>> changes;
     std::optional<Steering> steering;
@@ -121,6 +123,9 @@ Snow::Parts::Parts(Settings settings)
     kind.key = {static_cast<std::uint32_t>(settings.seed), static_cast<std::uint32_t>(settings.seed >> 32U)};
     kind.shape = settings.shape;
     kind.radius = static_cast<float>(settings.cone_radius);
+    if (kind.shape == Shape::surface)
+        facets = facets_of(settings.surface_positions, settings.surface_triangles);
+    kind.facets = facets;
     kind.turns_out = settings.random_orientation && settings.cone_angle > 0.0;
     // 1 - cos(c) = 2 sin^2(c / 2), which small angles keep their digits in.
     const double half = lane(sine_cosine(Pair(0.5 * settings.cone_angle)).sine, 0);

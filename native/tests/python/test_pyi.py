@@ -16,6 +16,7 @@ def signature(node):
     defaults = [None] * (len(names) - len(arguments.defaults)) + [ast.literal_eval(d) for d in arguments.defaults]
     has_default = [False] * (len(names) - len(arguments.defaults)) + [True] * len(arguments.defaults)
     rows = [row for row in zip(names, has_default, defaults) if row[0] != "self"]
+    rows += [(a.arg, d is not None, d and ast.literal_eval(d)) for a, d in zip(arguments.kwonlyargs, arguments.kw_defaults)]
     return rows + ([("**", False, None)] if arguments.kwarg else [])
 
 

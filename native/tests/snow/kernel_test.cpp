@@ -32,7 +32,16 @@ struct Sample {
         for (auto& change : changes) change = {any(), any(), any(), any()};
 
         kind.key = {static_cast<std::uint32_t>(random.bits()), static_cast<std::uint32_t>(random.bits())};
-        kind.shape = static_cast<Shape>(random.below(5));
+        kind.shape = static_cast<Shape>(random.below(6));
+        for (Facet& facet : facets) {
+            for (float& one : facet.corner) one = any();
+            for (float& one : facet.edge1) one = any();
+            for (float& one : facet.edge2) one = any();
+            facet.normal = {0.6F, 0.0F, -0.8F};
+            facet.kept = random.between(0.0F, 1.0F);
+            facet.other = static_cast<std::uint32_t>(random.below(facets.size()));
+        }
+        kind.facets = facets;
         kind.turns_out = random.chance(0.5);
         kind.cone_depth = random.between(0.0F, 2.0F);
         kind.cone_turn = random.between(0.0F, 0.5F);
@@ -87,6 +96,7 @@ struct Sample {
 
     std::vector<double> ages = std::vector<double>(block_size);
     std::vector<std::uint32_t> lows = std::vector<std::uint32_t>(block_size);
+    std::vector<Facet> facets = std::vector<Facet>(7);
     std::vector<Node> nodes = std::vector<Node>(40);
     std::vector<float> places, scales;
     std::vector<std::array<float, 4>> changes;

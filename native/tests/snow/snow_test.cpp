@@ -188,6 +188,46 @@ TEST_CASE("shapes are filled evenly", "[snow]") {
     }
 }
 
+TEST_CASE("a surface is covered evenly, and left along its normals", "[snow]") {
+    test::Random random(6);
+    Settings settings;
+    settings.rate = 100000.0;
+    settings.lifetime = 1.0;
+    settings.shape = Shape::surface;
+    // Triangles of very different areas, each at a height of its own, two of them without area.
+    std::vector<double> areas;
+    double whole = 0.0;
+    for (int i = 0; i < 12; ++i) {
+        const auto height = static_cast<float>(i);
+        const float width = i % 5 == 3 ? 0.0F : std::pow(2.0F, random.between(-4.0F, 2.0F));
+        for (const glm::vec3& corner :
+             {glm::vec3(0.0F, 0.0F, height), glm::vec3(width, 0.0F, height), glm::vec3(0.0F, 2.0F, height)})
+            settings.surface_positions.push_back(corner);
+        settings.surface_triangles.emplace_back(3 * i, 3 * i + 1, 3 * i + 2);
+        areas.push_back(static_cast<double>(width));
+        whole += areas.back();
+    }
+    settings.start_speed = 0.0;
+    std::vector<double> found(areas.size());
+    const Flakes now = flakes_at(Snow(settings), 3.0);
+    glm::dvec3 mean(0.0);
+    for (const glm::vec3& at : now.position) {
+        const auto triangle = static_cast<std::size_t>(std::lround(at.z));
+        found.at(triangle) += 1e-5;
+        CHECK(at.x >= 0.0F);
+        CHECK(at.y >= 0.0F);
+        CHECK(static_cast<double>(at.x) / areas.at(triangle) + static_cast<double>(at.y) / 2.0 < 1.00001);
+        mean += 1e-5 * glm::dvec3(static_cast<double>(at.x) / areas.at(triangle), at.y, 0.0);
+    }
+    for (std::size_t i = 0; i < areas.size(); ++i) CHECK(found[i] == Approx(areas[i] / whole).margin(0.006));
+    CHECK(mean.x == Approx(1.0 / 3.0).epsilon(0.01));
+    CHECK(mean.y == Approx(2.0 / 3.0).epsilon(0.01));
+
+    settings.start_speed = 2.0;
+    for (const glm::vec3& velocity : flakes_at(Snow(settings), 3.0).velocity)
+        CHECK(velocity == glm::vec3(0.0F, 0.0F, 2.0F));
+}
+
 TEST_CASE("random switches stay in their ranges, evenly", "[snow]") {
     Settings settings = rich(20000.0);
     settings.snow = settings.gravity = false;
@@ -420,6 +460,15 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
     refuses("start_color", [&](Settings& s) { s.start_color.clear(); });
     refuses("start_color", [&](Settings& s) { s.start_color = {{1.0F, {}}, {0.0F, {}}}; });
     refuses("emitter_matrices", [&](Settings& s) { s.emitter_times = {0.0}; });
+    refuses("surface_triangles must have an area", [&](Settings& s) { s.shape = Shape::surface; });
+    refuses("surface_triangles must name", [&](Settings& s) {
+        s.shape = Shape::surface;
+        s.surface_triangles = {{0, 1, 2}};
+    });
+    refuses("surface_positions", [&](Settings& s) {
+        s.shape = Shape::surface;
+        s.surface_positions = {glm::vec3(std::numeric_limits<float>::infinity())};
+    });
     refuses("rate must be lower: up to 2e+12 flakes", [&](Settings& s) { s.rate = 1e12; });
     refuses("rate must be lower", [&](Settings& s) { s.lifetime = 1e12; });
     refuses("rate must be lower", [&](Settings& s) { s.bursts = {{1.0, 1000000000000U}}; });

@@ -23,11 +23,12 @@ namespace motus::snow {
 /// Where flakes are born, in the emitter's space, evenly spread; r is Settings::radius. They leave along +Z
 /// but where said.
 enum class Shape : std::uint8_t {
-    square,  ///< |x|, |y| <= r, z = 0
-    disc,    ///< about Z
-    box,     ///< |x|, |y|, |z| <= r
-    sphere,  ///< the ball; away from its middle
-    cone,    ///< the disc; leaning outwards, from 0 in the middle to cone_angle at the edge
+    square,   ///< |x|, |y| <= r, z = 0
+    disc,     ///< about Z
+    box,      ///< |x|, |y|, |z| <= r
+    sphere,   ///< the ball; away from its middle
+    cone,     ///< the disc; leaning outwards, from 0 in the middle to cone_angle at the edge
+    surface,  ///< surface_triangles; along their normals
 };
 
 struct GradientStop {
@@ -49,8 +50,10 @@ struct Settings {
     std::vector<Burst> bursts;
 
     Shape shape = Shape::square;
-    double cone_angle = 0.0;   ///< half the opening, [0, pi]
-    double cone_radius = 1.0;  ///< >= 0, r above
+    std::vector<glm::vec3> surface_positions;   ///< vertices, in the emitter's space
+    std::vector<glm::ivec3> surface_triangles;  ///< of which at least one has an area, of Shape::surface
+    double cone_angle = 0.0;                    ///< half the opening, [0, pi]
+    double cone_radius = 1.0;                   ///< >= 0, r above
 
     bool random_speed = false;        ///< start_speed +-1 m/s
     bool random_orientation = false;  ///< leaving anywhere within cone_angle of where it would leave

@@ -1,0 +1,300 @@
+// A particle system without a state.
+#include "motus/snow/snow.hpp"
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <glm/common.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "areas.hpp"
+#include "core/arguments.hpp"
+#include "core/arrays.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+using snow::Settings;
+using snow::Shape;
+using snow::Snow;
+
+constexpr double flake_cost = 10.0;  // ns, rough
+
+[[nodiscard]] Shape shape_named(const py::object& object) {
+    return choice<Shape>(object, "shape",
+                         {{"square", Shape::square},
+                          {"disc", Shape::disc},
+                          {"box", Shape::box},
+                          {"sphere", Shape::sphere},
+                          {"cone", Shape::cone},
+                          {"surface", Shape::surface}});
+}
+
+/// (k,), empty for None.
+[[nodiscard]] DoubleArray row(const py::object& object, std::string_view name) {
+    if (object.is_none()) return DoubleArray(0);
+    DoubleArray array = doubles(object, name);
+    if (array.ndim() != 1) value_error(name, "must have the shape (k,), not " + shape_of(array));
+    return array;
+}
+
+[[nodiscard]] std::vector<snow::GradientStop> gradient(const py::object& object) {
+    if (!py::isinstance<py::sequence>(object) || py::len(object) != 2)
+        wrong_type(object, "start_color", "a pair of positions and colours");
+    const py::object first = object[py::int_(0)], second = object[py::int_(1)];
+    const DoubleArray positions = row(first, "start_color"), colors = doubles(second, "start_color");
+    if (colors.ndim() != 2 || colors.shape(0) != positions.shape(0) || colors.shape(1) != 4)
+        value_error("start_color", "its colours must have the shape (k, 4), k the number of positions, not " +
+                                       shape_of(colors));
+    std::vector<snow::GradientStop> stops;
+    for (py::ssize_t i = 0; i < positions.size(); ++i) {
+        snow::GradientStop stop{static_cast<float>(positions.at(i)), {}};
+        for (int part = 0; part < 4; ++part) stop.color[part] = static_cast<float>(colors.at(i, part));
+        stops.push_back(stop);
+    }
+    return stops;
+}
+
+[[nodiscard]] std::vector<snow::Burst> bursts(const py::object& given_times, const py::object& given_counts) {
+    const DoubleArray times = row(given_times, "burst_times"), counts = row(given_counts, "burst_counts");
+    if (times.size() != counts.size()) value_error("burst_counts", "must be as many as burst_times");
+    std::vector<snow::Burst> result;
+    for (py::ssize_t i = 0; i < times.size(); ++i) {
+        const double count = counts.at(i);
+        if (!(count >= 0.0 && count <= 0x1p53) || count != std::floor(count))
+            value_error("burst_counts", "must be whole numbers of at least 0");
+        result.push_back({times.at(i), static_cast<std::uint64_t>(count)});
+    }
+    return result;
+}
+
+void set_surface(const py::object& positions, const py::object& triangles, Settings& settings) {
+    if (!positions.is_none()) {
+        const Points points(positions, "surface_positions");
+        settings.surface_positions.assign(points.values().begin(), points.values().end());
+    }
+    if (!triangles.is_none()) {
+        const Points corners(triangles, "surface_triangles");
+        for (const glm::dvec3& corner : corners.values()) {
+            const glm::ivec3 whole(glm::clamp(corner, -1.0, 0x1p31 - 1.0));
+            if (glm::dvec3(whole) != corner) value_error("surface_triangles", "must be indices of vertices");
+            settings.surface_triangles.push_back(whole);
+        }
+    }
+}
+
+void set_emitter(const py::object& times, const py::object& matrices, Settings& settings) {
+    const DoubleArray at = row(times, "emitter_times");
+    settings.emitter_times.assign(at.data(), at.data() + at.size());
+    if (matrices.is_none()) return;
+    const DoubleArray rows = doubles(matrices, "emitter_matrices");
+    if (rows.ndim() != 3 || rows.shape(1) != 4 || rows.shape(2) != 4)
+        value_error("emitter_matrices", "must have the shape (k, 4, 4), not " + shape_of(rows));
+    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
+        glm::dmat4& matrix = settings.emitter_matrices.emplace_back();
+        for (int down = 0; down < 4; ++down)
+            for (int along = 0; along < 4; ++along) matrix[along][down] = rows.at(i, down, along);
+    }
+}
+
+[[nodiscard]] Snow snow_of(
+    const py::object& start_speed, const py::object& lifetime, const py::object& start_size,
+    const py::object& start_color, const py::object& rate, const py::object& delay,
+    const py::object& duration, const py::object& looping, const py::object& burst_times,
+    const py::object& burst_counts, const py::object& shape, const py::object& surface_positions,
+    const py::object& surface_triangles, const py::object& cone_angle, const py::object& cone_radius,
+    const py::object& random_speed, const py::object& random_orientation, const py::object& random_lifetime,
+    const py::object& random_size, const py::object& random_color, const py::object& snow,
+    const py::object& max_angle, const py::object& snow_frequency, const py::object& snow_offsets,
+    const py::object& gravity, const py::object& acceleration, const py::object& drag, const py::object& wind,
+    const py::object& gusts, const py::object& gust_frequency, const py::object& tumble,
+    const py::object& seed, const py::object& emitter_times, const py::object& emitter_matrices) {
+    Settings settings;
+    settings.start_speed = number(start_speed, "start_speed");
+    settings.lifetime = number(lifetime, "lifetime");
+    settings.start_size = number(start_size, "start_size");
+    if (!start_color.is_none()) settings.start_color = gradient(start_color);
+    settings.rate = number(rate, "rate");
+    settings.delay = number(delay, "delay");
+    settings.duration = number(duration, "duration");
+    settings.looping = flag(looping, "looping");
+    settings.bursts = bursts(burst_times, burst_counts);
+    settings.shape = shape_named(shape);
+    set_surface(surface_positions, surface_triangles, settings);
+    settings.cone_angle = number(cone_angle, "cone_angle");
+    settings.cone_radius = number(cone_radius, "cone_radius");
+    settings.random_speed = flag(random_speed, "random_speed");
+    settings.random_orientation = flag(random_orientation, "random_orientation");
+    settings.random_lifetime = flag(random_lifetime, "random_lifetime");
+    settings.random_size = flag(random_size, "random_size");
+    settings.random_color = flag(random_color, "random_color");
+    settings.snow = flag(snow, "snow");
+    settings.max_angle = number(max_angle, "max_angle");
+    settings.snow_frequency = number(snow_frequency, "snow_frequency");
+    settings.snow_offsets = flag(snow_offsets, "snow_offsets");
+    settings.gravity = flag(gravity, "gravity");
+    settings.acceleration = vector(acceleration, "acceleration");
+    settings.drag = number(drag, "drag");
+    settings.wind = vector(wind, "wind");
+    settings.gusts = number(gusts, "gusts");
+    settings.gust_frequency = number(gust_frequency, "gust_frequency");
+    settings.tumble = number(tumble, "tumble");
+    settings.seed = seed_of(seed);
+    set_emitter(emitter_times, emitter_matrices, settings);
+    return Snow(std::move(settings));
+}
+
+/// What evaluate() gives: the array of a field, and where its rows are.
+struct Field {
+    std::string_view name;
+    py::ssize_t columns;  ///< 1: rows are numbers
+    bool is_whole;        ///< int64, else float32
+};
+constexpr std::array<Field, 7> all_fields{{{"position", 3, false},
+                                           {"velocity", 3, false},
+                                           {"size", 1, false},
+                                           {"color", 4, false},
+                                           {"age", 1, false},
+                                           {"rotation", 4, false},
+                                           {"id", 1, true}}};
+
+[[nodiscard]] const Field& field_of(py::handle name) {
+    if (!py::isinstance<py::str>(name)) wrong_type(name, "fields", "a sequence of names");
+    const auto text = name.cast<std::string>();
+    for (const Field& field : all_fields)
+        if (field.name == text) return field;
+    value_error("fields", "there is no field '" + text + "'");
+}
+
+[[nodiscard]] py::array new_field(const Field& field, py::ssize_t count) {
+    std::vector<py::ssize_t> shape{count};
+    if (field.columns > 1) shape.push_back(field.columns);
+    if (field.is_whole) return py::array_t<std::int64_t>(shape);
+    return py::array_t<float>(shape);
+}
+
+/// The first `count` rows of the caller's array.
+[[nodiscard]] py::array given_field(const Field& field, py::handle object, py::ssize_t count) {
+    const std::string name = "out['" + std::string(field.name) + "']";
+    if (!py::isinstance<py::array>(object)) wrong_type(object, name, "an array");
+    const auto array = py::reinterpret_borrow<py::array>(object);
+    const bool is_right_type = field.is_whole ? py::isinstance<py::array_t<std::int64_t>>(array)
+                                              : py::isinstance<py::array_t<float>>(array);
+    if (!is_right_type) type_error(name, field.is_whole ? "must be int64" : "must be float32");
+    const bool has_rows =
+        field.columns == 1 ? array.ndim() == 1 : array.ndim() == 2 && array.shape(1) == field.columns;
+    if (!has_rows || array.shape(0) < count)
+        value_error(
+            name, "must have the shape (" + std::to_string(count) +
+                      (field.columns == 1 ? std::string(",)") : ", " + std::to_string(field.columns) + ")") +
+                      " or more rows, not " + shape_of(array));
+    if (!array.writeable() || (array.flags() & py::array::c_style) == 0 || !is_aligned(array))
+        value_error(name, "must be C-contiguous and writable");
+    return py::reinterpret_borrow<py::array>(array[py::slice(0, count, 1)]);
+}
+
+template <class Row>
+[[nodiscard]] std::span<Row> rows_of(py::array& array) {
+    return {static_cast<Row*>(array.mutable_data()), static_cast<std::size_t>(array.shape(0))};
+}
+
+void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
+    if (name == "position") fields.position = rows_of<glm::vec3>(array);
+    if (name == "velocity") fields.velocity = rows_of<glm::vec3>(array);
+    if (name == "size") fields.size = rows_of<float>(array);
+    if (name == "color") fields.color = rows_of<glm::vec4>(array);
+    if (name == "age") fields.age = rows_of<float>(array);
+    if (name == "rotation") fields.rotation = rows_of<glm::vec4>(array);
+    if (name == "id") fields.id = rows_of<std::int64_t>(array);
+}
+
+/// Those asked for, else those that there are arrays for, else all.
+[[nodiscard]] std::vector<Field> wanted(const py::object& fields, const py::object& out) {
+    std::vector<Field> result;
+    if (fields.is_none() && out.is_none()) return {all_fields.begin(), all_fields.end()};
+    const py::object names = fields.is_none() ? out : fields;
+    if (py::isinstance<py::str>(names) || !py::isinstance<py::iterable>(names))
+        wrong_type(names, "fields", "a sequence of names");
+    for (const py::handle name : names) result.push_back(field_of(name));
+    return result;
+}
+
+[[nodiscard]] py::dict evaluate(const Snow& self, const py::object& given_time, const py::object& fields,
+                                const py::object& out) {
+    const double time = number(given_time, "time");
+    if (!out.is_none() && !py::isinstance<py::dict>(out)) wrong_type(out, "out", "a dict of arrays");
+    const std::vector<Field> names = wanted(fields, out);
+    const snow::Living living = [&] {
+        const py::gil_scoped_release released;
+        return self.living(time);
+    }();
+    const auto count = static_cast<py::ssize_t>(living.count);
+    py::dict result;
+    snow::Fields rows;
+    for (const Field& field : names) {
+        const py::str key(field.name.data(), field.name.size());
+        const bool is_given = !out.is_none() && out.contains(key);
+        py::array array = is_given ? given_field(field, out[key], count) : new_field(field, count);
+        set_field(field.name, array, rows);
+        result[key] = array;
+    }
+    {
+        const ReleaseGil released(living.count, flake_cost);
+        self.evaluate(living, rows);
+    }
+    return result;
+}
+
+}  // namespace
+
+void bind_snow(py::module_& m) {
+    py::class_<Snow>(m, "Snow", py::module_local(), R"(
+Flakes at any time, in any order of times, without a state or a cache. Immutable. Metres, seconds, radians, world space.
+
+start_speed, start_size: of each flake.  lifetime: s, >= 0.  start_color: a gradient, a pair of positions (k,), rising, and
+colours (k, 4); None is white. Flakes have its first colour.
+rate: flakes a second, >= 0; flake i of a steady stream is born at delay + (i + 1) / rate.  delay, duration: s, >= 0; the
+stream ends after `duration`, unless looping.  burst_times (s after the delay), burst_counts: (b,), flakes that come all at
+once, numbered where they are born.
+shape: 'square', 'disc', 'box', 'sphere', 'cone' in the emitter's space, of half width or radius cone_radius, >= 0; flakes
+leave along its +Z, of a sphere away from the middle, of a cone leaning outwards, at the edge by cone_angle, [0, pi]; or
+'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals.
+random_speed: start_speed +-1.  random_orientation: anywhere within cone_angle of where they would leave.  random_lifetime:
+lifetime +-1 s, at least 0.  random_size: +-10 %.  random_color: anywhere on the gradient.
+snow: as it flies, a flake turns by up to max_angle about the world's X and Y, as noise of its age says that changes about
+snow_frequency times a second; snow_offsets: each flake has a time of its own in the noise.
+gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s,
+which varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  tumble: rad/s up to which flakes spin.
+seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
+emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
+Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.)")
+        .def(py::init(&snow_of), py::kw_only(), "start_speed"_a = 5.0, "lifetime"_a = 2.0,
+             "start_size"_a = 1.0, "start_color"_a = py::none(), "rate"_a = 5.0, "delay"_a = 0.0,
+             "duration"_a = 5.0, "looping"_a = true, "burst_times"_a = py::none(),
+             "burst_counts"_a = py::none(), "shape"_a = "square", "surface_positions"_a = py::none(),
+             "surface_triangles"_a = py::none(), "cone_angle"_a = 0.0, "cone_radius"_a = 1.0,
+             "random_speed"_a = false, "random_orientation"_a = false, "random_lifetime"_a = false,
+             "random_size"_a = false, "random_color"_a = false, "snow"_a = false,
+             "max_angle"_a = 1.3962634015954636, "snow_frequency"_a = 1.0, "snow_offsets"_a = false,
+             "gravity"_a = false, "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
+             "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "gusts"_a = 0.0, "gust_frequency"_a = 0.3,
+             "tumble"_a = 0.0, "seed"_a = 0, "emitter_times"_a = py::none(),
+             "emitter_matrices"_a = py::none())
+        .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), R"(
+The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
+(m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).
+
+fields: names of those wanted; None: those in out, or all.
+out: a dict of C-contiguous arrays of m rows or more, written into; the result has views of their first m rows.
+The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.)");
+}
+
+}  // namespace motus::bindings

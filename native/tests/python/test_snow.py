@@ -1,0 +1,122 @@
+"""Snow through the binding: names, defaults, shapes and errors. What flakes do is tested natively."""
+
+import threading
+import unittest
+
+import motus_native as native
+import numpy as np
+
+SHAPES = {"position": (3,), "velocity": (3,), "size": (), "color": (4,), "age": (), "rotation": (4,), "id": ()}
+
+
+class SnowTest(unittest.TestCase):
+    def test_fields_and_defaults(self):
+        flakes = native.Snow().evaluate(1.0)
+        self.assertEqual(list(flakes), list(SHAPES))
+        for name, shape in SHAPES.items():
+            self.assertEqual(flakes[name].shape, (5, *shape), name)
+            self.assertEqual(flakes[name].dtype, np.int64 if name == "id" else np.float32, name)
+        np.testing.assert_array_equal(flakes["id"], range(5))
+        np.testing.assert_allclose(flakes["age"], [0.8, 0.6, 0.4, 0.2, 0.0], atol=1e-7)
+        np.testing.assert_allclose(flakes["position"][:, 2], 5.0 * flakes["age"], atol=1e-6)
+        np.testing.assert_array_equal(flakes["color"], np.ones((5, 4)))
+        self.assertEqual(native.Snow().evaluate(0.1)["position"].shape, (0, 3))
+        self.assertEqual(native.Snow(rate=0).evaluate(9)["position"].shape, (0, 3))
+
+    def test_only_fields_that_are_wanted(self):
+        snow = native.Snow(rate=100, snow=True)
+        self.assertEqual(list(snow.evaluate(3.0, ["age", "id"])), ["age", "id"])
+        self.assertEqual(snow.evaluate(3.0, ()), {})
+        np.testing.assert_array_equal(snow.evaluate(3.0, ["velocity"])["velocity"], snow.evaluate(3.0)["velocity"])
+
+    def test_given_arrays_are_written_into(self):
+        snow = native.Snow(rate=1000, random_lifetime=True, random_color=True, gravity=True,
+                           start_color=([0.0, 1.0], [[1, 0, 0, 1], [0, 0, 1, 1]]))
+        wanted = snow.evaluate(7.0)
+        count = len(wanted["id"])
+        out = {"position": np.zeros((5000, 3), np.float32), "color": np.zeros((count, 4), np.float32),
+               "id": np.zeros(5000, np.int64)}
+        found = snow.evaluate(7.0, out=out)
+        self.assertEqual(list(found), list(out))
+        for name, array in out.items():
+            self.assertTrue(np.shares_memory(found[name], array), name)
+            np.testing.assert_array_equal(array[:count], wanted[name])
+            self.assertFalse(array[count:].any(), name)
+        self.assertEqual(set(snow.evaluate(7.0, ["age", "id"], out)), {"age", "id"})
+
+    def test_emitter_and_bursts(self):
+        matrices = np.tile(np.eye(4), (2, 1, 1))
+        matrices[1, :3, 3] = 10.0, 0.0, 5.0
+        snow = native.Snow(rate=0, burst_times=[0.0, 0.5, 1.0], burst_counts=[1, 2, 1], start_speed=0, cone_radius=0,
+                           emitter_times=[0, 1], emitter_matrices=matrices)
+        np.testing.assert_allclose(snow.evaluate(1.5)["position"], [[0, 0, 0], [5, 0, 2.5], [5, 0, 2.5], [10, 0, 5]],
+                                   atol=1e-6)
+
+    def test_surface(self):
+        corners = [[0, 0, 1], [1, 0, 1], [0, 1, 1]]
+        flakes = native.Snow(shape="surface", surface_positions=corners, surface_triangles=[[0, 1, 2]]).evaluate(1.0)
+        np.testing.assert_allclose(flakes["position"][:, 2], 1.0 + 5.0 * flakes["age"], atol=1e-6)
+        for triangles in ([[0, 1, 3]], [[0, 1, -1]], [[0, 1, 0.5]], [[0, 1, 1e12]], [[0, 1, 1]], [0, 1, 2]):
+            with self.subTest(triangles=triangles), self.assertRaisesRegex(ValueError, "^surface_triangles"):
+                native.Snow(shape="surface", surface_positions=corners, surface_triangles=triangles)
+
+    def test_threads_may_share_one(self):
+        snow = native.Snow(rate=50000, snow=True, random_lifetime=True, drag=1.0, wind=(1, 0, 0), gusts=0.5)
+        wanted = snow.evaluate(4.0)["position"]
+        found = [None] * 4
+
+        def evaluate(which):
+            found[which] = snow.evaluate(4.0)["position"]
+
+        threads = [threading.Thread(target=evaluate, args=(which,)) for which in range(4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for one in found:
+            np.testing.assert_array_equal(one, wanted)
+
+    def test_errors_name_the_argument(self):
+        nan = float("nan")
+        snow = native.Snow(rate=100)
+        rows = np.zeros((200, 3), np.float32)
+        for call, name in (
+                (lambda: native.Snow(rate=-1), "rate"), (lambda: native.Snow(rate=nan), "rate"),
+                (lambda: native.Snow(lifetime=-1), "lifetime"), (lambda: native.Snow(seed=-1), "seed"),
+                (lambda: native.Snow(seed=2 ** 32), "seed"), (lambda: native.Snow(shape="cube"), "shape"),
+                (lambda: native.Snow(wind=(1, 2)), "wind"), (lambda: native.Snow(drag=1e9), "drag"),
+                (lambda: native.Snow(start_color=([0.0], [[1, 1, 1]])), "start_color"),
+                (lambda: native.Snow(start_color=([], np.zeros((0, 4)))), "start_color"),
+                (lambda: native.Snow(burst_times=[1.0]), "burst_counts"),
+                (lambda: native.Snow(burst_times=[1.0], burst_counts=[0.5]), "burst_counts"),
+                (lambda: native.Snow(emitter_times=[0.0]), "emitter_matrices"),
+                (lambda: native.Snow(emitter_times=[0.0, 0.0], emitter_matrices=np.zeros((2, 4, 4))), "emitter_times"),
+                (lambda: native.Snow(emitter_times=[0.0], emitter_matrices=np.eye(4)), "emitter_matrices"),
+                (lambda: snow.evaluate(nan), "time"), (lambda: snow.evaluate(1.0, ["mass"]), "fields"),
+                (lambda: snow.evaluate(2.0, out={"position": rows[:10]}), "out\\['position'\\]"),
+                (lambda: snow.evaluate(2.0, out={"position": rows[:, :2]}), "out\\['position'\\]"),
+                (lambda: snow.evaluate(2.0, out={"age": np.zeros((200, 2), np.float32)[:, 0]}), "out\\['age'\\]")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+        rows.flags.writeable = False
+        with self.assertRaisesRegex(ValueError, "writable"):
+            snow.evaluate(2.0, out={"position": rows})
+        for call, name in ((lambda: native.Snow(snow=1), "snow"), (lambda: native.Snow(rate="a"), "rate"),
+                           (lambda: native.Snow(start_color="white"), "start_color"),
+                           (lambda: snow.evaluate(1.0, "age"), "fields"), (lambda: snow.evaluate(1.0, 5), "fields"),
+                           (lambda: snow.evaluate(1.0, out=rows), "out"),
+                           (lambda: snow.evaluate(1.0, out={"age": np.zeros(200)}), "out\\['age'\\]"),
+                           (lambda: native.Snow(speed=1.0), "")):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
+                call()
+
+    def test_too_many_flakes_are_a_sentence(self):
+        with self.assertRaisesRegex(ValueError, r"^rate must be lower: up to 2e\+12 flakes would live at once, which take "
+                                                r"1.44e\+05 GB; at most 1e\+08 may"):
+            native.Snow(rate=1e12)
+        with self.assertRaisesRegex(ValueError, "^rate must be lower"):
+            native.Snow(lifetime=1e12)
+
+
+if __name__ == "__main__":
+    unittest.main()
