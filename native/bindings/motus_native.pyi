@@ -574,6 +574,8 @@ class Snow:
         wind: ArrayLike = (0.0, 0.0, 0.0),  # (3,)
         gusts: float = 0.0,
         gust_frequency: float = 0.3,
+        turbulence: float = 0.0,
+        turbulence_size: float = 1.0,
         tumble: float = 0.0,
         seed: int = 0,
         emitter_times: ArrayLike | None = None,  # (k,)

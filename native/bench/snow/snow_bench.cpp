@@ -102,6 +102,9 @@ int main() {
     Settings gusty = settings;
     gusty.gusts = 0.5;
     measure("with gusts", gusty, 100.0);
+    Settings turbulent = settings;
+    turbulent.turbulence = 0.5;
+    measure("with turbulence", turbulent, 100.0);
     Settings random = settings;
     random.start_color = {{0.0F, {1.0F, 1.0F, 1.0F, 1.0F}}, {1.0F, {0.5F, 0.7F, 1.0F, 1.0F}}};
     random.cone_angle = 0.5;

@@ -115,8 +115,9 @@ void set_emitter(const py::object& times, const py::object& matrices, Settings& 
     const py::object& random_size, const py::object& random_color, const py::object& snow,
     const py::object& max_angle, const py::object& snow_frequency, const py::object& snow_offsets,
     const py::object& gravity, const py::object& acceleration, const py::object& drag, const py::object& wind,
-    const py::object& gusts, const py::object& gust_frequency, const py::object& tumble,
-    const py::object& seed, const py::object& emitter_times, const py::object& emitter_matrices) {
+    const py::object& gusts, const py::object& gust_frequency, const py::object& turbulence,
+    const py::object& turbulence_size, const py::object& tumble, const py::object& seed,
+    const py::object& emitter_times, const py::object& emitter_matrices) {
     Settings settings;
     settings.start_speed = number(start_speed, "start_speed");
     settings.lifetime = number(lifetime, "lifetime");
@@ -146,6 +147,8 @@ void set_emitter(const py::object& times, const py::object& matrices, Settings& 
     settings.wind = vector(wind, "wind");
     settings.gusts = number(gusts, "gusts");
     settings.gust_frequency = number(gust_frequency, "gust_frequency");
+    settings.turbulence = number(turbulence, "turbulence");
+    settings.turbulence_size = number(turbulence_size, "turbulence_size");
     settings.tumble = number(tumble, "tumble");
     settings.seed = seed_of(seed);
     set_emitter(emitter_times, emitter_matrices, settings);
@@ -272,7 +275,8 @@ lifetime +-1 s, at least 0.  random_size: +-10 %.  random_color: anywhere on the
 snow: as it flies, a flake turns by up to max_angle about the world's X and Y, as noise of its age says that changes about
 snow_frequency times a second; snow_offsets: each flake has a time of its own in the noise.
 gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s,
-which varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  tumble: rad/s up to which flakes spin.
+which varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
+mean square, of air in eddies of turbulence_size m that flakes are carried along by.  tumble: rad/s up to which they spin.
 seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
 emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
 Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.)")
@@ -286,8 +290,8 @@ Raises ValueError or TypeError that names the argument, also where more than 1e8
              "max_angle"_a = 1.3962634015954636, "snow_frequency"_a = 1.0, "snow_offsets"_a = false,
              "gravity"_a = false, "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
              "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "gusts"_a = 0.0, "gust_frequency"_a = 0.3,
-             "tumble"_a = 0.0, "seed"_a = 0, "emitter_times"_a = py::none(),
-             "emitter_matrices"_a = py::none())
+             "turbulence"_a = 0.0, "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "seed"_a = 0,
+             "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none())
         .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), R"(
 The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
 (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).

@@ -19,7 +19,7 @@ inline constexpr std::size_t scratch_rows = 32;
 inline constexpr std::size_t scratch_size = scratch_rows * block_size;
 
 /// What is drawn: the counter's third word.
-enum class Stream : std::uint32_t { place, life, depth, spin };
+enum class Stream : std::uint32_t { place, life, depth, spin, waves };
 
 /// c0 + c1 u + c2 u^2 + c3 u^3 for u in [0, 1].
 struct Cubic {
@@ -62,6 +62,16 @@ struct Facet {
     std::uint32_t other = 0;
 };
 
+/// Air that moves by velocity * cos(2 pi (vector x + frequency t + phase)).
+struct Wave {
+    std::array<float, 3> vector{};    ///< whole turns a metre
+    std::array<float, 3> velocity{};  ///< across the vector
+    double frequency = 0.0;           ///< whole turns a second
+    double phase = 0.0;
+    float rate = 0.0F;  ///< whole turns a second, for a flake that moves as all do
+};
+inline constexpr std::size_t wave_count = 8;
+
 /// Of the steering's table: the integral and its derivative by u, the rotation times the step. The angles of
 /// the two turns, and their derivatives by u, in whole turns.
 struct Node {
@@ -90,6 +100,9 @@ struct Kind {
     bool snow_offsets = false;
     float offset_count = 1.0F;
     float tumble = 0.0F;  ///< whole turns a second
+    bool is_turbulent = false;
+    float carried = 1.0F;  ///< share of its first velocity with which a flake goes through the waves
+    std::array<Wave, wave_count> waves{};
 };
 
 /// Flakes of ages within one interval, u = (age - start) / step going from 0 to 1.
@@ -105,6 +118,7 @@ struct Run {
     const Node* node = nullptr;    ///< and the one at u = 0, of flakes without offset
     std::array<Cubic, 3> drift{};  ///< gravity's and the wind's part of the way
     std::array<Cubic, 3> drift_velocity{};
+    std::array<float, wave_count> phases{}, phase_changes{};  ///< at birth, at u = 0, and from there to u = 1
     // Where to write, nullptr for what is not wanted.
     float* position = nullptr;
     float* velocity = nullptr;

@@ -20,6 +20,7 @@
 #include "motus/core/unfilled.hpp"
 #include "steering.hpp"
 #include "surface.hpp"
+#include "turbulence.hpp"
 
 namespace motus::snow {
 namespace {
@@ -63,6 +64,8 @@ void require_valid(const Settings& s) {
     require(is_single(s.wind), "wind must be finite");
     require(is_between(s.gusts, 0.0, 1e30), "gusts must be at least 0 and finite");
     require(is_rate(s.gust_frequency), "gust_frequency must be greater than 0 and at most 1000");
+    require(is_between(s.turbulence, 0.0, 1e6), "turbulence must be from 0 to 1e6");
+    require(is_between(s.turbulence_size, 1e-6, 1e30), "turbulence_size must be at least 1e-6 and finite");
     require(is_between(s.tumble, 0.0, 1e6), "tumble must be from 0 to 1e6");
 }
 
@@ -148,6 +151,12 @@ Snow::Parts::Parts(Settings settings)
     kind.scales = scales;
     kind.changes = changes;
     kind.tumble = static_cast<float>(settings.tumble / whole_turn);
+    kind.is_turbulent = settings.turbulence > 0.0;
+    // With drag and without steering a flake soon goes with the wind alone.
+    kind.carried = settings.snow || settings.drag == 0.0 ? 1.0F : 0.0F;
+    if (kind.is_turbulent)
+        kind.waves = waves_of(settings.turbulence, settings.turbulence_size,
+                              settings.drag > 0.0 ? settings.wind : glm::dvec3(0.0), settings.seed);
     kind.snow = settings.snow;
     if (!kind.snow) return;
 
@@ -358,6 +367,11 @@ void Snow::evaluate(const Living& living, const Fields& out, std::size_t threads
                 });
                 run.glide = parts.emitter.glide(part, living.time - run.start, parts.step);
                 interval.set(index, run);
+                for (std::size_t wave = 0; parts.kind.is_turbulent && wave < wave_count; ++wave) {
+                    run.phases[wave] = phase_at(parts.kind.waves[wave], living.time - run.start);
+                    run.phase_changes[wave] =
+                        static_cast<float>(-parts.kind.waves[wave].frequency * parts.step);
+                }
                 if (parts.steering) {
                     run.origin = &parts.steering->node(0);
                     run.node = &parts.steering->node(static_cast<std::size_t>(index));

@@ -57,6 +57,12 @@ struct Sample {
         kind.offset_count = static_cast<float>(nodes.size() - 2);
         kind.tumble = random.chance(0.5) ? 1.0F : 0.0F;
 
+        kind.is_turbulent = random.chance(0.5);
+        for (Wave& wave : kind.waves) {
+            wave.vector = {any(), any(), any()};
+            wave.velocity = {any(), any(), any()};
+            wave.rate = random.chance(0.3) ? 0.0F : any();
+        }
         run.ages = ages.data();
         run.lows = lows.data();
         run.high = 77;
@@ -76,6 +82,8 @@ struct Sample {
         number(run.way_rate);
         for (Cubic& c : run.drift) number(c);
         for (Cubic& c : run.drift_velocity) number(c);
+        for (float& phase : run.phases) phase = any();
+        for (float& change : run.phase_changes) change = any();
         run.origin = run.node = nodes.data();
     }
 

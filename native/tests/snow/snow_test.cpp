@@ -71,6 +71,7 @@ template <class T>
     s.drag = 0.7;
     s.wind = {1.0, -0.5, 0.2};
     s.gusts = 0.5;
+    s.turbulence = 0.8;
     s.tumble = 3.0;
     s.seed = 12345678901U;
     s.emitter_times = {0.0, 1.0, 2.5};
@@ -231,7 +232,7 @@ TEST_CASE("a surface is covered evenly, and left along its normals", "[snow]") {
 TEST_CASE("random switches stay in their ranges, evenly", "[snow]") {
     Settings settings = rich(20000.0);
     settings.snow = settings.gravity = false;
-    settings.drag = 0.0;
+    settings.drag = settings.turbulence = 0.0;
     settings.delay = 0.0;
     settings.bursts.clear();
     settings.emitter_times.clear();
@@ -378,6 +379,48 @@ TEST_CASE("the velocity is the position's derivative, and nothing jumps", "[snow
     }
 }
 
+TEST_CASE("turbulent air moves flakes at its speed, and gathers them nowhere", "[snow]") {
+    Settings settings;
+    settings.rate = 0.0;
+    settings.bursts = {{0.0, 40000}};
+    settings.shape = Shape::box;
+    settings.cone_radius = 10.0;
+    settings.start_speed = 0.0;
+    settings.turbulence = 0.6;
+    settings.turbulence_size = 2.0;
+    double square = 0.0, divergence = 0.0, shear = 0.0;
+    glm::dvec3 mean(0.0);
+    const Snow snow(settings);
+    for (const glm::vec3& velocity : flakes_at(snow, 1.3).velocity) {
+        square += glm::dot(glm::dvec3(velocity), glm::dvec3(velocity)) / 40000.0;
+        mean += glm::dvec3(velocity) / 40000.0;
+    }
+    CHECK(square == Approx(0.36).epsilon(0.1));
+    CHECK(glm::length(mean) < 0.05);
+    // The air's slopes, by emitters that stand apart by a little.
+    constexpr double h = 0.02;
+    const auto moved = [&](int axis, double by) {
+        glm::dvec3 offset(0.0);
+        offset[axis] = by;
+        settings.emitter_times = {0.0};
+        settings.emitter_matrices = {glm::translate(glm::dmat4(1.0), offset)};
+        return flakes_at(Snow(settings), 1.3).velocity;
+    };
+    std::array<std::vector<glm::vec3>, 3> more{moved(0, h), moved(1, h), moved(2, h)};
+    std::array<std::vector<glm::vec3>, 3> less{moved(0, -h), moved(1, -h), moved(2, -h)};
+    for (std::size_t i = 0; i < more[0].size(); ++i) {
+        double sum = 0.0;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const glm::dvec3 slope = (glm::dvec3(more[axis][i]) - glm::dvec3(less[axis][i])) / (2.0 * h);
+            sum += slope[static_cast<int>(axis)];
+            shear = std::max(shear, glm::length(slope));
+        }
+        divergence = std::max(divergence, std::abs(sum));
+    }
+    CHECK(shear > 0.5);
+    CHECK(divergence < 1e-2 * shear);
+}
+
 TEST_CASE("gravity adds to the way, with snow too", "[snow]") {
     Settings settings;
     settings.rate = 1000.0;
@@ -451,6 +494,8 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
         refuses("gusts", [&](Settings& s) { s.gusts = bad; });
         refuses("gust_frequency", [&](Settings& s) { s.gust_frequency = bad; });
         refuses("snow_frequency", [&](Settings& s) { s.snow_frequency = bad; });
+        refuses("turbulence must", [&](Settings& s) { s.turbulence = bad; });
+        refuses("turbulence_size", [&](Settings& s) { s.turbulence_size = bad; });
         refuses("tumble", [&](Settings& s) { s.tumble = bad; });
     }
     refuses("start_speed", [&](Settings& s) { s.start_speed = nan; });

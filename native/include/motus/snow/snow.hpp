@@ -3,7 +3,9 @@
 // Birth is a formula (births.hpp), random numbers are drawn by flake number (Philox 4x32-10, key the seed,
 // counter the number and what is drawn). The flake steers through the air as noise of its age turns it about
 // the world's X and Y, the integral of which is tabulated; drag, wind and gusts act by the closed form of
-// linear drag: c' = g + k (W - c). The same bits on every machine and for any number of threads.
+// linear drag: c' = g + k (W - c). Turbulent air is a sum of waves, each moving across its direction,
+// integrated along a straight line, that of the first velocity and the wind. The same bits on every machine
+// and for any number of threads.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -73,6 +75,9 @@ struct Settings {
     glm::dvec3 wind{0.0};         ///< velocity of the air, m/s
     double gusts = 0.0;           ///< how much the wind varies, fraction of it, >= 0
     double gust_frequency = 0.3;  ///< 1/s, (0, 1000]
+
+    double turbulence = 0.0;       ///< root mean square of the velocity of turbulent air, m/s, >= 0
+    double turbulence_size = 1.0;  ///< of its eddies, m, > 0
 
     double tumble = 0.0;  ///< rad/s: each flake turns about an axis of its own at up to this speed, >= 0
 
