@@ -95,6 +95,13 @@ class Channel:
         return keys.bounds(self._curve, first, last) if self._curve is not None else [first, last]
 
     @property
+    def extent(self):
+        """(first, last) time between which it changes, infinite where it goes on; None where nothing animates it."""
+        if self._stack is not None:
+            return -np.inf, np.inf
+        return keys.extent(self._curve) if self._curve is not None else None
+
+    @property
     def stamp(self):
         """Of an evaluated datablock: something hashable that changes whenever values() may; None of an original."""
         if not self._id.is_evaluated:

@@ -8,10 +8,10 @@ from .attaching import attach, detach, is_attached, refresh, touch
 from .geometry_sink import place as points_place
 from .outbox import output, output_path, outputs_of, problem
 from .readers import absent_path, targets_on
-from .sinks import has_sinks, on_object, release, set_muted, sinks
+from .sinks import has_sinks, is_sink, on_object, release, set_muted, sinks
 from .solver import register, unregister
 
 __all__ = (
-    "absent_path", "attach", "detach", "has_sinks", "is_attached", "on_object", "output", "output_path", "outputs_of", "points_place",
+    "absent_path", "attach", "detach", "has_sinks", "is_attached", "is_sink", "on_object", "output", "output_path", "outputs_of", "points_place",
     "problem", "refresh", "register", "release", "set_muted", "sinks", "targets_on", "touch", "unregister",
 )

@@ -58,6 +58,11 @@ def sinks(system, owner):
             for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
 
+def is_sink(system, constraint):
+    """Whether a constraint is a sink of the system, whoever drives it."""
+    return marks.read(system, constraint) is not None
+
+
 def has_sinks(system, obj):
     """Whether an object carries sinks of the system: its own, its leader's, or those it was copied with."""
     return any(True for _ in on_object(system, obj))
