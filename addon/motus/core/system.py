@@ -150,14 +150,23 @@ class BonesOwn:
 class Member:
     """An Object or PoseBone that is driven, and how.
 
-    space: owner space of the sinks. is_relative: rotation and scale act on top of the thing's own transform, in its local
-    space; neutral values (no rotation, scale 1) leave it alone.
+    space: of what solve() fills, unless is_relative: then location, rotation and scale act on top of the thing's own, channel by
+    channel and in the axes of these; neutral values (no move, no rotation, scale 1) leave it alone.
     """
 
     thing: Any
     channels: frozenset = frozenset({"location", "rotation"})
     space: str = 'WORLD'
     is_relative: bool = False
+
+    @property
+    def owner_space(self):
+        """Owner space of the sinks' constraints."""
+        if not self.is_relative:
+            return self.space
+        # The Local Space of an object without a parent is turned as the object is.
+        stands_alone = isinstance(self.thing, bpy.types.Object) and self.thing.parent is None
+        return 'WORLD' if stands_alone else 'LOCAL'
 
 
 @dataclass(frozen=True)
@@ -182,9 +191,9 @@ class Group:
 
 @dataclass(frozen=True)
 class Entry:
-    """One of an owner's settings that drives bones of it, for the order among them (core/dependencies.py).
+    """One of an owner's settings that drives bones of it or objects, for the order among them (core/dependencies.py).
 
-    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones.
+    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones, and objects.
     """
 
     name: str

@@ -41,7 +41,7 @@ def _wire(system, owner, group):
     hub = carriers.make_hub(system, owner, group)
     uses_attribute = carriers.uses_attribute() and not system.moves_points
     if uses_attribute:
-        attribute_sink.prepare(hub.data, owner, group)
+        attribute_sink.prepare(system, hub.data, owner, group)
     elif system.moves_points:
         geometry_sink.prepare(hub.data)
     outbox.create(system, hub.data, group, uses_attribute)
@@ -56,7 +56,7 @@ def _wire(system, owner, group):
         active = member.thing.constraints.active
         if uses_attribute:
             attribute_sink.add(system, group, index, hub)
-        elif member.is_relative and member.thing.name in driven:
+        elif proxy_sink.is_needed(member, driven):
             proxy_sink.add(system, of_owner(system, owner), group, index, hub)
         else:
             transform_sink.add(system, group, index, hub)

@@ -59,8 +59,8 @@ def signature(system, owner, groups):
     """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
     said = [(group.key, group.outputs, sorted(group.data.items()),
-             [(_name(member.thing.id_data, owner), member.thing.name, sorted(member.channels), member.space,
-               member.is_relative, member.thing.name in driven) for member in group.members],
+             [(_name(member.thing.id_data, owner), _bone(member.thing), sorted(member.channels), member.owner_space,
+               member.is_relative, _bone(member.thing) in driven) for member in group.members],
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
     ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner)
@@ -70,6 +70,10 @@ def signature(system, owner, groups):
 def is_old(settings):
     """Whether an owner was wired by an older version."""
     return not settings.wired.startswith(f"{VERSION} ")
+
+
+def _bone(thing):
+    return thing.name if isinstance(thing, bpy.types.PoseBone) else ""
 
 
 def _name(obj, owner):

@@ -215,7 +215,8 @@ def _heal_joined(grown):
         has_settings = obj.is_property_set("motus")
         for system in systems():
             is_wired = has_settings and of_owner(system, obj).is_active
-            if system.groups is not None and not is_wired and has_sinks(system, obj):
+            is_led = has_settings and of_owner(system, obj).leader is not None
+            if system.groups is not None and not is_wired and not is_led and has_sinks(system, obj):
                 joined = [rig for rig in makers(system, obj) if not rig.users_collection]
                 release(system, obj)
                 for rig in joined:
@@ -281,7 +282,7 @@ def _heal_order(depsgraph):
     if not relations.have_changed(depsgraph):
         return
     for system, owner in _attached():
-        if system.entries is not None:
+        if system.groups is not None:
             attaching.refresh_changed(system, owner)
 
 

@@ -44,6 +44,8 @@ MEMBER_DATA_KEY = "motus_member_data"
 INTERNAL, SILENT, DAMAGED, NEWER = -1, -2, -3, -4
 VERSION = 1
 """Of what lies in an outbox and beside it; to be raised where an add-on of today could not read it."""
+OTHER = "\n"
+"""What Info.members has in place of a name for an object that is not the owner."""
 LARGEST_CACHE = 256  # groups whose Info is known at a time
 
 _infos = OrderedDict()
@@ -55,7 +57,7 @@ class Info:
     """What is known of a group since it was wired. uses_attribute: the poses are not in the outbox. data: of the Group."""
 
     outputs: tuple
-    members: tuple  # names
+    members: tuple  # names of bones; "" for the owner itself, OTHER for another object
     has_scales: bool
     is_relative: bool
     uses_attribute: bool
@@ -169,10 +171,16 @@ def create(system, carrier, group, uses_attribute):
     carrier[out_key(system, group.key)] = slots
     if system.groups is not None:
         noted = Info(
-            group.outputs, tuple(member.thing.name for member in group.members), has_scales(group),
+            group.outputs, tuple(_noted(member.thing, carrier) for member in group.members), has_scales(group),
             any(member.is_relative for member in group.members), uses_attribute, group.data,
             tuple(bone for _, bone in group.reads))
         carrier[info_key(system, group.key)] = {"version": VERSION, "text": json.dumps(list(vars(noted).values()))}
+
+
+def _noted(thing, hub):
+    if isinstance(thing, bpy.types.PoseBone):
+        return thing.name
+    return "" if thing == hub.get(OWNER_KEY) else OTHER
 
 
 def is_shared(system, mesh):

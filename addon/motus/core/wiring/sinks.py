@@ -97,7 +97,7 @@ def _as_wired(system, owner):
             old_names[carrier] = known.members
     for thing, constraint, carrier, _ in on_object(system, owner) if old_names else ():
         names, index = old_names.get(carrier, ()), marks.index_of(constraint)
-        if index is not None and index < len(names):
+        if isinstance(thing, bpy.types.PoseBone) and index is not None and index < len(names):
             yield thing, names[index]
 
 
@@ -167,18 +167,20 @@ def set_muted(system, owner, muted):
 
 def led_by(system, owner):
     """Objects whose leader the owner is."""
-    if system.groups is not None or all(_has_one_member(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
+    if not any(_may_lead(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
         return []
     # To ask an object for its settings gives it some.
     return [other for other in bpy.data.objects
             if other.is_property_set("motus") and of_owner(system, other).leader == owner]
 
 
-def _has_one_member(system, mesh):
+def _may_lead(system, mesh):
+    """Whether a hub may have members that are neither its owner nor bones of that."""
     try:
-        return outbox.opened(system, mesh).layout.members == 1
+        found = outbox.opened(system, mesh, outbox.key_on_hub(system, mesh))
     except Damaged:
-        return False
+        return True
+    return found.layout.members != 1 if found.info is None else outbox.OTHER in found.info.members
 
 
 def _driven_objects(system, owner):
