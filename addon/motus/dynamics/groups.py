@@ -35,7 +35,7 @@ class Unit(NamedTuple):
         """(object, bone or "") whose evaluated transform it needs."""
         if self.kind == 'OBJECT':
             parent = transforms.parent_of(owner)
-            if not inputs.follows_parent(owner, self.entries[0]):
+            if parent == owner.parent and not inputs.follows_parent(owner, self.entries[0]):
                 return []
             return [(owner.parent, parent.name if parent != owner.parent else "")]
         if self.kind == 'OWN':

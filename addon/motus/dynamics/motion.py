@@ -17,12 +17,13 @@ class OpenLoop(Exception):
 class Part(NamedTuple):
     """What one entry does to one member: native tracks, None for what does not follow.
 
-    row: of the member. delay: s. in_world: whether locations are moved in world space. place: index of the entry.
+    row: of the member. delay: s. in_world: whether locations are those in world space. place: index of the entry.
     """
 
     row: int
     place: int
     delay: float
+    is_object: bool
     in_world: bool
     locations: Any
     rotations: Any
@@ -41,10 +42,10 @@ class Part(NamedTuple):
         return moves, turns, 1.0 + weight * (ratios - 1.0)
 
     def write(self, seconds, weight, context, to_local):
-        """Let the member's row be what it is at a time. to_local(moves): from world space to that of its channels."""
+        """Let the member's row be what it is at a time. to_local(moves, in_world): in the axes that the sinks add them in."""
         moves, turns, ratios = self.at(seconds, weight)
         if moves is not None:
-            context.locations[self.row] = to_local(moves) if self.in_world else moves
+            context.locations[self.row] = to_local(moves, self.in_world) if self.is_object else moves
         if turns is not None:
             context.rotations[self.row] = turns
         if ratios is not None:
@@ -84,7 +85,7 @@ def part_of(thing, entry, row, place, scene, frame):
     channels = entry.channels
     turns = _closed(samples.rotations) if is_loop and 'ROTATION' in channels else samples.rotations
     return Part(
-        row, place, entry.delay, is_object and inputs.follows_parent(thing, entry),
+        row, place, entry.delay, is_object, is_object and inputs.follows_parent(thing, entry),
         module.Track(follower, samples.seconds, samples.locations, resets, is_loop) if 'LOCATION' in channels else None,
         module.RotationTrack(follower, samples.seconds, turns, resets, is_loop) if 'ROTATION' in channels else None,
         module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None)

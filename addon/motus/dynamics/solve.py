@@ -159,11 +159,14 @@ def _weights(settings):
             for weight, is_muted in zip(weights.tolist(), muted.tolist())]
 
 
-def _to_local(owner, moves):
-    """Moves in world space as they are in the space of an object's own location, as it stands now."""
-    parent = transforms.parent_of(owner)
-    carried = owner.parent.matrix_world
-    if parent != owner.parent:
-        carried = carried @ parent.matrix
-    offset = Matrix(transforms.parent_offset(owner)[0].tolist())
-    return (carried @ offset).to_3x3().inverted_safe() @ Vector(moves)
+def _to_local(owner, moves, is_in_world):
+    """Moves of an object in the axes that its sink adds them in, from those of the world, or of its own location."""
+    parent = owner.parent
+    if parent is None or not is_in_world and parent == transforms.parent_of(owner):
+        return moves
+    if not is_in_world:
+        bone = transforms.parent_of(owner)
+        offset = Matrix(transforms.parent_offset(owner)[0].tolist())
+        moves = (parent.matrix_world @ bone.matrix @ offset).to_3x3() @ Vector(moves)
+    # Of what hangs on a bone too.
+    return (parent.matrix_world @ owner.matrix_parent_inverse).to_3x3().inverted_safe() @ Vector(moves)
