@@ -1,6 +1,7 @@
 """One small scene of each system, all of it at work, and where everything in it really is."""
 
 import bpy
+from dynamics import dynamics_cases
 from ik import ik_cases
 from lattice import lattice_cases
 from look_at import look_at_cases
@@ -12,13 +13,14 @@ FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, pins, a pulled lattice; and users' drivers that read Motus."""
+    """A follower, a train, an arm, a figure that looks, things with dynamics, pins, a pulled lattice; and users' drivers that read Motus."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
     for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
         target.location = place
         target.keyframe_insert("location", frame=frame)
     _paths()
     _rigs()
+    _dynamics()
     _meshes()
     bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
     bpy.context.view_layer.update()
@@ -50,6 +52,15 @@ def _rigs():
     figure = look_at_cases.build_rig(name="Figure")
     figure.location.x = 3.0
     bpy.ops.motus.look_at_add(object=figure.name, bone="Head", target="Target")
+
+
+def _dynamics():
+    parcel = dynamics_cases.moved("Parcel")
+    bpy.ops.motus.dynamics_add(object="Parcel", style='BOUNCY', channels={'LOCATION', 'ROTATION', 'SCALE'})
+    _link("Ribbon").parent = parcel
+    bpy.ops.motus.dynamics_add(object="Ribbon", style='FLOPPY')
+    rope = dynamics_cases.rope(3)
+    bpy.ops.motus.dynamics_add(object=rope.name, bones="Tail 0 0", whole_chains=True, chain_delay=0.05)
 
 
 def _rig(name, build_bones):
