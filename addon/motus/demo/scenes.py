@@ -40,4 +40,11 @@ SCENES = (
         film=(0.0, 9.0),
         ambience=1.0,
     ),
+    DemoScene(
+        name="dynamics", identifier="DYNAMICS", module="hopper", label="Hopping Creature",
+        description="A creature whose body, tail and antennae swing along with the few keys that make it hop",
+        stills=(("Table Camera", 0.45), ("Table Camera", 1.0), ("Table Camera", 3.2)),
+        film=(0.0, 110 / 24),
+        ambience=0.6,
+    ),
 )

@@ -119,6 +119,9 @@ INTERFACE = {
     "A rotation does not come back to where its loop began": "Una rotación no vuelve adonde empezó su bucle",
     "Some numbers are none that a motion can be made of": "Con algunos números no se puede hacer un movimiento",
     "Some bones move with what they follow, and are left out": "Algunos huesos se mueven con lo que siguen y quedan fuera",
+    "Hopping Creature": "Criatura saltarina",
+    "A creature whose body, tail and antennae swing along with the few keys that make it hop":
+        "Una criatura cuyo cuerpo, cola y antenas oscilan con las pocas claves que la hacen saltar",
 }
 
 OPERATORS = {
