@@ -30,6 +30,18 @@ class ExamplesTest(support.SceneTestCase):
         self.assertFalse(scope["glider"].constraints)
         self.assertEqual(tuple(scope["glider"].location), (0.0, 0.0, 0.0))
 
+    def test_the_scripted_example_of_dynamics_overshoots_and_settles(self):
+        scripted, = [code for code in examples(DOCS / "dynamics.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": seen.append}
+        exec(compile(scripted, "dynamics.md", "exec"), scope)
+        overshoot, arriving, beyond, resting = seen
+        self.assertAlmostEqual(overshoot, 0.372, places=3)
+        self.assertLess(abs(arriving - 4.0), 1.0)
+        self.assertGreater(beyond, 4.2)
+        self.assertAlmostEqual(resting, 4.0, places=2)
+        self.assertFalse(scope["crate"].constraints)
+
     def test_the_scripted_example_reaches_the_goal(self):
         scripted, = [code for code in examples(DOCS / "ik.md") if "bpy.ops.motus" in code]
         seen = []

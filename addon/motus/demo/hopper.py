@@ -16,7 +16,7 @@ CENTRE = (0.15, 0.35)
 CROUCH, AIR = 6, 10  # frames before the take-off, and above the table
 START = math.radians(200.0)  # of the round
 
-CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-0.9, -7.4, 2.15), (0.05, 0.2, 0.88), 48.0
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-0.9, -7.9, 2.0), (0.0, 0.2, 0.86), 48.0
 
 
 def build(context):
@@ -50,10 +50,10 @@ def _add_dynamics(rig):
     """All that is not keyed. The last frame of the scene is followed by the first one without a seam."""
     tail, left, right = (",".join(hopper_rig.names(chain)) for chain in (hopper_rig.TAIL, *hopper_rig.ANTENNAE))
     bpy.ops.motus.dynamics_add(
-        object=rig.name, bones=tail, style='FLOPPY', frequency=1.9, chain_delay=0.035, use_loop=True)
+        object=rig.name, bones=tail, style='FLOPPY', frequency=2.2, chain_delay=0.035, use_loop=True)
     for antenna in (left, right):
         bpy.ops.motus.dynamics_add(
-            object=rig.name, bones=antenna, style='BOUNCY', frequency=2.6, damping=0.2, chain_delay=0.02, use_loop=True)
+            object=rig.name, bones=antenna, style='BOUNCY', frequency=4.0, damping=0.3, chain_delay=0.015, use_loop=True)
     bpy.ops.motus.dynamics_add(
         object=rig.name, bones=hopper_rig.BODY, style='BOUNCY', frequency=3.2, damping=0.25, follow='OWN', channels={'SCALE'},
         use_loop=True)
