@@ -224,6 +224,7 @@ class DynamicsTest(support.SceneTestCase):
     def test_what_is_not_known_ahead_is_recorded(self):
         ball, guide = cases.link("Ball"), cases.moved("Guide")
         carrier = cases.link("Carrier")
+        cases.add(guide, style='CRITICAL')  # what was recorded from has settings of ours too
         carrier.constraints.new('COPY_LOCATION').target = guide
         ball.parent = carrier
         plain = np.array([cases.place(ball, frame) for frame in range(1, 60)])
