@@ -71,7 +71,9 @@ TEST_CASE("each tail points to its place from where its head has come", "[tails]
             Rope::put(rope.basis, bone,
                       glm::rotate(glm::dmat4(1.0), random.between(-1.0, 1.0), glm::normalize(axis)));
         }
-        const std::array bones{4, 1, 2};  // the fourth, bone 3, is carried
+        const std::vector<glm::dmat4> animated = rope.posed({}, {});
+        for (std::size_t bone = 0; bone < 6; ++bone) Rope::put(rope.poses, bone, animated[bone]);
+        const std::array bones{4, 1, 2};  // bone 3 is carried by what turns
         const TailPlan plan(rope.parents, bones);
         const glm::dmat4 world =
             glm::rotate(glm::translate(glm::dmat4(1.0), {3.0, -2.0, 1.0}), 0.7, {0.0, 1.0, 0.0});
