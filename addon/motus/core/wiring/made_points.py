@@ -19,6 +19,8 @@ MATERIAL = "Material"
 MORE_INPUTS = ((MATERIAL, 'INPUT', "NodeSocketMaterial"),)
 TUBE_SIDES = 8
 
+_forms = {}
+"""(system's name, attributes) -> an empty BMesh with them, of which meshes are made that have them."""
 _TYPES = {'FLOAT': 'FLOAT', 'INT': 'INT', 'VECTOR': 'FLOAT_VECTOR', 'COLOR': 'FLOAT_COLOR', 'QUATERNION': 'QUATERNION'}
 """Kind of an attribute -> its type, in Blenders that have it."""
 
@@ -27,7 +29,7 @@ class Room:
     """What the solver asks for points. is_full: for more than there may be."""
 
     def __init__(self, system, carrier, _inputs, context):
-        self._made, self._carrier = system.makes_points, carrier
+        self._system, self._made, self._carrier = system, system.makes_points, carrier
         self._found, self._staged = None, ()
         self.is_full = False
         context.points = self._points
@@ -35,7 +37,7 @@ class Room:
     def _points(self, count):
         self.is_full = count > self._made.capacity
         count = min(count, self._made.capacity)
-        _resize(self._carrier, count)
+        _resize(self._system, self._carrier, count)
         self._staged = []
         self._found = {"position": self._positions(count)}
         for name, kind in self._made.attributes:
@@ -70,7 +72,7 @@ class Room:
 def prepare(system, mesh):
     """Give a hub's mesh the attributes of the points."""
     for name, kind in system.makes_points.attributes:
-        mesh.attributes.new(name, 'FLOAT_VECTOR' if _is_staged(kind) else _TYPES[kind], 'POINT')
+        mesh.attributes.new(name, _type(kind), 'POINT')
 
 
 def write_nothing(_system, carrier):
@@ -122,27 +124,38 @@ def _as_tubes(group, curves):
     return node.outputs["Mesh"]
 
 
+def _type(kind):
+    return 'FLOAT_VECTOR' if _is_staged(kind) else _TYPES[kind]
+
+
 def _is_staged(kind):
     """Whether Blender has no attribute of that kind, so that it gets Euler angles."""
     return kind == 'QUATERNION' and not capabilities.has_quaternion_attributes()
 
 
-def _resize(carrier, count):
-    """Give an evaluated mesh the form of the original, and so many points whose content is undefined."""
-    if len(carrier.original.vertices):
-        raise Damaged("points in the file")
-    form = bmesh.new()
-    form.from_mesh(carrier.original)
-    _become(carrier, form)
+def _resize(system, carrier, count):
+    """Give an evaluated mesh the attributes of the points, and so many of these, whose content is undefined."""
+    key = system.name, system.makes_points.attributes
+    form = _forms.get(key)
+    if form is None:
+        form = _forms[key] = _form_of(system, carrier.original)
+    # Of all that empties a mesh this alone leaves it the driver that is being evaluated.
+    form.to_mesh(carrier)
     carrier.vertices.add(count)
 
 
+def _form_of(system, mesh):
+    if len(mesh.vertices):
+        raise Damaged("points in the file")
+    for name, kind in system.makes_points.attributes:
+        attributes.memory(mesh, name, _type(kind))
+    form = bmesh.new()
+    form.from_mesh(mesh)
+    return form
+
+
 def _clear(carrier):
-    _become(carrier, bmesh.new())
-
-
-def _become(carrier, form):
-    # Of all that empties a mesh this alone leaves it the driver that is being evaluated.
+    form = bmesh.new()
     form.to_mesh(carrier)
     form.free()
 
