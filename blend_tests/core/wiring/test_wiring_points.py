@@ -10,7 +10,8 @@ from core.wiring.wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
 FRAMES = (30, 3, 12.5, 30.25, 90, 12.5)
-FIELDS = {'FLOAT': ("value", 1), 'INT': ("value", 1), 'FLOAT_VECTOR': ("vector", 3), 'FLOAT_COLOR': ("color", 4), 'QUATERNION': ("value", 4)}
+FIELDS = {'FLOAT': ("value", 1), 'INT': ("value", 1), 'FLOAT_VECTOR': ("vector", 3), 'FLOAT_COLOR': ("color", 4),
+          'QUATERNION': ("value", 4)}
 LARGEST_FILE = 60_000  # bytes
 
 BARE = """
@@ -84,19 +85,6 @@ class PointsTestCase(support.SceneTestCase):
         owner.rotation_euler, owner.scale = (0.3, 0.2, 0.1), (1.0, 2.0, -0.5)
         toy.make(toy.SPARKS, owner, target=toy_system.new_target(), **values)
         return owner
-
-    def save(self, name="points.blend"):
-        path = str(self.folder / name)
-        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
-        return path
-
-    def load(self, path, link):
-        support.empty_scene()
-        with bpy.data.libraries.load(path, link=link) as (_, wanted):
-            wanted.objects = ["Owner", "Target"]
-        for one in wanted.objects:
-            bpy.context.scene.collection.objects.link(one)
-        return wanted.objects[0]
 
     def assert_all_frames(self, owner):
         for frame in FRAMES:
@@ -252,14 +240,14 @@ class PointsFilesTest(PointsTestCase):
 
     def test_appended(self):
         self.sparks()
-        owner = self.load(self.save(), link=False)
+        owner = self.load(self.save(), False, "Owner", "Target")
         self.assert_all_frames(owner)
         wiring.detach(toy.SPARKS, owner)
         self.assertEqual((len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.node_groups)), (2, 1, 0))
 
     def test_linked(self):
         self.sparks()
-        owner = self.load(self.save(), link=True)
+        owner = self.load(self.save(), True, "Owner", "Target")
         self.assert_all_frames(owner)
         self.assertEqual(len(owner.motus.sparks.hub.data.vertices), 0)
 
@@ -268,11 +256,11 @@ class PointsFilesTest(PointsTestCase):
         toy_system.new_target()
         toy.make(toy.TRAILS, owner)
         wanted = tube_positions(owner)
-        np.testing.assert_array_equal(tube_positions(self.load(self.save(), link=True)), wanted)
+        np.testing.assert_array_equal(tube_positions(self.load(self.save(), True, "Owner", "Target")), wanted)
 
     def test_overridden(self):
         self.sparks()
-        linked = self.load(self.save(), link=True)
+        linked = self.load(self.save(), True, "Owner", "Target")
         owner = linked.override_create(remap_local_usages=True)
         self.assert_all_frames(owner)
         owner.motus.sparks.rate = 30.0
@@ -295,6 +283,7 @@ class PointsDamagedTest(PointsTestCase):
             for damage in every:
                 with self.subTest(damage.name):
                     bpy.ops.wm.open_mainfile(filepath=path)
+                    support.addon("core.wiring.made_points")._forms.clear()
                     self.check(bpy.data.objects["Owner"], damage)
         self.assertEqual(errors, [])
 
