@@ -8,6 +8,7 @@ import toy_system
 from core.wiring import damaged_cases
 from core.wiring.wiring_cases import frame_set
 
+nodes = support.addon("core.wiring.node_groups")
 wiring = support.addon("core.wiring")
 FRAMES = (30, 3, 12.5, 30.25, 90, 12.5)
 FIELDS = {'FLOAT': ("value", 1), 'INT': ("value", 1), 'FLOAT_VECTOR': ("vector", 3), 'FLOAT_COLOR': ("color", 4),
@@ -47,6 +48,17 @@ def _read(attribute):
     return found if width == 1 else found.reshape(-1, width)
 
 
+def show_curves_as_points(owner):
+    """Put a modifier behind that turns curves into the points of which they are made; what is no mesh cannot be read otherwise."""
+    group = bpy.data.node_groups.new("Points", 'GeometryNodeTree')
+    nodes.add_sockets(group, [("Geometry", way, "NodeSocketGeometry") for way in ('INPUT', 'OUTPUT')])
+    start = nodes.add_node(group, "NodeGroupInput")
+    points = nodes.add_node(group, "GeometryNodeCurveToPoints", mode='EVALUATED')
+    group.links.new(start.outputs[0], points.inputs[0])
+    group.links.new(points.outputs[0], nodes.add_node(group, "NodeGroupOutput").inputs[0])
+    owner.modifiers.new("Points", 'NODES').node_group = group
+
+
 def tube_positions(owner):
     """Positions of the mesh that an owner of trails has at frame 20."""
     frame_set(20)
@@ -77,7 +89,7 @@ def assert_sparks(owner, frame):
 class PointsTestCase(support.SceneTestCase):
     @classmethod
     def setUpClass(cls):
-        toy_system.register_with(toy.SPARKS, toy.TRAILS)
+        toy_system.register_with(toy.SPARKS, toy.TRAILS, toy.LINES)
         cls.addClassCleanup(toy_system.register_with)
 
     def sparks(self, **values):
@@ -167,6 +179,20 @@ class PointsTest(PointsTestCase):
                 np.testing.assert_allclose(radii, np.tile(0.01 + 0.01 * ages[index][:, None], sides), atol=1e-5)
         colors = _read(mesh.attributes["color"]).reshape(len(numbers), count, sides, 4)
         np.testing.assert_allclose(colors[:, :, 0, 0], ages, atol=1e-6)
+
+    def test_curves(self):
+        owner = toy_system.new_object("Owner", data=bpy.data.meshes.new("Owner"))
+        toy.make(toy.LINES, owner, rate=5.0)
+        frame_set(60)
+        numbers, ages = toy.alive(60 / 24, 5.0, 1.0)
+        ages = np.maximum(0.0, np.subtract.outer(ages, np.linspace(0.0, toy.TRAIL, toy.TRAIL_POINTS)))
+        wanted = [toy.fly(np.full(toy.TRAIL_POINTS, number), some, np.zeros(3))[0] for number, some in zip(numbers, ages)]
+        show_curves_as_points(owner)
+        frame_set(60)
+        found = points_of(owner)
+        np.testing.assert_array_equal(found["position"], np.concatenate(wanted))
+        np.testing.assert_array_equal(found["radius"], (0.01 + 0.01 * ages).astype(np.float32).ravel())
+        np.testing.assert_array_equal(found["curve"], np.repeat(numbers, toy.TRAIL_POINTS))
 
     def test_a_million(self):
         owner = self.sparks(rate=1_000_000.0)
