@@ -43,6 +43,18 @@ def collection_of(datablock):
     raise ValueError(f"{datablock!r} stands in no collection")
 
 
+_ID_TYPES = {
+    "LIGHTPROBE": 'LIGHT_PROBE', "METABALL": 'META', "VECTORFONT": 'FONT', "FREESTYLELINESTYLE": 'LINESTYLE',
+    "PARTICLESETTINGS": 'PARTICLE'}
+
+
+def id_type(datablock):
+    """Its type, as targets of drivers' variables name it."""
+    kind = next(one for one in type(datablock).__mro__ if one.__base__ is bpy.types.ID)
+    name = kind.__name__.upper()
+    return _ID_TYPES.get(name, name)
+
+
 def named_by(datablock, path):
     """A datablock that can be found by its name, and the path from there: node trees lie within others."""
     if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:

@@ -170,17 +170,32 @@ class Member:
 
 
 @dataclass(frozen=True)
+class Property:
+    """A decimal number that is driven by one of a group's outputs, in the place of its own value and keys.
+
+    path: from the object, as object.path_resolve() takes it, through its data, materials, ...; index: in an array.
+    """
+
+    output: str
+    object: Any
+    path: str
+    index: int = -1
+
+
+@dataclass(frozen=True)
 class Group:
     """What one solver computes at once, where a system needs several on one owner.
 
     key: letters and digits, "" for the first. inputs: Transform and BonesOwn that the solver waits for. outputs: names of
-    numbers. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
+    numbers. properties: driven by outputs, on top of which solve() leaves the influence to the wiring; what solve() does not set
+    is the property's own. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
     """
 
     key: str = ""
     members: tuple = ()
     inputs: tuple = ()
     outputs: tuple = ()
+    properties: tuple = ()
     data: dict = field(default_factory=dict)
 
     @property

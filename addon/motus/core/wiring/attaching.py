@@ -5,8 +5,8 @@ import bpy
 from .. import actions, copies
 from ..system import drop_dead_copy, groups_of, of_owner, systems
 from . import (
-    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, proxy_sink, readers, rows,
-    solver_driver, transform_sink)
+    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, property_sink, proxy_sink, readers,
+    rows, solver_driver, transform_sink)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -48,6 +48,9 @@ def _wire(system, owner, group):
     if carriers.has_outlet(system, owner):
         outbox.create_outlet(system, owner, hub.data)
     solver_driver.add(system, owner, group, hub)
+    property_sink.add(system, owner, group, hub, is_off=of_owner(system, owner).is_baked)
+    for one in group.properties:
+        _lead(system, owner, one.object)
     if system.moves_points:
         geometry_sink.add(system, owner, hub)
         return
@@ -61,8 +64,12 @@ def _wire(system, owner, group):
         else:
             transform_sink.add(system, group, index, hub)
         member.thing.constraints.active = active
-        if member.thing.id_data != owner:
-            of_owner(system, member.thing.id_data).leader = owner
+        _lead(system, owner, member.thing.id_data)
+
+
+def _lead(system, owner, obj):
+    if obj != owner:
+        of_owner(system, obj).leader = owner
 
 
 def _wire_row(system, owner, group):
@@ -117,9 +124,13 @@ def _detach(system, owner):
     for other in led_by(system, owner):
         of_owner(system, other).leader = None
         overrides.unmark(system, other)
-    own = [hub.data for _, hub in outbox.hubs(system, owner) if outbox.is_own_hub(hub, owner)]
+    hubs = [hub for _, hub in outbox.hubs(system, owner)]
+    own = [hub.data for hub in hubs if outbox.is_own_hub(hub, owner)] + outbox.lost_hubs(system, owner)
+    property_sink.remove(system, own)
+    for mesh in [hub.data for hub in hubs if hub.data not in own]:
+        property_sink.remove_copies(system, owner, mesh)
     read = set()
-    for mesh in own + outbox.lost_hubs(system, owner):
+    for mesh in own:
         read.update(solver_driver.curves_of(mesh))
         bpy.data.meshes.remove(mesh)
     shared = outbox.hub_of(system, owner)
@@ -231,6 +242,17 @@ def _rename_paths(system, owner, old, new):
         for curve in curves:
             if names_it(curve.data_path):
                 curve.data_path = curve.data_path.replace(old, new)
+
+
+def set_muted(system, owner, muted):
+    """Switch the sinks off or on, leaving all else in place."""
+    for _, constraint in sinks(system, owner):
+        constraint.mute = muted
+    for group in groups_of(system, owner) if system.groups is not None else ():
+        hub = outbox.hub_of(system, owner, group.key)
+        if hub and outbox.is_own_hub(hub, owner):
+            property_sink.remove(system, [hub.data])
+            property_sink.add(system, owner, group, hub, is_off=muted)
 
 
 def is_attached(system, owner):

@@ -55,15 +55,22 @@ def has_outlet(system, owner):
     return bool(system.outputs) and not copies.has_animated_settings(owner)
 
 
+def waits_for_settings(owner, groups):
+    """Whether a solver that drives properties has to wait for the owner's settings, which to Blender are one with its other plain
+    properties."""
+    return any(group.properties for group in groups) and copies.has_animated_settings(owner)
+
+
 def signature(system, owner, groups):
     """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
     said = [(group.key, group.outputs, sorted(group.data.items()),
              [(_name(member.thing.id_data, owner), _bone(member.thing), sorted(member.channels), member.owner_space,
                member.is_relative, _bone(member.thing) in driven) for member in group.members],
-             [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
+             [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs],
+             [(one.output, _name(one.object, owner), one.path, one.index) for one in group.properties])
             for group in (groups if system.groups is not None else ())]
-    ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner)
+    ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner), waits_for_settings(owner, groups)
     return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
 
 

@@ -20,7 +20,7 @@ from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native
 from ..system import of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, outbox, overrides, proxy_sink, relations, rows
+from . import attaching, carriers, geometry_sink, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -42,6 +42,10 @@ _watched = set()
 """(system, owner) whose points are moved."""
 _unsettled = set()
 """(system, owner) that have asked to settle."""
+_keyed = set()
+"""Names of hubs that drive properties, whose keys they read."""
+_resting = set()
+"""(system, name and library of a hub's mesh) whose drivers of properties are at rest."""
 _given_up = set()
 """(system, owner) that could not be given carriers of their own."""
 
@@ -51,14 +55,19 @@ def note_use():
     _in_use[0] = True
 
 
-def check(system, owner):
-    """Called by the solver, or by the outlet of an owner that shares one, with the evaluated owner."""
+def check(system, owner, hub=None):
+    """Called by the solver with the evaluated owner and hub, or by the outlet of an owner that shares one."""
+    if hub is not None and property_sink.KEY in hub:
+        _keyed.add(_key(hub))
+        if property_sink.is_resting(hub):
+            _resting.add(_key(hub))
     if owner.library:
         return
     animation = owner.animation_data
     place = system.name, owner.name
-    # Whether settings are animated counts for outlets alone.
-    seen = len(animation.drivers) if animation else 0, bool(system.outputs) and copies.has_moving_settings(owner)
+    # Whether settings are animated counts for outlets and driven properties alone.
+    counts = bool(system.outputs) or hub is not None and property_sink.KEY in hub
+    seen = len(animation.drivers) if animation else 0, counts and copies.has_moving_settings(owner)
     if _seen.get(place) != seen:
         _seen[place] = seen
         _asked.add(place)
@@ -96,6 +105,11 @@ def _heal(_scene=None, depsgraph=None, is_edit=True):
 
 
 def _heal_all(depsgraph, is_edit):
+    while _resting:
+        _wake(_mesh(_resting.pop()))
+    if is_edit and depsgraph is not None and depsgraph.id_type_updated('ACTION'):
+        for mesh in filter(None, map(_mesh, _keyed)):
+            mesh.update_tag()
     _heal_asked()
     # To count the objects takes 0.1 ms where there are 5000. What is new stands in a collection, or it is not evaluated.
     if is_edit or depsgraph is None or _object_count[0] < 0 or deleted.have_collections_changed(depsgraph):
@@ -245,6 +259,35 @@ def _armatures(system, owner):
     return {owner.data, *(obj.data for obj in read if obj)}
 
 
+def _mesh(key):
+    return next((mesh for mesh in bpy.data.meshes if _key(mesh) == key), None)
+
+
+def _wake(mesh):
+    owner = mesh and mesh.get(outbox.OWNER_KEY)
+    for system in systems() if isinstance(owner, bpy.types.Object) else ():
+        if outbox.key_on_hub(system, mesh) is not None:
+            property_sink.wake(system, owner, mesh)
+
+
+@persistent
+def _wake_all(*_):
+    """After a file was loaded or saved: let drivers of properties act."""
+    for mesh in bpy.data.meshes if native.module is not None else ():
+        if property_sink.KEY in mesh and property_sink.is_resting(mesh):
+            _try(lambda mesh=mesh: _wake(mesh))
+
+
+@persistent
+def _rest_all(*_):
+    """Before a file is saved: let keys animate the properties."""
+    for mesh in bpy.data.meshes:
+        if property_sink.KEY in mesh and not mesh.library:
+            for system in systems():
+                if outbox.key_on_hub(system, mesh) is not None:
+                    property_sink.rest(system, mesh)
+
+
 @persistent
 def _forget(*_):
     _in_use[0] = False
@@ -254,6 +297,8 @@ def _forget(*_):
     _bone_counts.clear()
     _watched.clear()
     _unsettled.clear()
+    _keyed.clear()
+    _resting.clear()
     _given_up.clear()
     overrides.forget()
     relations.forget()
@@ -265,6 +310,7 @@ def loaded(*_):
     """Before the first evaluation of a file."""
     _forget()
     _try(lambda: (overrides.complete_references(), _heal_old(), _heal_overrides()))
+    _wake_all()
 
 
 @persistent
@@ -290,7 +336,9 @@ def _watched_handlers():
     found = bpy.app.handlers
     return (
         (found.depsgraph_update_post, _heal), (found.frame_change_post, _heal_after_frame),
-        (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references))
+        (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references),
+        (found.save_pre, _rest_all), (found.save_post, _wake_all),
+        *((functions, _wake_all) for functions in (getattr(found, "save_post_fail", None),) if functions is not None))
 
 
 def register():

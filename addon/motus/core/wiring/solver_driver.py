@@ -4,7 +4,7 @@ import bpy
 
 from .. import copies
 from ..system import BonesOwn, Transform, Variable, input_variables, of_owner
-from . import drivers, outbox, waiting
+from . import carriers, drivers, outbox, property_sink, waiting
 
 
 def add(system, owner, group, hub):
@@ -97,9 +97,11 @@ def _call(system, owner, group, hub):
         variables["waits"] = waiting.wait_for(hub, group.reads)
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
+    for index, one in enumerate(property_sink.waits(group)):
+        variables[f"p{index}"] = one
     if not outbox.is_shared(system, hub.data):
         path = f"{of_owner(system, owner).path_from_id()}.influence"
-        if outbox.has_outlet(system, owner):
+        if outbox.has_outlet(system, owner) or group.properties and not carriers.waits_for_settings(owner, [group]):
             path = f'["{copies.KEY}"][0]'
         variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables
