@@ -35,6 +35,16 @@ class OfADatablock:
         return found
 
 
+def everything():
+    """All datablocks of the file, and the node trees that lie within others."""
+    for collection in bpy.data.bl_rna.properties:
+        for datablock in getattr(bpy.data, collection.identifier) if collection.type == 'COLLECTION' else ():
+            yield datablock
+            tree = getattr(datablock, "node_tree", None)
+            if tree is not None and tree.is_embedded_data:
+                yield tree
+
+
 def collection_of(datablock):
     """Name of the file's collection that a datablock stands in."""
     for prop in bpy.data.bl_rna.properties:

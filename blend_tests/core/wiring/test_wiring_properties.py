@@ -167,3 +167,19 @@ class EditingTest(PropertyTestCase):
         self.assertIn("another driver", EvaluationTest.problem(copy).sentence)
         wiring.detach(SYSTEM, copy)
         self.assert_shown(owner)
+
+    def test_bake_and_unbake(self):
+        owner = build()
+        before = self.own_values(owner)
+        wanted = {}
+        for frame in (1, 4, 8):
+            frame_set(frame)
+            wanted[frame] = values(owner)
+        self.assertEqual(bpy.ops.motus.bake(object=owner.name, frame_start=1, frame_end=8), {'FINISHED'})
+        self.assertFalse([one for one in places(owner) if one.driver])
+        for frame, found in wanted.items():
+            frame_set(frame)
+            self.assert_close(values(owner), found, 1e-6)
+        self.assertEqual(bpy.ops.motus.unbake(object=owner.name), {'FINISHED'})
+        self.assert_shown(owner)
+        self.assertEqual(self.own_values(owner), before)

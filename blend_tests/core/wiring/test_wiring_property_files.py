@@ -49,20 +49,18 @@ class FileTest(PropertyTestCase):
         owner = build()
         own = self.own_values(owner)
         path = self.save()
+        read = [f"{'owner' if entry.path.startswith('[') else 'owner.'}{entry.path}" + (f"[{entry.index}]" if entry.index >= 0 else "")
+                for entry in list(owner.motus.dial.entries)[:-1]]
         code = "\n".join((
             "import json, bpy", f"bpy.ops.wm.open_mainfile(filepath={path!r})", f"for frame in {FRAMES!r}:",
             "    bpy.context.scene.frame_set(int(frame), subframe=frame - int(frame))",
             "    graph = bpy.context.evaluated_depsgraph_get()",
             "    owner, camera = (bpy.data.objects[name].evaluated_get(graph) for name in ('Owner', 'Camera'))",
-            f"    found = [owner.path_resolve(path, False) for path in {[entry.path for entry in owner.motus.dial.entries][:-1]!r}]",
-            f"    numbers = {[entry.index for entry in owner.motus.dial.entries][:-1]!r}",
-            "    values = [one.data.path_resolve(one.path_from_id()[len(one.data.path_from_id()) + 1:] if one.data != one.id_data and not"
-            " one.path_from_id().endswith(']') else one.path_from_id()) for one in found]",
-            "    values = [value if index < 0 else value[index] for value, index in zip(values, numbers)] + [camera.data.shift_x]",
-            f"    print({MARK!r} + json.dumps(values))"))
+            f"    print({MARK!r} + json.dumps([{', '.join(read)}, camera.data.shift_x]))"))
         status, output = support.run_blender(code, enabled=False)
         self.assertEqual(status, 0, output)
         found = [json.loads(part.splitlines()[0]) for part in output.split(MARK)[1:]]
+        self.assertEqual(len(found), len(FRAMES))
         for frame, values_there in zip(FRAMES, found):
             self.assert_close(values_there, own[frame], 1e-6)
 

@@ -8,6 +8,7 @@ property again. It is put to rest before a file is saved, and woken after that, 
 solver of what was linked or appended.
 """
 
+import functools
 import json
 import math
 from collections import OrderedDict
@@ -230,6 +231,16 @@ def _own(obj, note, frame):
         if keys.reason is None and not keys.is_constant:
             return float(keys.values([frame])[0])
     return note.base
+
+
+def driven(system, owner):
+    """(object, function that gives the Place from it, or from its evaluated copy) of all properties that an owner drives now."""
+    for _, mesh in outbox.carriers(system, owner):
+        for order, note in enumerate(_notes_of(mesh)):
+            obj = mesh.get(_object_key(order), owner)
+            found = _found(obj, note)
+            if found and found.driver and _hub_of(found.driver) == mesh and _reads(system, found.driver, note):
+                yield obj, functools.partial(place, path=note.path, index=note.index)
 
 
 def are_driven(system, owner, mesh):
