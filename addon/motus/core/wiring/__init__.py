@@ -8,12 +8,14 @@ from .attaching import attach, detach, is_attached, refresh, set_muted, touch
 from .geometry_sink import place as points_place
 from .outbox import output, output_path, outputs_of
 from .problems import problem
-from .property_sink import check as check_property, driven as driven_properties
+from .property_sink import check as check_property
+from .property_sink import driven as driven_properties
 from .readers import absent_path, targets_on
 from .sinks import has_sinks, on_object, release, sinks
 from .solver import register, unregister
 
 __all__ = (
-    "absent_path", "attach", "check_property", "detach", "driven_properties", "has_sinks", "is_attached", "on_object", "output", "output_path", "outputs_of", "points_place",
-    "problem", "refresh", "register", "release", "set_muted", "sinks", "targets_on", "touch", "unregister",
+    "absent_path", "attach", "check_property", "detach", "driven_properties", "has_sinks", "is_attached", "on_object",
+    "output", "output_path", "outputs_of", "points_place", "problem", "refresh", "register", "release", "set_muted",
+    "sinks", "targets_on", "touch", "unregister",
 )

@@ -144,7 +144,9 @@ def _detach(system, owner):
     settings.hub = None
     settings.more_hubs.clear()
     proxy_sink.release(settings)
-    drivers.remove_where(owner, lambda path: path.startswith(f'["{outbox.out_key(system)}'))
+    wait_key = carriers.wait_key(system)
+    drivers.remove_where(owner, lambda path: path.startswith((f'["{outbox.out_key(system)}', f'["{wait_key}"]')))
+    owner.pop(wait_key, None)
     outbox.remove(system, owner)
     overrides.unmark(system, owner)
     order.release(settings)

@@ -101,7 +101,10 @@ def _call(system, owner, group, hub):
         variables[f"p{index}"] = one
     if not outbox.is_shared(system, hub.data):
         path = f"{of_owner(system, owner).path_from_id()}.influence"
-        if outbox.has_outlet(system, owner) or group.properties and not carriers.waits_for_settings(owner, [group]):
+        way = carriers.way_to_wait(owner, [group])
+        if way == "keys":
+            path = carriers.wait_for_keys(system, owner)
+        elif outbox.has_outlet(system, owner) or group.properties and not way:
             path = f'["{copies.KEY}"][0]'
         variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables
