@@ -123,6 +123,17 @@ class Deformed:
 
 
 @dataclass(frozen=True)
+class Geometry(Deformed):
+    """The evaluated mesh or curve object that `of` names, once its final geometry is there, modifiers included; None without it.
+
+    The solver runs again whenever that geometry is edited. Not in a system whose owners share solvers (System.shared).
+    """
+
+    def read(self, value, settings):
+        return getattr(settings, self.of) if Matrix.read(value, settings) is not None else None
+
+
+@dataclass(frozen=True)
 class Transform:
     """Waits for an object, or a bone of it, to stand where it is evaluated to stand. No argument of solve."""
 
