@@ -5,9 +5,8 @@ from unittest import mock
 import bpy
 import support
 import toy_dial_system
-import toy_system
 from core.wiring.property_cases import (
-    FRAMES, SYSTEM, PropertyTestCase, build, key, places, property_sink, shown, state, values)
+    FRAMES, SYSTEM, PropertyTestCase, build, key, places, shown, state, values)
 from core.wiring.wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
@@ -182,4 +181,6 @@ class EditingTest(PropertyTestCase):
             self.assert_close(values(owner), found, 1e-6)
         self.assertEqual(bpy.ops.motus.unbake(object=owner.name), {'FINISHED'})
         self.assert_shown(owner)
+        self.assertFalse([one for one in places(owner) if "motus_bake" in one.id_data])
+        self.assertTrue(all("motus_copy" in one.id_data for one in places(owner)))
         self.assertEqual(self.own_values(owner), before)

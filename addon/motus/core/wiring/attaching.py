@@ -131,16 +131,17 @@ def _detach(system, owner):
         property_sink.remove_copies(system, owner, mesh)
     read = set()
     for mesh in own:
-        read.update(solver_driver.curves_of(mesh))
+        read.update(solver_driver.marked_by(mesh))
         bpy.data.meshes.remove(mesh)
     shared = outbox.hub_of(system, owner)
     if shared and not shared.library and outbox.is_shared(system, shared.data):
-        read.update(solver_driver.curves_of(shared.data))
+        read.update(solver_driver.marked_by(shared.data))
         settings.hub = None  # by which the row is free
         rows.prune(system, shared.data)
-    for curve in read:
-        if not any(curve in solver_driver.curves_of(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh)):
-            copies.unmark(curve)
+    for datablock in read:
+        is_read = any(datablock in solver_driver.marked_by(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh))
+        if not is_read and not _is_wired(datablock):
+            copies.unmark(datablock)
     settings.hub = None
     settings.more_hubs.clear()
     proxy_sink.release(settings)
@@ -156,6 +157,12 @@ def _detach(system, owner):
         copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
+
+
+def _is_wired(datablock):
+    """Whether it is the owner of any system."""
+    return isinstance(datablock, bpy.types.Object) and datablock.is_property_set("motus") and any(
+        of_owner(one, datablock).is_active for one in systems())
 
 
 def refresh(system, owner):

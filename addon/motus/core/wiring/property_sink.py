@@ -121,7 +121,7 @@ def waits(group):
 def _datablocks(group):
     for one in group.properties:
         try:
-            yield place(one.object, one.path, one.index).id_data
+            yield check(one.object, one.path, one.index).id_data
         except Refused:
             continue
 
@@ -145,13 +145,14 @@ def remove_copies(system, owner, mesh):
             _restore(system, mine.id_data, curve, mesh)
             mine.id_data.animation_data.drivers.remove(curve)
             _tidy(mine.id_data)
+            if mine.id_data != owner:
+                copies.unmark(mine.id_data)  # which it was copied with
 
 
 def _tidy(holder):
     drivers.drop_empty_animation(holder)
     if not any(_hub_of(curve) for curve in (holder.animation_data.drivers if holder.animation_data else ())):
-        for key in (REST_KEY,) if isinstance(holder, bpy.types.Object) else (REST_KEY, copies.KEY):
-            holder.pop(key, None)
+        holder.pop(REST_KEY, None)
     holder.update_tag()
 
 

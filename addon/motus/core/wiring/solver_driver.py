@@ -7,6 +7,10 @@ from ..system import BonesOwn, Transform, Variable, input_variables, of_owner
 from . import carriers, drivers, outbox, property_sink, waiting
 
 
+_OF_PROPERTY = "p"
+"""How the names of variables begin that wait for what has driven properties."""
+
+
 def add(system, owner, group, hub):
     """Give the hub's mesh, which may be one that owners share, the driver on its outbox."""
     expression, variables = _call(system, owner, group, hub)
@@ -24,11 +28,16 @@ def curves_for(system, owner):
     return [variable.id for variable in variables if variable and variable.id_type == 'CURVE']
 
 
-def curves_of(mesh):
-    """The data of the curves that the solver of a hub's mesh reads."""
+def marked_by(mesh):
+    """What the solver of a hub's mesh reads and tells copies apart of: the data of curves, and what has driven properties."""
     animation = mesh.animation_data
-    return {target.id for curve in (animation.drivers if animation else ()) for variable in curve.driver.variables
-            for target in variable.targets if target.id_type == 'CURVE' and target.id}
+    targets = [(variable.name, target) for curve in (animation.drivers if animation else ())
+               for variable in curve.driver.variables for target in variable.targets if target.id]
+    found = {target.id for _, target in targets if target.id_type == 'CURVE'}
+    for name, target in targets:
+        if name.startswith(_OF_PROPERTY):
+            found.add(target.id.node_tree if target.data_path.startswith("node_tree[") else target.id)
+    return found - {None}
 
 
 def waits(system, owner, key):
@@ -98,7 +107,7 @@ def _call(system, owner, group, hub):
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
     for index, one in enumerate(property_sink.waits(group)):
-        variables[f"p{index}"] = one
+        variables[f"{_OF_PROPERTY}{index}"] = one
     if not outbox.is_shared(system, hub.data):
         path = f"{of_owner(system, owner).path_from_id()}.influence"
         way = carriers.way_to_wait(owner, [group])
