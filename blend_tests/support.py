@@ -44,6 +44,23 @@ def _raise(error):
     raise error
 
 
+def register_systems(*toys):
+    """Register the add-on once more, with these systems in its list."""
+    _register_with(toys, toys)
+
+
+def unregister_systems(*toys):
+    """Take them out of its list again."""
+    _register_with((), toys)
+
+
+def _register_with(added, removed):
+    systems = addon("systems")
+    addon().unregister()
+    systems.SYSTEMS = (*(one for one in systems.SYSTEMS if one not in removed), *added)
+    addon().register()
+
+
 def in_one_blender(test):
     """Marks a test or a class of them that is the same in every Blender: `./motus test` runs it in the newest alone."""
     test.in_one_blender = True

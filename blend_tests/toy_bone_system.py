@@ -178,12 +178,12 @@ NOD = _system("nod", MOTUS_PG_nod, (MOTUS_PG_nod,))
 
 def register():
     """Register the add-on once more, with these systems in its list."""
-    toy_system.register_with(SYSTEM, NOD)
+    support.register_systems(SYSTEM, NOD)
 
 
 def unregister():
     """Leave the add-on as it was installed."""
-    toy_system.register_with()
+    support.unregister_systems(SYSTEM, NOD)
 
 
 def new_rig(name="Rig", chains=2, length=2):

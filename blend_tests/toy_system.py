@@ -13,7 +13,6 @@ from mathutils import Euler, Quaternion, Vector
 core = support.addon("core.system")
 settings = support.addon("core.settings")
 deleted = support.addon("core.deleted")
-INSTALLED = support.addon("systems").SYSTEMS
 TILT = Euler((0.3, -0.2, 0.1)).to_quaternion()
 STEP = 0.25
 
@@ -90,19 +89,12 @@ SYSTEM = core.System(
 
 def register():
     """Register the add-on once more, with this system in its list."""
-    register_with(SYSTEM)
+    support.register_systems(SYSTEM)
 
 
 def unregister():
     """Leave the add-on as it was installed."""
-    register_with()
-
-
-def register_with(*more):
-    """The same with these systems, of whatever toy."""
-    support.addon().unregister()
-    support.addon("systems").SYSTEMS = (*INSTALLED, *more)
-    support.addon().register()
+    support.unregister_systems(SYSTEM)
 
 
 def new_object(name, location=(0.0, 0.0, 0.0), data=None):

@@ -123,6 +123,17 @@ class Deformed:
 
 
 @dataclass(frozen=True)
+class Geometry(Deformed):
+    """The evaluated mesh or curve object that `of` names, once its final geometry is there, modifiers included; None without it.
+
+    The solver runs again whenever that geometry is edited. Not in a system whose owners share solvers (System.shared).
+    """
+
+    def read(self, value, settings):
+        return getattr(settings, self.of) if Matrix.read(value, settings) is not None else None
+
+
+@dataclass(frozen=True)
 class Transform:
     """Waits for an object, or a bone of it, to stand where it is evaluated to stand. No argument of solve."""
 
@@ -150,8 +161,8 @@ class BonesOwn:
 class Member:
     """An Object or PoseBone that is driven, and how.
 
-    space: owner space of the sinks. is_relative: rotation and scale act on top of the thing's own transform, in its local
-    space; neutral values (no rotation, scale 1) leave it alone.
+    space: of what solve() fills, unless is_relative: then location, rotation and scale act on top of the thing's own, channel by
+    channel and in the axes of these; neutral values (no move, no rotation, scale 1) leave it alone.
     """
 
     thing: Any
@@ -159,19 +170,43 @@ class Member:
     space: str = 'WORLD'
     is_relative: bool = False
 
+    @property
+    def owner_space(self):
+        """Owner space of the sinks' constraints."""
+        if not self.is_relative:
+            return self.space
+        # The Local Space of an object without a parent is turned as the object is.
+        stands_alone = isinstance(self.thing, bpy.types.Object) and self.thing.parent is None
+        return 'WORLD' if stands_alone else 'LOCAL'
+
+
+@dataclass(frozen=True)
+class Property:
+    """A decimal number that is driven by one of a group's outputs, in the place of its own value and keys.
+
+    path: from the object, as object.path_resolve() takes it, through its data, materials, ...; index: in an array.
+    """
+
+    output: str
+    object: Any
+    path: str
+    index: int = -1
+
 
 @dataclass(frozen=True)
 class Group:
     """What one solver computes at once, where a system needs several on one owner.
 
     key: letters and digits, "" for the first. inputs: Transform and BonesOwn that the solver waits for. outputs: names of
-    numbers. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
+    numbers. properties: driven by outputs, on top of which solve() leaves the influence to the wiring; what solve() does not set
+    is the property's own. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
     """
 
     key: str = ""
     members: tuple = ()
     inputs: tuple = ()
     outputs: tuple = ()
+    properties: tuple = ()
     data: dict = field(default_factory=dict)
 
     @property
@@ -182,9 +217,9 @@ class Group:
 
 @dataclass(frozen=True)
 class Entry:
-    """One of an owner's settings that drives bones of it, for the order among them (core/dependencies.py).
+    """One of an owner's settings that drives bones of it or objects, for the order among them (core/dependencies.py).
 
-    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones.
+    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones, and objects.
     """
 
     name: str

@@ -22,8 +22,8 @@ bpy.context.scene.frame_set(12)
 print("KINDS", sorted({{one.object.type for one in bpy.context.evaluated_depsgraph_get().object_instances}}))
 """
 FRESH = """
-import toy_points_system as toy, toy_system
-toy_system.register_with(toy.SPARKS, toy.TRAILS)
+import support, toy_points_system as toy
+support.register_systems(toy.SPARKS, toy.TRAILS)
 import bpy
 bpy.ops.wm.open_mainfile(filepath={path!r}, use_scripts=False)
 from core.wiring.test_wiring_points import assert_sparks
@@ -89,8 +89,8 @@ def assert_sparks(owner, frame):
 class PointsTestCase(support.SceneTestCase):
     @classmethod
     def setUpClass(cls):
-        toy_system.register_with(toy.SPARKS, toy.TRAILS, toy.LINES)
-        cls.addClassCleanup(toy_system.register_with)
+        support.register_systems(toy.SPARKS, toy.TRAILS, toy.LINES)
+        cls.addClassCleanup(support.unregister_systems, toy.SPARKS, toy.TRAILS, toy.LINES)
 
     def sparks(self, **values):
         owner = toy_system.new_object("Owner", (1.0, 2.0, 3.0), bpy.data.meshes.new("Owner"))

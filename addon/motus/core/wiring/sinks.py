@@ -4,7 +4,7 @@ import bpy
 
 from ..stored import Damaged
 from ..system import groups_of, of_owner
-from . import drivers, marks, outbox, proxy_sink
+from . import drivers, marks, outbox, property_sink, proxy_sink
 
 
 def on_object(system, obj):
@@ -92,7 +92,7 @@ def _as_wired(system, owner):
             old_names[carrier] = known.members
     for thing, constraint, carrier, _ in on_object(system, owner) if old_names else ():
         names, index = old_names.get(carrier, ()), marks.index_of(constraint)
-        if index is not None and index < len(names):
+        if isinstance(thing, bpy.types.PoseBone) and index is not None and index < len(names):
             yield thing, names[index]
 
 
@@ -154,26 +154,24 @@ def _strays(system, owner):
             if marks.is_bereft(system, constraint)]
 
 
-def set_muted(system, owner, muted):
-    """Switch the sinks off or on, leaving all else in place."""
-    for _, constraint in sinks(system, owner):
-        constraint.mute = muted
-
-
 def led_by(system, owner):
     """Objects whose leader the owner is."""
-    if system.groups is not None or all(_has_one_member(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
+    if not any(_may_lead(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
         return []
     # To ask an object for its settings gives it some.
     return [other for other in bpy.data.objects
             if other.is_property_set("motus") and of_owner(system, other).leader == owner]
 
 
-def _has_one_member(system, mesh):
+def _may_lead(system, mesh):
+    """Whether a hub may have members that are neither its owner nor bones of that."""
     try:
-        return outbox.opened(system, mesh).layout.members == 1
+        found = outbox.opened(system, mesh, outbox.key_on_hub(system, mesh))
     except Damaged:
-        return False
+        return True
+    if found.info is None:
+        return found.layout.members != 1
+    return outbox.OTHER in found.info.members or property_sink.is_foreign(mesh)
 
 
 def _driven_objects(system, owner):

@@ -11,7 +11,7 @@ from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
 from ..stored import Damaged, Newer
 from ..system import Context, Setting, groups_of, of_owner, registered
-from . import attribute_sink, geometry_sink, healing, outbox, revival, rows
+from . import attribute_sink, geometry_sink, healing, outbox, property_sink, revival, rows
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
@@ -38,9 +38,9 @@ def motus_solve(self, name, frame, depsgraph, *values):
         if system.reads_mesh:
             healing.watch(system, owner)
         if not system.moves_points:
-            healing.check(system, owner)
+            healing.check(system, owner, self)
     except Exception as error:
-        return _fail(self, name, error)
+        return _fail(self, name, frame, error)
     return box.slots[outbox.STATUS]
 
 
@@ -116,6 +116,7 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
     box = np.frombuffer(found.slots)
     if native.module is None:
         _do_nothing(box, layout)
+        property_sink.blend(carrier, owner, box, frame, 0.0)
         if system.has_modifier:
             geometry_sink.write_nothing(system, carrier)
         return
@@ -130,9 +131,14 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
         memo=_memo(system, owner, key))
     inputs = _inputs(system, context, values)
     room = geometry_sink.room(system, carrier, inputs, context) if system.has_modifier else None
+    drives_properties = property_sink.KEY in carrier
+    if drives_properties:
+        property_sink.clear(carrier, box)
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
     is_blocked = problem is not None and problem.blocking
+    if drives_properties:
+        property_sink.blend(carrier, owner, box, frame, 0.0 if is_blocked else settings.influence)
     # Where members are relative the solver applies the influence, and then to the absolute ones among them too.
     weight = 0.0 if is_blocked else 1.0 if layout.is_relative else settings.influence
     box[outbox.WEIGHT] = weight
@@ -233,7 +239,7 @@ def _member_data(system, carrier, owner, count):
     return data
 
 
-def _fail(carrier, name, error):
+def _fail(carrier, name, frame, error):
     """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
     _log(carrier, name, error)
     if isinstance(carrier, bpy.types.Mesh) and outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
@@ -241,6 +247,8 @@ def _fail(carrier, name, error):
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):
             rest(*_called(name), carrier)
+    with suppress(Exception):
+        property_sink.blend_none(*_called(name), carrier, frame)
     if isinstance(error, Damaged):
         return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
     return float(outbox.INTERNAL)
@@ -255,11 +263,13 @@ def _log(carrier, name, error):
 def _rest_slots(system, key, carrier):
     memory = memoryview(carrier[outbox.out_key(system, key)])
     box = np.frombuffer(memory, memory.format)
-    # Where nobody knows what the slots are: in a file that is as it was saved, all are 0, but for scales, which are 1.
-    box[box != 1] = 0
+    if property_sink.KEY not in carrier:  # whose properties would be 0
+        # Where nobody knows what the slots are: in a file that is as it was saved, all are 0, but for scales, which are 1.
+        box[box != 1] = 0
     box[outbox.STATUS:outbox.FIRST_OUTPUT] = 0
     layout = outbox.layout_of(system, carrier, key, len(box))
-    box[outbox.FIRST_OUTPUT:layout.base] = 0
+    if property_sink.KEY not in carrier:
+        box[outbox.FIRST_OUTPUT:layout.base] = 0
     _do_nothing(box, layout)
 
 
