@@ -9,8 +9,8 @@ import re
 
 import bpy
 
-from .system import systems
-from .wiring import marks, outbox, proxy_sink
+from .system import of_owner, registered, systems
+from .wiring import marks, order, outbox, proxy_sink
 
 TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "geometry", "drivers", "entry"
 
@@ -123,6 +123,8 @@ class _Graph:
         entry = self._entries[ENTRY, owner, system, name]
         for obj, bone in entry.reads:
             yield from _place(obj, bone)
+        for obj in order.geometries(registered[system], of_owner(registered[system], owner)):
+            yield GEOMETRY, obj
         # A bone's animation below the entry is read as it is after its own drivers.
         for bone in [thing for thing in entry.drives if isinstance(thing, str)]:
             for path, driver in self._of_bone_paths(owner, bone):
@@ -299,30 +301,30 @@ def _read_by(driver):
 
 def _components(graph):
     """Strongly connected components of the graph, what is depended on first (Tarjan, without recursion)."""
-    order, low, on_stack, stack, found = {}, {}, set(), [], []
+    places, low, on_stack, stack, found = {}, {}, set(), [], []
     for root in graph.roots():
-        if root in order:
+        if root in places:
             continue
         work = [(root, iter(graph.depends_on(root)))]
-        order[root] = low[root] = len(order)
+        places[root] = low[root] = len(places)
         stack.append(root)
         on_stack.add(root)
         while work:
             node, others = work[-1]
             for other in others:
-                if other not in order:
-                    order[other] = low[other] = len(order)
+                if other not in places:
+                    places[other] = low[other] = len(places)
                     stack.append(other)
                     on_stack.add(other)
                     work.append((other, iter(graph.depends_on(other))))
                     break
                 if other in on_stack:
-                    low[node] = min(low[node], order[other])
+                    low[node] = min(low[node], places[other])
             else:
                 work.pop()
                 if work:
                     low[work[-1][0]] = min(low[work[-1][0]], low[node])
-                if low[node] == order[node]:
+                if low[node] == places[node]:
                     component = [stack.pop()]
                     while component[-1] != node:
                         component.append(stack.pop())

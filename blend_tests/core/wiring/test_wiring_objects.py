@@ -4,7 +4,7 @@ import bpy
 import support
 import toy_sway_system
 import toy_system
-from core.wiring.object_cases import ObjectTestCase, build, build_rig, each_kind, expected, keyed, matrices, things
+from core.wiring.object_cases import ObjectTestCase, build, build_rig, each_kind, keyed, matrices, things
 from core.wiring.wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")

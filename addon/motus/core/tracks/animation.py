@@ -40,6 +40,16 @@ class Number(NamedTuple):
             return float(self.holder.bl_rna.properties[self.name].enum_items[value].value)
         return float(value if self.index < 0 else value[self.index])
 
+    def write(self, value):
+        """Set it."""
+        is_custom = self.name.startswith("[")
+        if self.index >= 0:
+            (self.holder[_key(self.name)] if is_custom else getattr(self.holder, self.name))[self.index] = value
+        elif is_custom:
+            self.holder[_key(self.name)] = value
+        else:
+            setattr(self.holder, self.name, value)
+
     def rounded(self, values):
         """What Blender makes of an F-curve's values when it writes them into the property."""
         if self.type == 'BOOLEAN':

@@ -55,6 +55,29 @@ def has_outlet(system, owner):
     return bool(system.outputs) and not copies.has_animated_settings(owner)
 
 
+def wait_for_keys(system, owner):
+    """Data path of a custom property of the owner that Blender evaluates after the owner's keys, and that nothing else precedes.
+
+    The settings themselves are one with all plain properties of the owner to Blender, which sinks may drive.
+    """
+    key = wait_key(system)
+    owner[key] = 0.0
+    drivers.copy_value(owner, f'["{key}"]')
+    return f'["{key}"]'
+
+
+def wait_key(system):
+    """Name of that property."""
+    return f"motus_{system.name}_wait"
+
+
+def way_to_wait(owner, groups):
+    """How a solver that drives properties waits for animated settings: "" where there is no need, "keys", or "settings"."""
+    if not any(group.properties for group in groups) or not copies.has_animated_settings(owner):
+        return ""
+    return "settings" if copies.has_driven_settings(owner) else "keys"
+
+
 def signature(system, owner, groups):
     """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
@@ -64,6 +87,10 @@ def signature(system, owner, groups):
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
     ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner)
+    properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
+                  for group in groups for one in group.properties]
+    if properties:
+        ways += way_to_wait(owner, groups), properties
     return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
 
 

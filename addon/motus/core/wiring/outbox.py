@@ -4,7 +4,7 @@
 
 Scales are there where a member of the group has the channel. It lies on a hub's mesh. The solver driver sits on the first slot, status: to
 Blender's dependency graph the array is one property, so whoever reads any slot of it waits for the solver. status is 0 or
-the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation); weight is the
+the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation, and so on); weight is the
 influence of the sinks, and 0 where they may not act. On the original the weight stays zero and the scales one for ever:
 without the add-on nothing acts.
 
@@ -28,7 +28,7 @@ import bpy
 
 from .. import stored
 from ..stored import Damaged, Newer
-from ..system import Problem, Variable, groups_of, of_owner
+from ..system import Variable, of_owner
 from . import drivers
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
@@ -41,7 +41,7 @@ SHARED_KEY = "motus_shared"
 """Custom property of the mesh of a hub that owners share (see rows): [1], or [0] where the members sample no attribute."""
 MEMBER_DATA_KEY = "motus_member_data"
 """Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
-INTERNAL, SILENT, DAMAGED, NEWER = -1, -2, -3, -4
+INTERNAL, SILENT, DAMAGED, NEWER, FULL = -1, -2, -3, -4, -5
 VERSION = 1
 """Of what lies in an outbox and beside it; to be raised where an add-on of today could not read it."""
 OTHER = "\n"
@@ -107,16 +107,6 @@ def _is_data(value):
 
 
 _INFO_FORM = ([str], [str], bool, bool, bool, _is_data, [str])
-
-_DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
-_NEWER_PROBLEM = Problem(
-    "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
-_INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
-_MIRRORED_PROBLEM = Problem(
-    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale", blocking=False)
-_SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
-_OWN_PROBLEMS = {
-    INTERNAL: _INTERNAL_PROBLEM, SILENT: _SILENT_PROBLEM, DAMAGED: _DAMAGED_PROBLEM, NEWER: _NEWER_PROBLEM}
 
 _Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # to look them up there costs more than the question
 
@@ -369,6 +359,8 @@ def layout_of(system, carrier, group, size):
 
 def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
+    if system.has_modifier:
+        return Layout(base, 0, False, False, False)
     if isinstance(carrier, _Mesh) and size == base:
         return Layout(base, len(carrier.vertices), False, False, True)
     return Layout(base, max(0, size - base) // POSE_SIZE, False, False, False)
@@ -479,34 +471,3 @@ def outputs_of(system, owner, entry, names, depsgraph):
         if values and weight != 0.0:
             return values
     return None
-
-
-def problem(system, owner, depsgraph):
-    """The Problem that the solvers of the owner reported, a blocking one first; or None."""
-    carried = carriers(system, owner)
-    if not carried:
-        is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
-        return _DAMAGED_PROBLEM if is_bereft else None
-    row = row_of(system, owner)
-    problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key, row) for key, carrier in carried)
-    found = sorted(filter(None, problems), key=lambda one: not one.blocking)
-    if found:
-        return found[0]
-    if system.groups is not None or not owner.matrix_basis.is_negative:
-        return None
-    return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
-
-
-def _problem_of(system, evaluated, key, row):
-    try:
-        if row is None:
-            owner_of(system, evaluated)
-        status = opened(system, evaluated, key, row).slots[STATUS]
-    except Newer:
-        return _NEWER_PROBLEM
-    except Damaged:
-        return _DAMAGED_PROBLEM
-    if status in _OWN_PROBLEMS:
-        return _OWN_PROBLEMS[status]
-    known = (None, *system.problems)
-    return known[int(status)] if 0.0 <= status < len(known) else _DAMAGED_PROBLEM

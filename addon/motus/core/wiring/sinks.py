@@ -4,7 +4,7 @@ import bpy
 
 from ..stored import Damaged
 from ..system import groups_of, of_owner
-from . import drivers, marks, outbox, proxy_sink
+from . import drivers, marks, outbox, property_sink, proxy_sink
 
 
 def on_object(system, obj):
@@ -159,12 +159,6 @@ def _strays(system, owner):
             if marks.is_bereft(system, constraint)]
 
 
-def set_muted(system, owner, muted):
-    """Switch the sinks off or on, leaving all else in place."""
-    for _, constraint in sinks(system, owner):
-        constraint.mute = muted
-
-
 def led_by(system, owner):
     """Objects whose leader the owner is."""
     if not any(_may_lead(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
@@ -180,7 +174,9 @@ def _may_lead(system, mesh):
         found = outbox.opened(system, mesh, outbox.key_on_hub(system, mesh))
     except Damaged:
         return True
-    return found.layout.members != 1 if found.info is None else outbox.OTHER in found.info.members
+    if found.info is None:
+        return found.layout.members != 1
+    return outbox.OTHER in found.info.members or property_sink.is_foreign(mesh)
 
 
 def _driven_objects(system, owner):
