@@ -363,8 +363,8 @@ def layout_of(system, carrier, group, size):
 def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
     if isinstance(carrier, _Mesh) and size == base:
-        return Layout(base, len(carrier.vertices), False, False, True)
-    return Layout(base, max(0, size - base) // POSE_SIZE, False, False, False)
+        return Layout(base, len(carrier.vertices), False, system.is_relative, True)
+    return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
 
 
 def has_room(mesh, count):
@@ -485,7 +485,7 @@ def problem(system, owner, depsgraph):
     found = sorted(filter(None, problems), key=lambda one: not one.blocking)
     if found:
         return found[0]
-    if system.groups is not None or not owner.matrix_basis.is_negative:
+    if system.groups is not None or system.is_relative or not owner.matrix_basis.is_negative:
         return None
     return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
 

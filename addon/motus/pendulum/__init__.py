@@ -1,0 +1,27 @@
+"""Pendulums: single, double, and fans of them, on pivots that may be moved."""
+
+from ..core.system import System
+from . import drag, operators, overlay, panel, parts, presets, properties, solve
+
+SYSTEM = System(
+    name="pendulum",
+    label="Pendulum",
+    settings=properties.MOTUS_PG_pendulum,
+    classes=(
+        # The group before the one that holds it.
+        properties.MOTUS_PG_pendulum_rod, properties.MOTUS_PG_pendulum,
+        *operators.classes, *drag.classes, *presets.classes, *panel.classes,
+    ),
+    inputs=solve.INPUTS,
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    outputs=solve.OUTPUTS,
+    channels=lambda settings: frozenset({"rotation"}),
+    members=parts.members,
+    member_data=parts.numbers,
+    is_relative=True,
+    same_bits=True,
+    overlay=overlay.overlay,
+    add_menu=("motus.pendulum_add",),
+    object_menu=("motus.pendulum_add", "motus.pendulum_play", "motus.pendulum_drag", "motus.pendulum_remove"),
+)
