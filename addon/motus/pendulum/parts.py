@@ -2,6 +2,9 @@
 
 from mathutils import Matrix
 
+from ..core import wiring
+from ..core.system import registered
+
 MADE_KEY = "motus_pendulum"
 """Custom property of a mesh that was made for rods: their length."""
 
@@ -41,7 +44,9 @@ def pivot_of(obj):
 
 def is_stray(obj):
     """Whether an object is a rod of no pendulum that lists it: the copy of a rod, or one whose pivot is gone."""
-    return _leader(obj) is not None and pivot_of(obj) is None
+    if pivot_of(obj) is not None or not obj.is_property_set("motus"):
+        return False
+    return _leader(obj) is not None or wiring.has_sinks(registered["pendulum"], obj)
 
 
 def _is_active(obj):

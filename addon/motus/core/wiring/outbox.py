@@ -362,7 +362,7 @@ def layout_of(system, carrier, group, size):
 
 def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
-    if isinstance(carrier, _Mesh) and size == base:
+    if isinstance(carrier, _Mesh) and size == base and len(carrier.vertices):
         return Layout(base, len(carrier.vertices), False, system.is_relative, True)
     return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
 

@@ -162,11 +162,16 @@ def set_muted(system, owner, muted):
 
 def led_by(system, owner):
     """Objects whose leader the owner is."""
-    if system.groups is not None or all(_has_one_member(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
+    if system.groups is not None or _drives_itself_alone(system, owner):
         return []
     # To ask an object for its settings gives it some.
     return [other for other in bpy.data.objects
             if other.is_property_set("motus") and of_owner(system, other).leader == owner]
+
+
+def _drives_itself_alone(system, owner):
+    is_alone = all(_has_one_member(system, mesh) for mesh in outbox.hub_meshes(system, owner))
+    return is_alone and has_sinks(system, owner)
 
 
 def _has_one_member(system, mesh):
