@@ -19,11 +19,14 @@ class Clock(NamedTuple):
     problem: Problem | None = None
 
 
-def read(owner, settings, frame, fps, is_still):
-    """The Clock at a frame. owner: may be evaluated. is_still: nothing animates the settings."""
+def steady(settings):
+    """(start frame, rate) where nothing animates the settings."""
+    return settings.start_frame, settings.speed if settings.is_playing else 0.0
+
+
+def read(owner, settings, frame, fps):
+    """The Clock at a frame. owner: may be evaluated."""
     start, frame = settings.start_frame, max(settings.start_frame, frame)
-    if is_still:
-        return _steady(settings, frame, fps)
     playing, speed = (Channel(owner, f"{settings.path_from_id()}.{name}", -1) for name in ("is_playing", "speed"))
     if playing.reason or speed.reason:
         return _steady(settings, frame, fps)._replace(problem=UNKNOWN)
@@ -34,8 +37,8 @@ def read(owner, settings, frame, fps, is_still):
 
 
 def _steady(settings, frame, fps):
-    rate = settings.speed if settings.is_playing else 0.0
-    return Clock((frame - settings.start_frame) / fps * rate, rate)
+    start, rate = steady(settings)
+    return Clock((frame - start) / fps * rate, rate)
 
 
 def _runs(playing, first, last):

@@ -97,7 +97,7 @@ def clock_at(context, pivot):
     """The Clock of a pendulum at the present frame."""
     render = context.scene.render
     return clock.read(
-        pivot, pivot.motus.pendulum, context.scene.frame_current_final, render.fps / render.fps_base, is_still=False)
+        pivot, pivot.motus.pendulum, context.scene.frame_current_final, render.fps / render.fps_base)
 
 
 def end_of(pivot, depsgraph, number, world):

@@ -21,7 +21,7 @@ def _batches(context, obj):
     if settings.use_pivot_motion or not hasattr(swing, "at"):
         return []
     fps = scene.render.fps / scene.render.fps_base
-    now = clock.read(evaluated, settings, scene.frame_current_final, fps, is_still=False).seconds
+    now = clock.read(evaluated, settings, scene.frame_current_final, fps).seconds
     try:
         angles = swing.way(np.linspace(max(0.0, now - SECONDS), now + SECONDS, STEPS))[:, :swing.each]
     except ValueError:

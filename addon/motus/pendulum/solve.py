@@ -52,7 +52,11 @@ def solve(context, pivot, influence):
     swing = context.kept("swing", gravity_of(settings, scene), lambda: swing_of(settings, scene))
     if isinstance(swing, Problem):
         return swing
-    now = clock.read(context.owner, settings, context.frame, context.fps, context.is_still)
+    if context.is_still:
+        start, rate = context.kept("clock", None, lambda: clock.steady(settings))
+        now = clock.Clock((context.frame - start) / context.fps * rate if context.frame > start else 0.0, rate)
+    else:
+        now = clock.read(context.owner, settings, context.frame, context.fps)
     problem, felt = now.problem, {}
     if pivot is not None:
         moved, problem = pivot_motion.accelerations(context, now.rate)
@@ -68,7 +72,11 @@ def solve(context, pivot, influence):
     context.outputs[:] = (first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds)
     if len(context.member_data) == 0:
         return NO_RODS
-    context.rotations[:, 0::2] = [_turn(rows, number, swing, influence) for number in context.member_data.tolist()]
+    turns = [_turn(rows, number, swing, influence) for number in context.member_data.tolist()]
+    if len(turns) == 1:  # NumPy takes longer for a list of lists
+        context.rotations[0, 0], context.rotations[0, 2] = turns[0]
+    else:
+        context.rotations[:, 0::2] = turns
     return problem
 
 
