@@ -12,7 +12,7 @@ FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, pins, a pulled lattice; and users' drivers that read Motus."""
+    """A follower, a train, an arm, a figure that looks, pins, a pulled lattice, pendulums; and users' drivers that read Motus."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
     for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
         target.location = place
@@ -20,6 +20,7 @@ def build():
     _paths()
     _rigs()
     _meshes()
+    _pendulums()
     bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
     bpy.context.view_layer.update()
 
@@ -78,6 +79,15 @@ def _link(name, data=None, place=(0.0, 0.0, 0.0)):
     obj.location = place
     bpy.context.scene.collection.objects.link(obj)
     return obj
+
+
+def _pendulums():
+    hook = _link("Hook", place=(0.0, -5.0, 3.0))
+    bpy.ops.motus.pendulum_add(object=hook.name, kind='DOUBLE')
+    hook.motus.pendulum.speed = 0.5
+    hook.keyframe_insert("motus.pendulum.speed", frame=1)
+    bpy.ops.motus.pendulum_add(kind='FAN', count=3, location=(0.0, -8.0, 3.0))
+    bpy.context.object.select_set(False)
 
 
 def _drive(obj, path, expression, source, source_path, index=-1):

@@ -236,7 +236,8 @@ class System(Feature):
     bone of it that the owner drives or reads. shared: names of the settings that solve() reads beside its inputs; if it
     reads nothing else, owners with the same inputs are solved by one solver as long as their settings are still.
     is_relative: of the members, where no groups are declared: see Member; solve() applies the influence then. same_bits: the
-    members have the same matrices in every Blender, to the last bit, by sinks that all Blenders have.
+    members have the same matrices in every Blender, to the last bit, by sinks that all Blenders have. owner_of: called with an
+    object that may belong to an owner without being driven; gives that owner or None.
     """
 
     solve: Callable
@@ -257,6 +258,7 @@ class System(Feature):
     over_time: Optional[Callable] = None
     unbakeable: str = ""
     shared: tuple = ()
+    owner_of: Optional[Callable] = None
 
 
 @dataclass

@@ -21,6 +21,7 @@ SYSTEM = System(
     member_data=parts.numbers,
     is_relative=True,
     same_bits=True,
+    owner_of=parts.pivot_of,
     overlay=overlay.overlay,
     add_menu=("motus.pendulum_add",),
     object_menu=("motus.pendulum_add", "motus.pendulum_play", "motus.pendulum_drag", "motus.pendulum_remove"),

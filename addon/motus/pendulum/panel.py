@@ -3,8 +3,12 @@
 import math
 
 from ..core import native, panels, tracks, ui, wiring
+from ..core.system import Problem
 from . import parts, pivot_motion, presets, rows, solve
 from .build import system
+
+
+STRAY = Problem("A copy of a rod, or one without its pivot: it hangs on another pendulum", blocking=False)
 
 
 def _pivot(context):
@@ -15,7 +19,7 @@ def draw_main(layout, context):
     """What is wrong, and the pendulum; on a rod or bob whose it is."""
     pivot = _pivot(context)
     if pivot is None:
-        ui.draw_message(layout, "A copy of a rod, or one without its pivot: it hangs on another pendulum", 'INFO')
+        ui.draw_message(layout, STRAY.sentence, 'INFO')
         layout.operator("motus.pendulum_remove", text="Remove", icon='X').object = context.object.name
         return
     if pivot != context.object:
