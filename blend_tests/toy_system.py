@@ -13,6 +13,7 @@ from mathutils import Euler, Quaternion, Vector
 core = support.addon("core.system")
 settings = support.addon("core.settings")
 deleted = support.addon("core.deleted")
+INSTALLED = support.addon("systems").SYSTEMS
 TILT = Euler((0.3, -0.2, 0.1)).to_quaternion()
 STEP = 0.25
 
@@ -89,18 +90,18 @@ SYSTEM = core.System(
 
 def register():
     """Register the add-on once more, with this system in its list."""
-    _register_with((SYSTEM,))
+    register_with(SYSTEM)
 
 
 def unregister():
     """Leave the add-on as it was installed."""
-    _register_with(())
+    register_with()
 
 
-def _register_with(more):
-    systems = support.addon("systems")
+def register_with(*more):
+    """The same with these systems, of whatever toy."""
     support.addon().unregister()
-    systems.SYSTEMS = (*(one for one in systems.SYSTEMS if one is not SYSTEM), *more)
+    support.addon("systems").SYSTEMS = (*INSTALLED, *more)
     support.addon().register()
 
 

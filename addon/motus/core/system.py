@@ -206,6 +206,24 @@ class Entry:
 
 
 @dataclass(frozen=True)
+class Points:
+    """What a system makes on its owner: points with a position and `attributes`, which are pairs of name and kind.
+
+    kind: 'FLOAT', 'INT', 'VECTOR', 'COLOR', or 'QUATERNION' (w, x, y, z), which before Blender 4.0 arrives as Euler angles.
+    Names that Blender knows: the FLOAT "radius" of points and curves; the VECTOR "velocity", in metres a second, of which
+    motion blur is made; the INT "id", by which instances on the points are the same from one frame to the next.
+    shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; or 'TUBES' around such.
+    space: 'WORLD', in which the points stay where they are while the owner moves, or 'LOCAL', the owner's.
+    capacity: more points than that there never are.
+    """
+
+    attributes: tuple = ()
+    shape: str = 'POINTS'
+    space: str = 'WORLD'
+    capacity: int = 1 << 22
+
+
+@dataclass(frozen=True)
 class Feature:
     """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/systems.md.
 
@@ -229,8 +247,8 @@ class Feature:
 class System(Feature):
     """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
 
-    moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. unbakeable: a sentence
-    that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
+    moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. makes_points: the solver
+    makes these, by a modifier too. unbakeable: a sentence that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
     (Context.wants_to_settle), with the owner. over_time: called with the owner, a driven object and the scene; gives what
     core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner, a rig, and the old and the new name of a
     bone of it that the owner drives or reads. shared: names of the settings that solve() reads beside its inputs; if it
@@ -254,11 +272,22 @@ class System(Feature):
     entries: Optional[Callable] = None
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
+    makes_points: Optional[Points] = None
     settle: Optional[Callable] = None
     over_time: Optional[Callable] = None
     unbakeable: str = ""
     shared: tuple = ()
     owner_of: Optional[Callable] = None
+
+    @property
+    def has_modifier(self):
+        """Whether its sink is a modifier of the owner, and it drives no members."""
+        return self.moves_points or self.makes_points is not None
+
+    @property
+    def reads_mesh(self):
+        """Whether its solver waits for the mesh that the owner has."""
+        return any(isinstance(declared, Vertices) for declared in self.inputs)
 
 
 @dataclass
@@ -266,6 +295,8 @@ class Context:
     """What solve() reads beyond its declared inputs, and what it fills; see docs/systems.md.
 
     common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
+    points(count): arrays for so many points by the names of their attributes, of a system that makes points. All of them are
+    to be filled; they are shorter where there is no room for so many, and Blender's own memory, valid until solve() returns.
     """
 
     settings: Any
@@ -280,6 +311,7 @@ class Context:
     group: str = ""
     data: Any = field(default_factory=dict)
     offsets: Any = None
+    points: Any = None
     wants_to_settle: bool = False
     memo: Any = None
     targets: Any = None
@@ -366,6 +398,8 @@ def groups_of(system, owner) -> tuple:
     """The groups of members that the system drives for an owner: one, where the system declares none."""
     if system.groups is not None:
         return tuple(system.groups(owner))
+    if system.has_modifier:
+        return (Group(outputs=system.outputs),)
     channels = system.channels(of_owner(system, owner))
     members = tuple(Member(thing, channels, system.space, system.is_relative) for thing in system.members(owner))
     return (Group(members=members, outputs=system.outputs),)

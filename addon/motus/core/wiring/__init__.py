@@ -6,6 +6,7 @@ detached here. See docs/wiring.md for the way of the data and docs/gotchas.md fo
 
 from .attaching import attach, detach, is_attached, refresh, touch
 from .geometry_sink import place as points_place
+from .geometry_sink import set_material as set_points_material
 from .outbox import output, output_path, outputs_of, problem
 from .readers import absent_path, targets_on
 from .sinks import has_sinks, on_object, release, set_muted, sinks
@@ -13,5 +14,5 @@ from .solver import register, unregister
 
 __all__ = (
     "absent_path", "attach", "detach", "has_sinks", "is_attached", "on_object", "output", "output_path", "outputs_of", "points_place",
-    "problem", "refresh", "register", "release", "set_muted", "sinks", "targets_on", "touch", "unregister",
+    "problem", "refresh", "register", "release", "set_muted", "set_points_material", "sinks", "targets_on", "touch", "unregister",
 )

@@ -42,13 +42,13 @@ def _wire(system, owner, group):
     uses_attribute = carriers.uses_attribute(system)
     if uses_attribute:
         attribute_sink.prepare(hub.data, owner, group)
-    elif system.moves_points:
-        geometry_sink.prepare(hub.data)
+    elif system.has_modifier:
+        geometry_sink.prepare(system, hub.data)
     outbox.create(system, hub.data, group, uses_attribute)
     if carriers.has_outlet(system, owner):
         outbox.create_outlet(system, owner, hub.data)
     solver_driver.add(system, owner, group, hub)
-    if system.moves_points:
+    if system.has_modifier:
         geometry_sink.add(system, owner, hub)
         return
     driven = drivers.driven_bones(owner)
@@ -102,7 +102,7 @@ def detach(system, owner):
     followers = readers.of(system, owner)
     _detach(system, owner)
     readers.point(system, owner, followers)
-    if system.moves_points:
+    if system.has_modifier:
         geometry_sink.remove(system, owner)
     override_drivers.align(owner)
     refresh_others(system, owner)

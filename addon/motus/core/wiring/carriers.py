@@ -14,7 +14,7 @@ VERSION = 2
 
 def uses_attribute(system):
     """Whether the members sample an attribute of the hub, and no drivers bring them the result."""
-    return capabilities.has_geometry_attribute_constraint() and not (system.moves_points or system.same_bits)
+    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
 
 def has_strange_carriers(system, owner):

@@ -4,7 +4,7 @@
 
 Scales are there where a member of the group has the channel. It lies on a hub's mesh. The solver driver sits on the first slot, status: to
 Blender's dependency graph the array is one property, so whoever reads any slot of it waits for the solver. status is 0 or
-the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation); weight is the
+the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation, and so on); weight is the
 influence of the sinks, and 0 where they may not act. On the original the weight stays zero and the scales one for ever:
 without the add-on nothing acts.
 
@@ -41,7 +41,7 @@ SHARED_KEY = "motus_shared"
 """Custom property of the mesh of a hub that owners share (see rows): [1], or [0] where the members sample no attribute."""
 MEMBER_DATA_KEY = "motus_member_data"
 """Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
-INTERNAL, SILENT, DAMAGED, NEWER = -1, -2, -3, -4
+INTERNAL, SILENT, DAMAGED, NEWER, FULL = -1, -2, -3, -4, -5
 VERSION = 1
 """Of what lies in an outbox and beside it; to be raised where an add-on of today could not read it."""
 LARGEST_CACHE = 256  # groups whose Info is known at a time
@@ -113,8 +113,10 @@ _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system consol
 _MIRRORED_PROBLEM = Problem(
     "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale", blocking=False)
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
+_FULL_PROBLEM = Problem("More points than there is room for: only the first ones are there", blocking=False)
 _OWN_PROBLEMS = {
-    INTERNAL: _INTERNAL_PROBLEM, SILENT: _SILENT_PROBLEM, DAMAGED: _DAMAGED_PROBLEM, NEWER: _NEWER_PROBLEM}
+    INTERNAL: _INTERNAL_PROBLEM, SILENT: _SILENT_PROBLEM, DAMAGED: _DAMAGED_PROBLEM, NEWER: _NEWER_PROBLEM,
+    FULL: _FULL_PROBLEM}
 
 _Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # to look them up there costs more than the question
 
@@ -362,6 +364,8 @@ def layout_of(system, carrier, group, size):
 
 def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
+    if system.has_modifier:
+        return Layout(base, 0, False, False, False)
     if isinstance(carrier, _Mesh) and size == base and len(carrier.vertices):
         return Layout(base, len(carrier.vertices), False, system.is_relative, True)
     return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
@@ -485,7 +489,7 @@ def problem(system, owner, depsgraph):
     found = sorted(filter(None, problems), key=lambda one: not one.blocking)
     if found:
         return found[0]
-    if system.groups is not None or system.is_relative or not owner.matrix_basis.is_negative:
+    if system.groups is not None or system.has_modifier or system.is_relative or not owner.matrix_basis.is_negative:
         return None
     return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
 

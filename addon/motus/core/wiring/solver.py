@@ -10,7 +10,7 @@ from .. import copies, handlers, native, stored
 from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
 from ..stored import Damaged, Newer
-from ..system import Context, Setting, Vertices, groups_of, of_owner, registered
+from ..system import Context, Setting, groups_of, of_owner, registered
 from . import attribute_sink, geometry_sink, healing, outbox, revival, rows
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
@@ -35,9 +35,9 @@ def motus_solve(self, name, frame, depsgraph, *values):
         _solve(system, key, self, owner, box, frame, depsgraph, values)
         if outbox.has_outlet(system, owner):
             outbox.let_out(system, owner, self)
-        if system.moves_points:
+        if system.reads_mesh:
             healing.watch(system, owner)
-        else:
+        if not system.moves_points:
             healing.check(system, owner)
     except Exception as error:
         return _fail(self, name, error)
@@ -127,8 +127,8 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
     box = np.frombuffer(found.slots)
     if native.module is None:
         _do_nothing(box, layout)
-        if system.moves_points:
-            geometry_sink.write_nothing(carrier)
+        if system.has_modifier:
+            geometry_sink.write_nothing(system, carrier)
         return
     count = layout.members
     settings = of_owner(system, owner)
@@ -140,7 +140,7 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
         member_data=_member_data(system, carrier, owner, count), group=key, data={} if info is None else info.data,
         memo=_memo(system, owner, key))
     inputs = _inputs(system, context, values)
-    offsets = _room(system, carrier, inputs, context) if system.moves_points else None
+    room = geometry_sink.room(system, carrier, inputs, context) if system.has_modifier else None
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
     is_blocked = problem is not None and problem.blocking
@@ -149,10 +149,10 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
     box[outbox.WEIGHT] = weight
     if is_blocked:
         poses.reset()
-    if offsets is not None:
-        if weight != 1.0:
-            offsets *= np.float32(weight)
-        geometry_sink.write(carrier, offsets)
+    if room is not None:
+        room.write(weight)
+        if room.is_full and problem is None:
+            box[outbox.STATUS] = outbox.FULL
         if context.wants_to_settle:
             healing.ask_to_settle(system, owner)
     elif layout.has_attribute:
@@ -182,15 +182,6 @@ def _inputs(system, context, values):
         if declared.name not in found:
             found[declared.name] = declared.read(value, settings)
     return found
-
-
-def _room(system, carrier, inputs, context):
-    """Zero vectors for the points of the evaluated mesh that the system moves, in the context too; all of the hub's."""
-    mesh = next((inputs[declared.name] for declared in system.inputs if isinstance(declared, Vertices)), None)
-    count = len(mesh.vertices) if mesh else 0
-    offsets = geometry_sink.room(carrier, count)
-    context.offsets = offsets[:count]
-    return offsets
 
 
 class _Poses:
@@ -286,8 +277,8 @@ def _rest_slots(system, key, carrier):
 
 
 def _rest_attribute(system, key, carrier):
-    if system.moves_points:
-        geometry_sink.write_nothing(carrier)
+    if system.has_modifier:
+        geometry_sink.write_nothing(system, carrier)
     elif isinstance(carrier, bpy.types.Mesh):
         attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 
