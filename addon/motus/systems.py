@@ -9,5 +9,6 @@ SYSTEMS = (
     pull.SYSTEM,
     lattice.SYSTEM,
     pendulum.SYSTEM,
+    pendulum.TRAILS,
     drivers.FEATURE,
 )

@@ -1,7 +1,7 @@
 """Pendulums: single, double, and fans of them, on pivots that may be moved."""
 
 from ..core.system import System
-from . import drag, operators, overlay, panel, parts, presets, properties, solve
+from . import drag, operators, overlay, panel, parts, presets, properties, solve, trail
 
 SYSTEM = System(
     name="pendulum",
@@ -25,4 +25,16 @@ SYSTEM = System(
     overlay=overlay.overlay,
     add_menu=("motus.pendulum_add",),
     object_menu=("motus.pendulum_add", "motus.pendulum_play", "motus.pendulum_drag", "motus.pendulum_remove"),
+)
+
+TRAILS = System(
+    name="pendulum_trail",
+    label="Pendulum Trails",
+    settings=properties.MOTUS_PG_pendulum_trail,
+    classes=(properties.MOTUS_PG_pendulum_trail,),
+    inputs=trail.INPUTS,
+    solve=trail.make,
+    problems=trail.PROBLEMS,
+    makes_points=trail.POINTS,
+    unbakeable=trail.UNBAKEABLE,
 )

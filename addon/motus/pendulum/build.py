@@ -9,7 +9,7 @@ from mathutils import Matrix
 
 from ..core import actions, libraries, wiring
 from ..core.system import forget, registered
-from . import parts
+from . import parts, trail
 
 PREFIX = "motus.pendulum."
 SIDES, RINGS, SEGMENTS = 16, 16, 32
@@ -177,6 +177,7 @@ def clear(owner, keeps_objects):
     settings = owner.motus.pendulum
     entries = [(entry.object, entry.bob, entry.is_placed, parts.matrix(entry.before)) for entry in parts.own_rods(owner)]
     made_pivot = settings.has_made_pivot
+    trail.remove(owner)
     wiring.detach(system(), owner)
     actions.remove(owner, (PREFIX,))
     for rod, bob, is_placed, before in entries:

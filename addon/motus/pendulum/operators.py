@@ -5,13 +5,13 @@ import math
 import bpy
 from mathutils import Vector
 
-from ..core import actions, wiring
+from ..core import actions, libraries, wiring
 from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.rows import Row, Rows, is_one_of
 from ..core.translations import tr
-from . import build, parts, rows, targets
-from .properties import KEYWORDS, PendulumKeywords
+from . import build, parts, rows, targets, trail
+from .properties import KEYWORDS, TRAIL_KEYWORDS, PendulumKeywords, TrailKeywords
 
 ADDED = (
     ('SINGLE', "Single", "One rod with a bob"),
@@ -61,6 +61,8 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
     hue: bpy.props.FloatProperty(
         name="Hue", description="Of the first pendulum; a fan goes once around", default=build.Look().hue, min=0.0, max=1.0,
         subtype='FACTOR')
+    use_trails: bpy.props.BoolProperty(
+        name="Trails", description="Show the ways that the end bobs have come; the demonstration always does", default=False)
     object: object_keyword("Name of the object that is the pivot; empty goes by what is chosen as the pivot")
     bobs: bpy.props.StringProperty(
         name="Bobs", description="Names, with commas between, of one or two objects that are the bobs, from the pivot on",
@@ -75,11 +77,13 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
         Rows(("kind", "take", Row("count", when=is_one_of("kind", 'FAN', 'CHAOS'))), title="Add"),
         *rows.ALL,
         Rows((Row("rod_radius"), Row("bob_radius", when=_has_look), Row("spacing", when=is_one_of("kind", 'FAN', 'CHAOS')),
-              "hue"), title="Look"),
+              "hue", Row("use_trails", when=is_one_of("kind", 'SINGLE', 'DOUBLE', 'FAN'))), title="Look"),
     )
 
     def run(self, context):
         pivots = self._add(context)
+        for pivot in pivots if self.use_trails or self.kind == 'CHAOS' else ():
+            trail.add(libraries.collection_for(context, pivot), pivot, {})
         for obj in context.selected_objects:
             obj.select_set(False)
         context.view_layer.objects.active = pivots[0]
@@ -234,6 +238,53 @@ class MOTUS_OT_pendulum_play(Operator, bpy.types.Operator):
         context.view_layer.update()
 
 
+class MOTUS_OT_pendulum_trail_add(Operator, TrailKeywords, bpy.types.Operator):
+    bl_idname = "motus.pendulum_trail_add"
+    bl_label = "Add Trails"
+    bl_description = "Show the ways that the end bobs of a pendulum have come, as tubes in the bobs' colours"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (rows.TRAIL,)
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.pivot_for(context, "")
+
+    def run(self, context):
+        pivot = targets.pivot_for(context, self.object)
+        check_finite(self, TRAIL_KEYWORDS)
+        if not self.seconds > 0.0:
+            raise Refused(tr("{keyword} must be greater than 0").format(keyword="seconds"))
+        trail.add(libraries.collection_for(context, pivot), pivot, self.given(TRAIL_KEYWORDS))
+
+
+class MOTUS_OT_pendulum_trail_remove(Operator, bpy.types.Operator):
+    bl_idname = "motus.pendulum_trail_remove"
+    bl_label = "Remove Trails"
+    bl_description = "Take the trails of a pendulum away"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+
+    modes = OBJECT_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        _check_trail(targets.pivot_for(context, ""))
+
+    def run(self, context):
+        pivot = targets.pivot_for(context, self.object)
+        _check_trail(pivot)
+        trail.remove(pivot)
+
+
+def _check_trail(pivot):
+    if pivot.motus.pendulum.trail is None:
+        raise Refused(tr("{object} has no trails").format(object=pivot.name))
+
+
 class MOTUS_OT_pendulum_refresh(Operator, bpy.types.Operator):
     bl_idname = "motus.pendulum_refresh"
     bl_label = "Refresh"
@@ -270,5 +321,5 @@ class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):
         context.view_layer.objects.active = pivot
 
 
-classes = (MOTUS_OT_pendulum_add, MOTUS_OT_pendulum_remove, MOTUS_OT_pendulum_play, MOTUS_OT_pendulum_refresh,
-           MOTUS_OT_pendulum_select_pivot)
+classes = (MOTUS_OT_pendulum_add, MOTUS_OT_pendulum_remove, MOTUS_OT_pendulum_play, MOTUS_OT_pendulum_trail_add,
+           MOTUS_OT_pendulum_trail_remove, MOTUS_OT_pendulum_refresh, MOTUS_OT_pendulum_select_pivot)

@@ -4,7 +4,7 @@ import math
 
 from ..core import native, panels, tracks, ui, wiring
 from ..core.system import Problem
-from . import parts, pivot_motion, presets, rows, solve
+from . import parts, pivot_motion, presets, rows, solve, trail
 from .build import system
 
 
@@ -42,6 +42,18 @@ def draw_forces(layout, context):
 def draw_time(layout, context):
     """When and how fast it swings."""
     rows.TIME.draw(ui.split(layout), _pivot(context).motus.pendulum)
+
+
+def draw_trail(layout, context):
+    """The ways of the end bobs."""
+    pivot = _pivot(context)
+    obj = pivot.motus.pendulum.trail
+    if obj is None:
+        layout.operator("motus.pendulum_trail_add", icon='ADD').object = pivot.name
+        return
+    ui.draw_problem(layout, context, trail.system(), obj)
+    rows.TRAIL.draw(ui.split(layout), obj.motus.pendulum_trail)
+    layout.operator("motus.pendulum_trail_remove", icon='X').object = pivot.name
 
 
 def draw_readouts(layout, context):
@@ -107,6 +119,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("forces", "Forces", draw_forces, is_open=True),
         panels.Part("time", "Time", draw_time, is_open=True),
+        panels.Part("trail", "Trails", draw_trail),
     ),
     readouts=draw_readouts, actions=draw_actions, refresh="motus.pendulum_refresh", presets=presets.PANEL,
     draw_add=draw_add)

@@ -32,13 +32,14 @@ def own_rods(owner):
 
 def pivot_of(obj):
     """The pivot of the pendulum that an object is part of, whether that is active or not; None without."""
-    if _is_active(obj):
+    if has_pendulum(obj):
         return obj
+    of_trail = obj.motus.pendulum_trail.pivot if obj.is_property_set("motus") else None
     rod = obj if _leader(obj) else obj.parent
-    leader = _leader(rod) if rod else None
-    if leader is None or not _is_active(leader):
+    leader = of_trail or (_leader(rod) if rod else None)
+    if leader is None or not has_pendulum(leader):
         return None
-    listed = any(obj in (entry.object, entry.bob) for entry in leader.motus.pendulum.rods)
+    listed = obj == leader.motus.pendulum.trail or any(obj in (entry.object, entry.bob) for entry in leader.motus.pendulum.rods)
     return leader if listed else None
 
 
@@ -49,7 +50,8 @@ def is_stray(obj):
     return _leader(obj) is not None or wiring.has_sinks(registered["pendulum"], obj)
 
 
-def _is_active(obj):
+def has_pendulum(obj):
+    """Whether an object is the pivot of a pendulum."""
     # To ask an object for its settings gives it some.
     return obj.is_property_set("motus") and obj.motus.pendulum.is_active
 

@@ -15,21 +15,25 @@ def track(owner, scene):
     return tracks.world_track(owner, scene)
 
 
-def accelerations(context, rate):
-    """((step in the pendulum's seconds, (k, 2) accelerations), None), or (None, Problem); (None, None) of one that rests."""
+def felt(owner, scene, rate):
+    """(keywords of the native pendulums, Problem or None): none of a pivot that rests, or whose motion is not known.
+
+    owner: evaluated. rate: of the pendulum's time; None where it is not always the same.
+    """
     if rate is None or not rate > 0.0:
-        return None, NOT_STEADY
-    scene = context.depsgraph.scene
-    moved = track(context.owner, scene)
+        return {}, NOT_STEADY
+    moved = track(owner, scene)
     if not moved.is_known:
-        return None, UNKNOWN
+        return {}, UNKNOWN
     if moved.is_constant:
-        return None, None
-    start = context.settings.start_frame
+        return {}, None
+    start = owner.motus.pendulum.start_frame
     count = min(max(int(scene.frame_end - start) + 1, 2), MOST)
-    step = rate / context.fps
+    step = rate * scene.render.fps_base / scene.render.fps
     found = tracks.kept(moved, ("pendulum", start, count, step), lambda: _sampled(moved, start, count, step))
-    return (None, UNKNOWN) if found is None else ((step, found), None)
+    if found is None:
+        return {}, UNKNOWN
+    return {"pivot_step": step, "pivot_accelerations": found}, None
 
 
 def _sampled(moved, start, count, step):

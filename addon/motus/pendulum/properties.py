@@ -117,6 +117,31 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
         name="Count", description="How many pendulums swing about the pivot", default=1, min=1, options=set(),
         override=OVERRIDABLE)
     rods: bpy.props.CollectionProperty(type=MOTUS_PG_pendulum_rod, name="Rods", override=EXTENDABLE)
+    trail: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE)
     has_made_pivot: bpy.props.BoolProperty(
         name="Made", description="Motus has made the pivot, and removes it with the pendulum", options=set(),
         override=OVERRIDABLE)
+
+
+class TrailKeywords:
+    """What both the settings of a trail and the operator have."""
+
+    seconds: _number(
+        "Length", "How far back the trail goes, in seconds of the pendulum's time", 2.0, ANIMATED, soft_min=0.1,
+        soft_max=20.0)
+    fade: _number(
+        "Fade", "How much the trail vanishes towards its end", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
+    thickness: _number(
+        "Thickness", "Radius of the trail, before the pivot's scale", 0.02, ANIMATED, min=0.0, soft_max=0.2,
+        subtype='DISTANCE')
+
+
+TRAIL_KEYWORDS = tuple(TrailKeywords.__annotations__)
+
+
+class MOTUS_PG_pendulum_trail(SystemSettings, TrailKeywords, bpy.types.PropertyGroup):
+    pivot: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Pivot", description="Whose pendulum it shows", update=rewire, override=OVERRIDABLE)
+    influence: _number(
+        "Influence", "Whether the trail is there: it is not at 0", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

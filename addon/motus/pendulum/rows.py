@@ -26,4 +26,5 @@ FORCES = Rows((
     Row("most_velocity", when=lambda settings: _has_two(settings) and settings.use_limits),
     Row("most_acceleration", when=lambda settings: _has_two(settings) and settings.use_limits)), title="Forces")
 TIME = Rows(("start_frame", "speed", "is_playing", "influence"), title="Time")
+TRAIL = Rows(("seconds", "fade", "thickness"), title="Trails")
 ALL = (SWING, FORCES, TIME)

@@ -26,7 +26,6 @@ NUMBERS = (
     "damping", "most_velocity", "most_acceleration", "start_frame", "speed", "influence")
 INPUTS = (OwnMatrix("pivot", when="use_pivot_motion"), Setting("influence"))
 
-STATE = "theta1", "theta2", "omega1", "omega2"
 OUTPUTS = ("angle1", "angle2", "velocity1", "velocity2", "seconds")
 
 
@@ -34,7 +33,7 @@ class Swing(NamedTuple):
     """A pendulum, or the fan, that can be asked for its states.
 
     at(seconds, **pivot): rows of [angle1, velocity1] or [angle1, angle2, velocity1, velocity2], one a pendulum.
-    way(times): array of such rows of the first one, one a time.
+    way(times, number=0, **pivot): array of such rows of one pendulum, one a time.
     """
 
     each: int
@@ -59,9 +58,7 @@ def solve(context, pivot, influence):
         now = clock.read(context.owner, settings, context.frame, context.fps)
     problem, felt = now.problem, {}
     if pivot is not None:
-        moved, problem = pivot_motion.accelerations(context, now.rate)
-        if moved:
-            felt = {"pivot_step": moved[0], "pivot_accelerations": moved[1]}
+        felt, problem = pivot_motion.felt(context.owner, scene, now.rate)
     if not abs(now.seconds) < INFINITE:
         return NOT_FINITE
     try:
@@ -109,7 +106,7 @@ def swing_of(settings, scene):
         way = functools.partial(
             native.module.single_pendulum, theta=settings.angle1, omega=settings.velocity1, length=settings.length1,
             gravity=gravity, damping=damping)
-        return Swing(1, lambda seconds, **felt: [way(seconds, **felt).tolist()], way)
+        return Swing(1, lambda seconds, **felt: [way(seconds, **felt).tolist()], lambda times, number=0, **felt: way(times, **felt))
     if not (settings.mass1 > 0.0 and settings.mass2 > 0.0):
         return NO_MASS
     constants = {
@@ -122,7 +119,10 @@ def swing_of(settings, scene):
             constants[name] = getattr(settings, name)
     starts = [(settings.angle1, settings.angle2 + index * settings.angle_step, settings.velocity1, settings.velocity2)
               for index in range(settings.count)]
-    way = functools.partial(native.module.double_pendulum, **dict(zip(STATE, starts[0])), **constants)
+
+    def way(times, number=0, **felt):
+        return native.module.double_pendulum(times, *starts[number], **constants, **felt)
+
     return Swing(2, functools.partial(_fan, starts=starts, constants=constants), way, settings.count)
 
 
