@@ -15,7 +15,9 @@ SECONDS = 20
 COUNT = 24
 LENGTHS = (1.05, 0.95)
 ROD_RADIUS, BOB_RADIUS, SPACING = 0.017, 0.1, 0.012
-PLACES = (-4.1, 0.0, 4.1)  # of the pivots, on X: one alone, the fan, one with other angles
+TRAIL, FAN_TRAIL, TRAIL_RADIUS = 3.0, 0.7, 0.016  # s, s, m
+FAN_SCALE = 1.4
+PLACES = (-4.7, 0.0, 4.7)  # of the pivots, on X: one alone, the fan, one with other angles
 WALL_Y, FLOOR_Z, BEND = 0.75, -3.3, 1.0
 AIM = Vector((0.0, 0.0, -0.1))
 # Name, place, watts, colour, size of the square.
@@ -24,7 +26,7 @@ LAMPS = (
     ("Fill Lamp", (9.0, -8.0, 1.0), 500.0, (0.62, 0.78, 1.0), 5.0),
     ("Top Lamp", (2.0, -2.5, 6.0), 420.0, (1.0, 0.80, 0.60), 3.0),
 )
-CAMERA_PLACE, CAMERA_LENS = Vector((0.7, -14.2, 0.5)), 41.0
+CAMERA_PLACE, CAMERA_LENS = Vector((0.7, -14.4, 0.4)), 40.0
 
 
 def build(context):
@@ -95,7 +97,7 @@ def _wall_mesh():
     sections = np.stack(np.broadcast_arrays(x[:, None], y[None, :], z[None, :]), axis=-1)
     builder = shapes.MeshBuilder()
     builder.add(shapes.loft(sections, closed=False))
-    plaster = materials.principled("Hall Plaster", color=(0.33, 0.36, 0.40), roughness=0.9, specular=0.15)
+    plaster = materials.principled("Hall Plaster", color=(0.10, 0.12, 0.16), roughness=0.85, specular=0.15)
     return builder.build("Wall", [plaster])
 
 
@@ -126,6 +128,9 @@ def _add_pendulums(context, collection):
     fan, alone, other = sorted(context.selected_objects, key=lambda pivot: pivot.location.x)
     for pivot, place in zip((alone, fan, other), PLACES):
         pivot.location.x = place
+        bpy.ops.motus.pendulum_trail_add(
+            object=pivot.name, seconds=TRAIL if pivot != fan else FAN_TRAIL, thickness=TRAIL_RADIUS)
+    fan.scale = FAN_SCALE, FAN_SCALE, FAN_SCALE
     return alone, fan, other
 
 
