@@ -78,7 +78,7 @@ SPARKS = core.System(
     problems=(NO_RATE,),
     makes_points=core.Points(
         attributes=(("velocity", 'VECTOR'), ("age", 'FLOAT'), ("radius", 'FLOAT'), ("color", 'COLOR'), ("turn", 'QUATERNION'),
-                    ("id", 'INT')), capacity=200_000),
+                    ("id", 'INT')), capacity=1 << 20),
     unbakeable="Sparks have nothing to bake",
 )
 TRAILS = dataclasses.replace(

@@ -37,22 +37,32 @@ def memory(mesh, name, data_type, domain='POINT'):
 
     Raises Damaged as write() does.
     """
-    data = _data(mesh, name, data_type, domain)
     _, numbers, shape = _FORMS[data_type]
+    found = items(_data(mesh, name, data_type, domain), numbers, shape)
+    if not found.flags.c_contiguous:
+        raise Damaged("items that lie otherwise in memory")
+    return found
+
+
+def items(data, numbers, shape):
+    """The memory of what each item of a collection of Blender's begins with: numbers of a type, in a shape."""
     count = len(data)
     if count == 0:
         return np.empty((0, *shape), numbers)
     start, size = data[0].as_pointer(), 4 * math.prod(shape)
-    if data[count - 1].as_pointer() != start + (count - 1) * size:
-        raise Damaged("items that lie otherwise in memory")
-    return np.asarray(_Memory(start, (count, *shape), numbers))
+    step = data[1].as_pointer() - start if count > 1 else size
+    if step < size or data[count - 1].as_pointer() != start + (count - 1) * step:
+        raise Damaged("items that do not lie one behind the other")
+    return np.asarray(_Memory(start, (count, *shape), step, numbers))
 
 
 class _Memory:
     """What numpy makes an array of without a copy."""
 
-    def __init__(self, start, shape, numbers):
-        self.__array_interface__ = {"data": (start, False), "shape": shape, "typestr": numbers, "version": 3}
+    def __init__(self, start, shape, step, numbers):
+        steps = (step, *(4 * math.prod(shape[place:]) for place in range(2, len(shape) + 1)))
+        self.__array_interface__ = {
+            "data": (start, False), "shape": shape, "strides": steps, "typestr": numbers, "version": 3}
 
 
 def _data(mesh, name, data_type, domain):

@@ -48,8 +48,10 @@ class Room:
     def _positions(self, count):
         if "position" in self._carrier.attributes:
             return attributes.memory(self._carrier, "position", 'FLOAT_VECTOR')
+        # Before Blender 3.5 a vertex is a record that begins with its position.
+        places = attributes.items(self._carrier.vertices, "<f4", (3,))
         positions = scratch("positions", (count, 3), np.float32)
-        self._staged.append(lambda: self._carrier.vertices.foreach_set("co", positions.reshape(-1)))
+        self._staged.append(lambda: np.copyto(places, positions))
         return positions
 
     def _rotations(self, name, count):
@@ -121,6 +123,9 @@ def _as_tubes(group, curves):
     node = node_groups.add_node(group, "GeometryNodeCurveToMesh")
     group.links.new(curves, node.inputs["Curve"])
     group.links.new(circle.outputs["Curve"], node.inputs["Profile Curve"])
+    if "Scale" in node.inputs:
+        # Where there is no such input Blender takes the radius by itself.
+        group.links.new(node_groups.named_attribute(group, "radius", 'FLOAT'), node.inputs["Scale"])
     return node.outputs["Mesh"]
 
 
@@ -167,8 +172,7 @@ def _join(carrier, curves):
     if ".edge_verts" in carrier.attributes:
         ends = attributes.memory(carrier, ".edge_verts", 'INT32_2D', 'EDGE')
     else:
-        ends = scratch("edges", (len(starts), 2), np.int32)
+        # Before Blender 3.6 an edge is a record that begins with its ends.
+        ends = attributes.items(carrier.edges, "<i4", (2,))
     ends[:, 0] = starts
     ends[:, 1] = starts + 1
-    if ".edge_verts" not in carrier.attributes:
-        carrier.edges.foreach_set("vertices", ends.reshape(-1))
