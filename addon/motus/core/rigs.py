@@ -103,7 +103,7 @@ def read(rig, known=None):
         columns(rig.matrix_world))
 
 
-FEW = 8
+FEW = 14
 """A bone's pose that is asked for by itself takes as long as so many that are read by one call."""
 
 

@@ -40,6 +40,8 @@ _bone_counts = {}
 """key of an armature -> how many bones it had when the rigs with it were last looked through."""
 _watched = set()
 """(system, owner) whose points are moved."""
+_rows = {}
+"""(system, hub that owners share) -> its rows."""
 _unsettled = set()
 """(system, owner) that have asked to settle."""
 _given_up = set()
@@ -52,7 +54,7 @@ def note_use():
 
 
 def check(system, owner):
-    """Called by the solver, or by the outlet of an owner that shares one, with the evaluated owner."""
+    """Called with the evaluated owner: by its solver, or after the evaluation where owners share one."""
     if owner.library:
         return
     animation = owner.animation_data
@@ -62,6 +64,12 @@ def check(system, owner):
     if _seen.get(place) != seen:
         _seen[place] = seen
         _asked.add(place)
+
+
+def watch_rows(system, hub, found):
+    """Called by the solver of a hub that owners share, with its evaluated mesh and the rows that it has."""
+    if not hub.library:
+        _rows[system.name, hub.name] = found
 
 
 def note_orphan(hub):
@@ -96,6 +104,8 @@ def _heal(_scene=None, depsgraph=None, is_edit=True):
 
 
 def _heal_all(depsgraph, is_edit):
+    if depsgraph is not None:
+        _check_rows(depsgraph)
     _heal_asked()
     # To count the objects takes 0.1 ms where there are 5000. What is new stands in a collection, or it is not evaluated.
     if is_edit or depsgraph is None or _object_count[0] < 0 or deleted.have_collections_changed(depsgraph):
@@ -111,6 +121,22 @@ def _try(heal):
     except Exception:
         # A handler that raises would say so after every change.
         log.exception("Motus: something that was copied, edited or loaded could not be wired again")
+
+
+def _check_rows(depsgraph):
+    """Look whether settings of owners that share a hub, whose solver does not read them, have become animated."""
+    for place, found in list(_rows.items()):
+        name, _ = place
+        for owner_name in [row.name for row in found if isinstance(row, rows.Row)]:
+            owner = bpy.data.objects.get((owner_name, None))
+            if owner is None:  # it has another name now, or is gone: all rows are looked through
+                _rows.pop(place, None)
+                _object_count[0] = -1
+                continue
+            animation, seen = owner.animation_data, _seen.get((name, owner_name))
+            if animation and (
+                    animation.action or animation.nla_tracks or seen is None or seen[0] != len(animation.drivers)):
+                check(registered[name], owner.evaluated_get(depsgraph))
 
 
 def _heal_asked():
@@ -252,6 +278,7 @@ def _forget(*_):
     _orphans.clear()
     _bone_counts.clear()
     _watched.clear()
+    _rows.clear()
     _unsettled.clear()
     _given_up.clear()
     overrides.forget()

@@ -249,8 +249,9 @@ def create_outlet(system, owner, mesh):
         # The solver, which knows the owner, fills in the rest.
         drivers.copy_value(owner, out_path(system), Variable('MESH', mesh, out_path(system, STATUS)), index=STATUS)
         return
-    solved = {"v0": Variable('MESH', mesh, out_path(system))}
-    drivers.add(owner, out_path(system), f'motus_outlet(self,"{system.name}",v0)', solved, index=STATUS, use_self=True)
+    first = first_slot(system, owner)  # to copy all of them takes less than one call of Python's
+    for slot in range(FIRST_OUTPUT + len(system.outputs)):
+        drivers.copy_value(owner, out_path(system), Variable('MESH', mesh, out_path(system, first + slot)), index=slot)
 
 
 def has_outlet(system, owner):
@@ -263,11 +264,9 @@ def _size(value):
 
 
 def let_out(system, owner, mesh):
-    """Let an evaluated owner's outlet hold what was found on its evaluated hub's mesh; returns the status."""
+    """Let an evaluated owner's outlet hold what was found on the evaluated mesh of its own hub."""
     slots = stored.doubles(owner.get(out_key(system)), FIRST_OUTPUT + len(system.outputs))
-    row = of_owner(system, owner).row if SHARED_KEY in mesh else None
-    slots[:] = opened(system, mesh, row=row).slots[:len(slots)]
-    return slots[STATUS]
+    slots[:] = opened(system, mesh).slots[:len(slots)]
 
 
 def remove(system, carrier):

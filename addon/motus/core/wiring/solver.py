@@ -58,19 +58,6 @@ class _Points:
         return motus_solve(carrier, name, 0.0, None, *values)
 
 
-def motus_outlet(self, name, solved):
-    """Let the evaluated owner's outlet hold what its shared hub has, whose outbox `solved` is. Never raises. Returns status."""
-    try:
-        system, mesh = registered[name], getattr(solved, "id_data", None)
-        if not isinstance(mesh, bpy.types.Mesh):
-            raise Damaged("no outbox")
-        healing.check(system, self)
-        return outbox.let_out(system, self, mesh)
-    except Exception as error:
-        _log(self, name, error)
-        return float(outbox.DAMAGED)
-
-
 def _solve_rows(system, mesh, name, frame, depsgraph, values):
     """Solve every row of a shared hub; returns the status of the first one, on which the driver sits."""
     layout = outbox.row_layout(system, mesh)
@@ -89,7 +76,9 @@ def _solve_rows(system, mesh, name, frame, depsgraph, values):
     context = Context(
         settings=None, owner=None, frame=frame, depsgraph=depsgraph, locations=None, rotations=None,
         targets=rows.targets(system, mesh))
-    for index, row in enumerate(rows.read(system, mesh)):
+    found = rows.read(system, mesh)
+    healing.watch_rows(system, mesh, found)
+    for index, row in enumerate(found):
         if row is None:
             continue
         if row is Damaged:
@@ -283,7 +272,7 @@ def _rest_attribute(system, key, carrier):
         attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 
 
-_FUNCTIONS = {"motus_solve": motus_solve, "motus_outlet": motus_outlet, "motus_points": _Points()}
+_FUNCTIONS = {"motus_solve": motus_solve, "motus_points": _Points()}
 
 
 @persistent
