@@ -139,7 +139,10 @@ def remove(pivot):
     obj, pivot.motus.pendulum.trail = pivot.motus.pendulum.trail, None
     if obj is None or obj.library:
         return
-    wiring.detach(system(), obj)
+    if wiring.is_attached(system(), obj):
+        # With a modifier whose hub is gone Blender 5 does not count the material's user down.
+        wiring.set_points_material(system(), obj, None)
+        wiring.detach(system(), obj)
     mesh = obj.data
     bpy.data.objects.remove(obj)
     if mesh.users == 0:
