@@ -16,7 +16,7 @@ class Trail(PendulumTestCase):
         places, colors, ages = np.empty(3 * count, np.float32), np.empty(4 * count, np.float32), np.empty(count, np.float32)
         mesh.vertices.foreach_get("co", places)
         if count:
-            mesh.attributes["color"].data.foreach_get("color", colors)
+            mesh.attributes["tint"].data.foreach_get("color", colors)
             mesh.attributes["age"].data.foreach_get("value", ages)
         matrix = np.array(evaluated.matrix_world)
         return places.reshape(-1, 3) @ matrix[:3, :3].T + matrix[:3, 3], colors.reshape(-1, 4), ages

@@ -36,5 +36,5 @@ TRAILS = System(
     solve=trail.make,
     problems=trail.PROBLEMS,
     makes_points=trail.POINTS,
-    unbakeable=trail.UNBAKEABLE,
+    unbakeable="A trail is computed from the pendulum on each frame: there is nothing to bake",
 )

@@ -18,8 +18,8 @@ PLAIN = (0.8, 0.8, 0.8)
 NO_PENDULUM = Problem("The pendulum of this trail is gone")
 NOT_FINITE = Problem("A setting of the trail is not a finite number")
 PROBLEMS = (NO_PENDULUM, NOT_FINITE, *(problem for problem in solve.PROBLEMS if problem.blocking))
-UNBAKEABLE = "A trail is computed from the pendulum on each frame: there is nothing to bake"
-POINTS = Points(attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("color", 'COLOR'), ("age", 'FLOAT')), shape='TUBES',
+# Cycles has an own sense for an attribute that is named "color", which comes out black (5.2).
+POINTS = Points(attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT')), shape='TUBES',
                 space='LOCAL')
 
 
@@ -81,7 +81,7 @@ def _fill(points, pivot, ways, ages, looks):
     for number, angles in enumerate(ways):
         rows = slice(number * count, (number + 1) * count)
         if len(points["curve"][rows]) < count:  # there is no room for more
-            points["radius"][rows], points["color"][rows], points["age"][rows] = 0.0, 0.0, 0.0
+            points["radius"][rows], points["tint"][rows], points["age"][rows] = 0.0, 0.0, 0.0
             points["position"][rows], points["curve"][rows] = 0.0, -1
             continue
         # NumPy's sine is not always the same; its complex exponential is.
@@ -91,8 +91,8 @@ def _fill(points, pivot, ways, ages, looks):
         points["position"][rows, 2] = -(turned.real @ lengths)
         points["curve"][rows] = number
         points["radius"][rows] = thickness * shares
-        points["color"][rows, :3] = colors.get(number, PLAIN)
-        points["color"][rows, 3] = shares
+        points["tint"][rows, :3] = colors.get(number, PLAIN)
+        points["tint"][rows, 3] = shares
         points["age"][rows] = ages
 
 
@@ -169,7 +169,7 @@ def _material():
         "ShaderNodeOutputMaterial"))
     for index, node in enumerate((color, light, nothing, mixed, output)):
         node.location.x = 200.0 * index
-    color.attribute_name = "color"
+    color.attribute_name = "tint"
     links.new(color.outputs["Color"], light.inputs["Color"])
     for source, target in ((color.outputs["Alpha"], mixed.inputs[0]), (nothing.outputs[0], mixed.inputs[1]),
                            (light.outputs[0], mixed.inputs[2]), (mixed.outputs[0], output.inputs["Surface"])):

@@ -164,6 +164,32 @@ INTERFACE = {
     "What the pendulum hangs on": "De qué cuelga el péndulo",
     "Where the end bob goes, in the world": "Adónde va la lenteja del extremo, en el mundo",
     "Wire the pendulum again": "Conecta el péndulo de nuevo",
+    "A setting of the trail is not a finite number": "Un ajuste de la estela no es un número finito",
+    "A trail is computed from the pendulum on each frame: there is nothing to bake":
+        "Una estela se calcula a partir del péndulo en cada fotograma: no hay nada que procesar",
+    "Double pendulums that start half a degree apart and soon go ways of their own, one of them alone, and one with other "
+    "angles":
+        "Péndulos dobles que empiezan a medio grado unos de otros y pronto van cada uno por su lado, uno de ellos solo, y uno "
+        "con otros ángulos",
+    "Fade": "Desvanecimiento",
+    "Fan of Chaos": "Abanico del caos",
+    "How far back the trail goes, in seconds of the pendulum's time":
+        "Hasta dónde llega la estela hacia atrás, en segundos del tiempo del péndulo",
+    "How much the trail vanishes towards its end": "Cuánto se desvanece la estela hacia su final",
+    "Object that shows the ways of the end bobs": "Objeto que muestra los caminos de las lentejas de los extremos",
+    "Radius of the trail, before the pivot's scale": "Radio de la estela, sin la escala del pivote",
+    "Show the ways that the end bobs have come; the demonstration always does":
+        "Muestra los caminos que han recorrido las lentejas de los extremos; la demostración siempre lo hace",
+    "Show the ways that the end bobs of a pendulum have come, as tubes in the bobs' colours":
+        "Muestra los caminos que han recorrido las lentejas de los extremos de un péndulo, como tubos de sus colores",
+    "Take the trails of a pendulum away": "Quita las estelas de un péndulo",
+    "The pendulum of this trail is gone": "El péndulo de esta estela ya no está",
+    "Thickness": "Grosor",
+    "Trail": "Estela",
+    "Trails": "Estelas",
+    "Whether the trail is there: it is not at 0": "Si la estela está: con 0 no está",
+    "Whose pendulum it shows": "De quién es el péndulo que muestra",
+    "{object} has no trails": "{object} no tiene estelas",
     "{keyword} must be greater than 0": "{keyword} debe ser mayor que 0",
     "{keyword} must not be less than 0": "{keyword} no debe ser menor que 0",
     "{object} has a parent: clear that first": "{object} tiene un padre: quítalo antes",
@@ -176,6 +202,8 @@ INTERFACE = {
 
 OPERATORS = {
     "Add Pendulum": "Añadir péndulo",
+    "Add Trails": "Añadir estelas",
+    "Remove Trails": "Quitar estelas",
     "Add Pendulum Preset": "Añadir ajuste de péndulo",
     "Drag Pendulum": "Arrastrar péndulo",
     "Pause": "Pausa",
