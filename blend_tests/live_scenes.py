@@ -86,7 +86,7 @@ def _pendulums():
     bpy.ops.motus.pendulum_add(object=hook.name, kind='DOUBLE')
     hook.motus.pendulum.speed = 0.5
     hook.keyframe_insert("motus.pendulum.speed", frame=1)
-    bpy.ops.motus.pendulum_add(kind='FAN', count=3, location=(0.0, -8.0, 3.0))
+    bpy.ops.motus.pendulum_add(kind='FAN', count=3, use_trails=True, location=(0.0, -8.0, 3.0))
     bpy.context.object.select_set(False)
 
 

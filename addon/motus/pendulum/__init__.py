@@ -31,10 +31,10 @@ TRAILS = System(
     name="pendulum_trail",
     label="Pendulum Trails",
     settings=properties.MOTUS_PG_pendulum_trail,
-    classes=(properties.MOTUS_PG_pendulum_trail,),
+    classes=(properties.MOTUS_PG_pendulum_trail, *panel.trail_classes),
     inputs=trail.INPUTS,
     solve=trail.make,
     problems=trail.PROBLEMS,
     makes_points=trail.POINTS,
-    unbakeable="A trail is computed from the pendulum on each frame: there is nothing to bake",
+    unbakeable=trail.UNBAKEABLE.sentence,
 )

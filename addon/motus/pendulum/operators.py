@@ -302,6 +302,8 @@ class MOTUS_OT_pendulum_refresh(Operator, bpy.types.Operator):
         pivot = targets.pivot_for(context, self.object)
         parts.fit(pivot)
         wiring.refresh(build.system(), pivot)
+        if pivot.motus.pendulum.trail:
+            wiring.refresh(trail.system(), pivot.motus.pendulum.trail)
 
 
 class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):

@@ -124,4 +124,19 @@ PANEL = panels.SystemPanel(
     readouts=draw_readouts, actions=draw_actions, refresh="motus.pendulum_refresh", presets=presets.PANEL,
     draw_add=draw_add)
 
+
+def draw_own_trail(layout, context):
+    """On the trail itself: what is wrong, and its settings."""
+    ui.draw_problem(layout, context, trail.system(), context.object)
+    rows.TRAIL.draw(ui.split(layout), context.object.motus.pendulum_trail)
+
+
+TRAIL_PANEL = panels.SystemPanel(
+    name="pendulum_trail", prefix="MOTUS_PT_pendulum_trail_object", label="Pendulum Trails",
+    editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
+    suits=trail.is_trail, is_used=trail.is_trail, draw=draw_own_trail,
+    actions=lambda layout, context: layout.operator("motus.pendulum_trail_remove", icon='X'),
+    refresh="motus.pendulum_refresh")
+
 classes = panels.classes(PANEL)
+trail_classes = panels.classes(TRAIL_PANEL)

@@ -17,6 +17,7 @@ PLAIN = (0.8, 0.8, 0.8)
 
 NO_PENDULUM = Problem("The pendulum of this trail is gone")
 NOT_FINITE = Problem("A setting of the trail is not a finite number")
+UNBAKEABLE = Problem("A trail is computed from the pendulum on each frame: there is nothing to bake")
 PROBLEMS = (NO_PENDULUM, NOT_FINITE, *(problem for problem in solve.PROBLEMS if problem.blocking))
 # Cycles has an own sense for an attribute that is named "color", which comes out black (5.2).
 POINTS = Points(attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT')), shape='TUBES',
@@ -115,6 +116,12 @@ def _of_bobs(settings):
 def system():
     """The registered System of trails."""
     return registered["pendulum_trail"]
+
+
+def is_trail(obj):
+    """Whether an object is a trail."""
+    # To ask an object for its settings gives it some.
+    return obj.is_property_set("motus") and obj.motus.pendulum_trail.is_active
 
 
 def add(collection, pivot, keywords):

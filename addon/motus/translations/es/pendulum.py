@@ -100,6 +100,7 @@ INTERFACE = {
     "Other Angles": "Otros ángulos",
     "Pause": "Pausa",
     "Pause what plays, and play what is paused": "Pausa lo que corre, y reanuda lo pausado",
+    "Pendulum Trails": "Estelas de péndulo",
     "Pendulum Presets": "Ajustes de péndulo",
     "Period": "Periodo",
     "Pivot": "Pivote",
