@@ -16,17 +16,17 @@ COUNT = 24
 LENGTHS = (1.05, 0.95)
 ROD_RADIUS, BOB_RADIUS, SPACING = 0.017, 0.1, 0.012
 TRAIL, FAN_TRAIL, TRAIL_RADIUS = 3.0, 0.7, 0.016  # s, s, m
-FAN_SCALE = 1.4
-PLACES = (-4.7, 0.0, 4.7)  # of the pivots, on X: one alone, the fan, one with other angles
+FAN_SCALE = 1.5
+PLACES = (-4.5, 0.0, 4.5)  # of the pivots, on X: one alone, the fan, one with other angles
 WALL_Y, FLOOR_Z, BEND = 0.75, -3.3, 1.0
 AIM = Vector((0.0, 0.0, -0.1))
 # Name, place, watts, colour, size of the square.
 LAMPS = (
-    ("Key Lamp", (-6.5, -7.5, 7.0), 2300.0, (1.0, 0.88, 0.74), 1.6),
+    ("Key Lamp", (-6.5, -7.5, 7.0), 3200.0, (1.0, 0.88, 0.74), 1.6),
     ("Fill Lamp", (9.0, -8.0, 1.0), 500.0, (0.62, 0.78, 1.0), 5.0),
     ("Top Lamp", (2.0, -2.5, 6.0), 420.0, (1.0, 0.80, 0.60), 3.0),
 )
-CAMERA_PLACE, CAMERA_LENS = Vector((0.7, -14.4, 0.4)), 40.0
+CAMERA_PLACE, CAMERA_LENS = Vector((0.6, -15.6, 0.3)), 41.0
 
 
 def build(context):
