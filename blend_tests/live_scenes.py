@@ -115,5 +115,14 @@ def _state(frame):
         for bone in evaluated.pose.bones if evaluated.pose else ():
             found[obj.name, bone.name] = np.array(evaluated.matrix_world @ bone.matrix).ravel()
         if obj.type == 'MESH':
-            found[obj.name, "mesh"] = pin_cases.evaluated(obj).ravel()
+            points = pin_cases.evaluated(obj)
+            # What a system makes has another number of points on each frame.
+            found[obj.name, "mesh"] = points.ravel() if len(obj.data.vertices) else _measured(points)
     return found
+
+
+def _measured(points):
+    """Numbers that say how many points there are, and where."""
+    if len(points) == 0:
+        return np.zeros(7)
+    return np.array([len(points), *points.min(axis=0), *points.max(axis=0)])

@@ -365,7 +365,7 @@ def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
     if system.has_modifier:
         return Layout(base, 0, False, False, False)
-    if isinstance(carrier, _Mesh) and size == base and len(carrier.vertices):
+    if isinstance(carrier, _Mesh) and size == base and not system.same_bits:
         return Layout(base, len(carrier.vertices), False, system.is_relative, True)
     return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
 
