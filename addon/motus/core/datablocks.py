@@ -52,3 +52,27 @@ def named_by(datablock, path):
             if getattr(one, "node_tree", None) == datablock:
                 return one, f"node_tree.{path}"
     return datablock, path
+
+
+def label_of(id_data, data_path, index=-1):
+    """What the interface calls a property, in the user's language; the data path where it has no name.
+
+    index: in an array, -1 for a property that is none.
+    """
+    owner, _, name = data_path.rpartition(".")
+    try:
+        struct = id_data.path_resolve(owner) if owner else id_data
+        declared = struct.bl_rna.properties[name]
+    except (ValueError, KeyError, AttributeError):
+        return data_path if index < 0 else f"{data_path}[{index}]"
+    label = bpy.app.translations.pgettext_iface(declared.name)
+    if index >= 0:
+        axes = _AXES.get(declared.subtype, "")
+        label = f"{label} {axes[index]}" if index < len(axes) else f"{label} {index}"
+    above = "" if struct == id_data else getattr(struct, "name", "")
+    return f"{above}: {label}" if above else label
+
+
+_AXES = {
+    'TRANSLATION': "XYZ", 'EULER': "XYZ", 'XYZ': "XYZ", 'XYZ_LENGTH': "XYZ", 'DIRECTION': "XYZ", 'VELOCITY': "XYZ",
+    'ACCELERATION': "XYZ", 'QUATERNION': "WXYZ", 'AXISANGLE': "WXYZ", 'COLOR': "RGBA", 'COLOR_GAMMA': "RGBA"}

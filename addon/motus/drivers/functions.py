@@ -11,6 +11,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..core import handlers, native
+from ..core.per_thread import keep_state
 from . import history
 
 MOST_SAID = 100  # sentences in the console, of a file
@@ -33,6 +34,7 @@ def motus_pendulum(frame, theta, length, omega=0.0, gravity=9.81, damping=0.0, s
     length: metres. gravity: m/s^2. damping: 1/s. speed: of time.
     """
     try:
+        keep_state()
         return native.module.pendulum_angle(seconds(frame) * speed, theta, omega, length, gravity, damping)
     except Exception as error:
         return _at_rest("motus_pendulum", error, theta)
@@ -45,6 +47,7 @@ def motus_double_pendulum(frame, which, theta1, theta2, omega1=0.0, omega2=0.0, 
     Both angles are radians from hanging down; at frame 0 they were theta1 and theta2. Units as motus_pendulum.
     """
     try:
+        keep_state()
         return native.module.double_pendulum_value(
             seconds(frame) * speed, which, theta1, theta2, omega1, omega2, mass1, mass2, length1, length2, gravity, damping)
     except Exception as error:
@@ -55,6 +58,7 @@ def motus_double_pendulum(frame, which, theta1, theta2, omega1=0.0, omega2=0.0, 
 def motus_ease(frame, start, end, ease_in=0.3, ease_out=0.3):
     """From 0 at the frame `start` to 1 at the frame `end`, sped up over the fraction ease_in, slowed down over ease_out."""
     try:
+        keep_state()
         if not end > start:
             return float(frame >= end)
         return native.module.ease((frame - start) / (end - start), float(ease_in), float(ease_out))
@@ -65,7 +69,8 @@ def motus_ease(frame, start, end, ease_in=0.3, ease_out=0.3):
 def motus_noise(frame, speed=1.0, seed=0):
     """Smooth noise in [-1, 1]. speed: about how many times it goes up and down in a second."""
     try:
-        return native.module.noise1(float(seconds(frame) * speed), seed)
+        keep_state()
+        return native.module.noise1(seconds(frame) * speed, seed)
     except Exception as error:
         return _at_rest("motus_noise", error, 0.0)
 
@@ -77,6 +82,7 @@ def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
     Also on that property itself: its keys are followed then. At rest up to the scene's first frame.
     """
     try:
+        keep_state()
         return history.followed(
             self, data_path, index, frame, bpy.app.driver_namespace["depsgraph"].scene, (float(f), float(zeta), float(r)))
     except Exception as error:

@@ -33,18 +33,33 @@ def check(id_data, data_path, index):
 
 def followed(owner, data_path, index, frame, scene, numbers):
     """The value on a frame. numbers: frequency, damping, response. Raises ValueError, Refused where nobody knows it."""
-    track = track_of(owner, data_path, index)
-    if track.is_constant:
-        return track.present()[0]
-    if not track.is_known:
-        raise ValueError(track.sentence)
-    first, length = scene.frame_start, scene.render.fps_base / scene.render.fps
+    render = scene.render
+    first, length = scene.frame_start, render.fps_base / render.fps
     pieces = 1
     while first + pieces * PIECE < frame and pieces * PIECE < MOST:
         pieces *= 2
-    made = tracks.kept(
-        track, ("second_order", numbers, first, pieces, length), lambda: _followed(track, numbers, first, pieces, length))
+
+    what = numbers, first, pieces, length
+    id_data = owner.id_data
+    stamp = tracks.keys_stamp(id_data) if id_data.is_evaluated else None
+    if stamp is None:
+        track = track_of(owner, data_path, index)
+        made = tracks.kept(track, ("second_order", what), lambda: _made(track, *what))
+    else:  # without a Track, which takes longer than all the rest
+        made = tracks.kept_by(
+            stamp, ("second_order", data_path, index, what), lambda: _made(track_of(owner, data_path, index), *what))
+    if not made:
+        return track_of(owner, data_path, index).present()[0]
     return float(made.evaluate((frame - first) * length)[0])
+
+
+def _made(track, *what):
+    """The native Track of what follows; False where nothing animates the property."""
+    if track.is_constant:
+        return False
+    if not track.is_known:
+        raise ValueError(track.sentence)
+    return _followed(track, *what)
 
 
 def _followed(track, numbers, first, pieces, length):

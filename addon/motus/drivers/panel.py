@@ -1,7 +1,7 @@
 """The motion drivers of the active object, and of its data and materials."""
 
 from ..core import native, panels, ui
-from ..core.datablocks import collection_of
+from ..core.datablocks import collection_of, label_of
 from ..core.refusals import Refused
 from . import expressions, history, places, preview
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
@@ -15,7 +15,7 @@ def _draw(layout, context):
 def _draw_driver(layout, obj, found):
     keywords = expressions.read(found.expression)
     row = layout.row(align=True)
-    place = found.path if found.index < 0 else f"{found.path}[{found.index}]"
+    place = label_of(found.datablock, found.path, found.index)
     label = place if found.datablock == obj else f"{found.datablock.name}: {place}"
     row.label(text=label, icon='DRIVER', translate=False)
     for operator, icon in ((MOTUS_OT_driver_add, 'PREFERENCES'), (MOTUS_OT_driver_remove, 'X')):

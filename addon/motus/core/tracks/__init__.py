@@ -1,7 +1,8 @@
 """Inputs over time: what a property or transform is at any times, for solvers that need its past or future.
 
     property_track, own_track, world_track   a number, the channels of an object or bone, its world matrix: each a Track
-    kept                                     keeps what a solver made of a Track until the keys change
+    kept, kept_by                            keeps what a solver made of a Track until the keys change
+    keys_stamp                               when these do, of properties that nothing but keys animates
     animation, keys                          which F-curve animates a property, and its integral and bounds
     draw, classes, register                  for the panel: what kind it is, and the buttons that record it
 
@@ -11,9 +12,10 @@ through the frames and keeps samples in the file. See docs/tracks.md.
 
 from .operators import classes
 from .panel import draw, is_outdated, register, unregister
-from .track import Kind, Track, kept, own_track, property_track, world_track
+from .strips import keys_stamp
+from .track import Kind, Track, kept, kept_by, own_track, property_track, world_track
 
 __all__ = (
-    "Kind", "Track", "classes", "draw", "is_outdated", "kept", "own_track", "property_track", "register", "unregister",
+    "Kind", "Track", "classes", "draw", "is_outdated", "kept", "kept_by", "keys_stamp", "own_track", "property_track", "register", "unregister",
     "world_track",
 )

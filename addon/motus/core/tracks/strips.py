@@ -96,6 +96,14 @@ def stamp_of_action(player):
     return copies.number_of_action(player.action), getattr(player, "action_slot_handle", 0)
 
 
+def keys_stamp(id_data):
+    """What changes with any key of an evaluated datablock's action, where no NLA takes part; None without an action."""
+    animation = id_data.animation_data
+    if animation is None or animation.action is None or animation.use_nla and animation.nla_tracks:
+        return None
+    return stamp_of_action(animation)
+
+
 def _blended(kind, lower, upper, influence, number):
     if kind == 'ADD':
         return lower + upper * influence

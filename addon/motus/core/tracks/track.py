@@ -137,7 +137,11 @@ def kept(track, name, make):
 
     name: hashable, of all else that make() depends on. What is kept is shared by threads, and must not be changed.
     """
-    stamp = track.stamp
+    return kept_by(track.stamp, name, make)
+
+
+def kept_by(stamp, name, make):
+    """The same by a track's stamp, or another hashable one that changes whenever what make() reads may; None: nobody can tell."""
     if stamp is None:
         return make()
     place = name, stamp
