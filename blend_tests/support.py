@@ -64,6 +64,21 @@ class SceneTestCase(unittest.TestCase):
         self.addCleanup(self._temporary.cleanup)
         self.folder = Path(self._temporary.name)
 
+    def save(self, name="scene.blend"):
+        """Saves a copy of the file into the test's folder; returns its path."""
+        path = str(self.folder / name)
+        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+        return path
+
+    def load(self, path, link, *names):
+        """Appends or links objects into an empty scene; returns the first."""
+        empty_scene()
+        with bpy.data.libraries.load(path, link=link) as (_, wanted):
+            wanted.objects = list(names)
+        for one in wanted.objects:
+            bpy.context.scene.collection.objects.link(one)
+        return wanted.objects[0]
+
     def keep_preset(self, system):
         """Keeps the active object's settings of a system as a preset, for this test; gives what takes them up again."""
         name, menu = f"test{os.getpid()}", f"MOTUS_PT_{system}_presets"

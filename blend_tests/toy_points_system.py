@@ -85,6 +85,8 @@ TRAILS = dataclasses.replace(
     SPARKS, name="trails", label="Trails", classes=(), solve=solve_trails,
     makes_points=core.Points(
         attributes=(("curve", 'INT'), ("radius", 'FLOAT'), ("color", 'COLOR')), shape='TUBES', space='LOCAL'))
+LINES = dataclasses.replace(
+    TRAILS, name="lines", label="Lines", makes_points=dataclasses.replace(TRAILS.makes_points, shape='CURVES'))
 
 
 def make(system, owner, **values):

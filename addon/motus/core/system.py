@@ -248,14 +248,14 @@ class System(Feature):
     """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
 
     moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. makes_points: the solver
-    makes these, by a modifier too. unbakeable: a sentence that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
-    (Context.wants_to_settle), with the owner. over_time: called with the owner, a driven object and the scene; gives what
-    core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner, a rig, and the old and the new name of a
-    bone of it that the owner drives or reads. shared: names of the settings that solve() reads beside its inputs; if it
-    reads nothing else, owners with the same inputs are solved by one solver as long as their settings are still.
-    is_relative: of the members, where no groups are declared: see Member; solve() applies the influence then. same_bits: the
-    members have the same matrices in every Blender, to the last bit, by sinks that all Blenders have. owner_of: called with an
-    object that may belong to an owner without being driven; gives that owner or None.
+    makes these, by a modifier too. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
+    evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner. over_time: called with the owner,
+    a driven object and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
+    a rig, and the old and the new name of a bone of it that the owner drives or reads. shared: names of the settings that
+    solve() reads beside its inputs; if it reads nothing else, owners with the same inputs are solved by one solver as long as
+    their settings are still. is_relative: of the members, where no groups are declared: see Member; solve() applies the
+    influence then. same_bits: the members have the same matrices in every Blender, to the last bit, by sinks that all Blenders
+    have. owner_of: called with an object that may belong to an owner without being driven; gives that owner or None.
     """
 
     solve: Callable

@@ -8,9 +8,11 @@ import toy_system
 from core.wiring import damaged_cases
 from core.wiring.wiring_cases import frame_set
 
+nodes = support.addon("core.wiring.node_groups")
 wiring = support.addon("core.wiring")
 FRAMES = (30, 3, 12.5, 30.25, 90, 12.5)
-FIELDS = {'FLOAT': ("value", 1), 'INT': ("value", 1), 'FLOAT_VECTOR': ("vector", 3), 'FLOAT_COLOR': ("color", 4), 'QUATERNION': ("value", 4)}
+FIELDS = {'FLOAT': ("value", 1), 'INT': ("value", 1), 'FLOAT_VECTOR': ("vector", 3), 'FLOAT_COLOR': ("color", 4),
+          'QUATERNION': ("value", 4)}
 LARGEST_FILE = 60_000  # bytes
 
 BARE = """
@@ -46,6 +48,17 @@ def _read(attribute):
     return found if width == 1 else found.reshape(-1, width)
 
 
+def show_curves_as_points(owner):
+    """Put a modifier behind that turns curves into the points of which they are made; what is no mesh cannot be read otherwise."""
+    group = bpy.data.node_groups.new("Points", 'GeometryNodeTree')
+    nodes.add_sockets(group, [("Geometry", way, "NodeSocketGeometry") for way in ('INPUT', 'OUTPUT')])
+    start = nodes.add_node(group, "NodeGroupInput")
+    points = nodes.add_node(group, "GeometryNodeCurveToPoints", mode='EVALUATED')
+    group.links.new(start.outputs[0], points.inputs[0])
+    group.links.new(points.outputs[0], nodes.add_node(group, "NodeGroupOutput").inputs[0])
+    owner.modifiers.new("Points", 'NODES').node_group = group
+
+
 def tube_positions(owner):
     """Positions of the mesh that an owner of trails has at frame 20."""
     frame_set(20)
@@ -76,7 +89,7 @@ def assert_sparks(owner, frame):
 class PointsTestCase(support.SceneTestCase):
     @classmethod
     def setUpClass(cls):
-        toy_system.register_with(toy.SPARKS, toy.TRAILS)
+        toy_system.register_with(toy.SPARKS, toy.TRAILS, toy.LINES)
         cls.addClassCleanup(toy_system.register_with)
 
     def sparks(self, **values):
@@ -84,19 +97,6 @@ class PointsTestCase(support.SceneTestCase):
         owner.rotation_euler, owner.scale = (0.3, 0.2, 0.1), (1.0, 2.0, -0.5)
         toy.make(toy.SPARKS, owner, target=toy_system.new_target(), **values)
         return owner
-
-    def save(self, name="points.blend"):
-        path = str(self.folder / name)
-        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
-        return path
-
-    def load(self, path, link):
-        support.empty_scene()
-        with bpy.data.libraries.load(path, link=link) as (_, wanted):
-            wanted.objects = ["Owner", "Target"]
-        for one in wanted.objects:
-            bpy.context.scene.collection.objects.link(one)
-        return wanted.objects[0]
 
     def assert_all_frames(self, owner):
         for frame in FRAMES:
@@ -180,6 +180,20 @@ class PointsTest(PointsTestCase):
         colors = _read(mesh.attributes["color"]).reshape(len(numbers), count, sides, 4)
         np.testing.assert_allclose(colors[:, :, 0, 0], ages, atol=1e-6)
 
+    def test_curves(self):
+        owner = toy_system.new_object("Owner", data=bpy.data.meshes.new("Owner"))
+        toy.make(toy.LINES, owner, rate=5.0)
+        frame_set(60)
+        numbers, ages = toy.alive(60 / 24, 5.0, 1.0)
+        ages = np.maximum(0.0, np.subtract.outer(ages, np.linspace(0.0, toy.TRAIL, toy.TRAIL_POINTS)))
+        wanted = [toy.fly(np.full(toy.TRAIL_POINTS, number), some, np.zeros(3))[0] for number, some in zip(numbers, ages)]
+        show_curves_as_points(owner)
+        frame_set(60)
+        found = points_of(owner)
+        np.testing.assert_array_equal(found["position"], np.concatenate(wanted))
+        np.testing.assert_array_equal(found["radius"], (0.01 + 0.01 * ages).astype(np.float32).ravel())
+        np.testing.assert_array_equal(found["curve"], np.repeat(numbers, toy.TRAIL_POINTS))
+
     def test_a_million(self):
         owner = self.sparks(rate=1_000_000.0)
         assert_sparks(owner, 30)
@@ -252,14 +266,14 @@ class PointsFilesTest(PointsTestCase):
 
     def test_appended(self):
         self.sparks()
-        owner = self.load(self.save(), link=False)
+        owner = self.load(self.save(), False, "Owner", "Target")
         self.assert_all_frames(owner)
         wiring.detach(toy.SPARKS, owner)
         self.assertEqual((len(bpy.data.objects), len(bpy.data.meshes), len(bpy.data.node_groups)), (2, 1, 0))
 
     def test_linked(self):
         self.sparks()
-        owner = self.load(self.save(), link=True)
+        owner = self.load(self.save(), True, "Owner", "Target")
         self.assert_all_frames(owner)
         self.assertEqual(len(owner.motus.sparks.hub.data.vertices), 0)
 
@@ -268,11 +282,11 @@ class PointsFilesTest(PointsTestCase):
         toy_system.new_target()
         toy.make(toy.TRAILS, owner)
         wanted = tube_positions(owner)
-        np.testing.assert_array_equal(tube_positions(self.load(self.save(), link=True)), wanted)
+        np.testing.assert_array_equal(tube_positions(self.load(self.save(), True, "Owner", "Target")), wanted)
 
     def test_overridden(self):
         self.sparks()
-        linked = self.load(self.save(), link=True)
+        linked = self.load(self.save(), True, "Owner", "Target")
         owner = linked.override_create(remap_local_usages=True)
         self.assert_all_frames(owner)
         owner.motus.sparks.rate = 30.0
@@ -295,6 +309,7 @@ class PointsDamagedTest(PointsTestCase):
             for damage in every:
                 with self.subTest(damage.name):
                     bpy.ops.wm.open_mainfile(filepath=path)
+                    support.addon("core.wiring.made_points")._forms.clear()
                     self.check(bpy.data.objects["Owner"], damage)
         self.assertEqual(errors, [])
 

@@ -18,6 +18,7 @@ IS_FIRST = False
 MATERIAL = "Material"
 MORE_INPUTS = ((MATERIAL, 'INPUT', "NodeSocketMaterial"),)
 TUBE_SIDES = 8
+RADIUS = "radius"
 
 _forms = {}
 """(system's name, attributes) -> an empty BMesh with them, of which meshes are made that have them."""
@@ -37,7 +38,7 @@ class Room:
     def _points(self, count):
         self.is_full = count > self._made.capacity
         count = min(count, self._made.capacity)
-        _resize(self._system, self._carrier, count)
+        _resize(self._system, self._carrier, int(count))
         self._staged = []
         self._found = {"position": self._positions(count)}
         for name, kind in self._made.attributes:
@@ -92,7 +93,7 @@ def add_nodes(system, group, start, end):
     group.links.new(start.outputs["Hub"], hub.inputs["Object"])
     found = (_as_points if made.shape == 'POINTS' else _as_curves)(made, group, hub.outputs["Geometry"])
     if made.shape == 'TUBES':
-        found = _as_tubes(group, found)
+        found = _as_tubes(made, group, found)
     material = node_groups.add_node(group, "GeometryNodeSetMaterial")
     join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
     for source, target in (
@@ -105,8 +106,7 @@ def add_nodes(system, group, start, end):
 def _as_points(made, group, mesh):
     node = node_groups.add_node(group, "GeometryNodeMeshToPoints")
     group.links.new(mesh, node.inputs["Mesh"])
-    if ("radius", 'FLOAT') in made.attributes:
-        group.links.new(node_groups.named_attribute(group, "radius", 'FLOAT'), node.inputs["Radius"])
+    _link_radius(made, group, node, "Radius")
     return node.outputs[0]
 
 
@@ -116,7 +116,7 @@ def _as_curves(_made, group, mesh):
     return node.outputs["Curve"]
 
 
-def _as_tubes(group, curves):
+def _as_tubes(made, group, curves):
     circle = node_groups.add_node(group, "GeometryNodeCurvePrimitiveCircle")
     circle.inputs["Resolution"].default_value = TUBE_SIDES
     circle.inputs["Radius"].default_value = 1.0
@@ -125,8 +125,13 @@ def _as_tubes(group, curves):
     group.links.new(circle.outputs["Curve"], node.inputs["Profile Curve"])
     if "Scale" in node.inputs:
         # Where there is no such input Blender takes the radius by itself.
-        group.links.new(node_groups.named_attribute(group, "radius", 'FLOAT'), node.inputs["Scale"])
+        _link_radius(made, group, node, "Scale")
     return node.outputs["Mesh"]
+
+
+def _link_radius(made, group, node, name):
+    if (RADIUS, 'FLOAT') in made.attributes:
+        group.links.new(node_groups.named_attribute(group, RADIUS, 'FLOAT'), node.inputs[name])
 
 
 def _type(kind):
@@ -150,9 +155,11 @@ def _resize(system, carrier, count):
 
 
 def _form_of(system, mesh):
-    if len(mesh.vertices):
-        raise Damaged("points in the file")
-    for name, kind in system.makes_points.attributes:
+    declared = dict(system.makes_points.attributes)
+    own = {"position", *(one.name for one in mesh.attributes if one.name.startswith("."))}
+    if len(mesh.vertices) or not own.union(declared).issuperset(mesh.attributes.keys()):
+        raise Damaged("another form than that of the points")
+    for name, kind in declared.items():
         attributes.memory(mesh, name, _type(kind))
     form = bmesh.new()
     form.from_mesh(mesh)
