@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import drivers, ik, lattice, look_at, path, pull
+from . import drivers, ik, lattice, look_at, path, pendulum, pull
 
 SYSTEMS = (
     path.SYSTEM,
@@ -8,5 +8,7 @@ SYSTEMS = (
     look_at.SYSTEM,
     pull.SYSTEM,
     lattice.SYSTEM,
+    pendulum.SYSTEM,
+    pendulum.TRAILS,
     drivers.FEATURE,
 )

@@ -40,4 +40,12 @@ SCENES = (
         film=(0.0, 9.0),
         ambience=1.0,
     ),
+    DemoScene(
+        name="pendulum", identifier="PENDULUM", module="chaos", label="Fan of Chaos",
+        description="Double pendulums that start half a degree apart and soon go ways of their own, one of them alone, and "
+                    "one with other angles",
+        stills=(("Hall Camera", 2.6), ("Hall Camera", 5.1), ("Hall Camera", 9.0)),
+        film=(0.0, 12.0),
+        ambience=0.5,
+    ),
 )
