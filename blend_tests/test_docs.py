@@ -99,6 +99,17 @@ class ExamplesTest(support.SceneTestCase):
         self.assertFalse(lamp.animation_data and lamp.animation_data.drivers)
         self.assertEqual([curve.data_path for curve in lamp.data.animation_data.drivers], ["energy"])
 
+    def test_the_scripted_example_drags_the_pendulum(self):
+        scripted, = [code for code in examples(DOCS / "pendulums.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": lambda place: seen.append(tuple(place))}
+        before = set(bpy.data.objects)
+        exec(compile(scripted, "pendulums.md", "exec"), scope)
+        dragged, swung = seen
+        self.assert_place(dragged, (1.0, 0.0, 2.0), 2e-6)
+        self.assertGreater(sum((a - b) ** 2 for a, b in zip(dragged, swung)), 0.01)
+        self.assertEqual(set(bpy.data.objects), before)
+
     def height_of(self, land, vertex, frame):
         """Height of a vertex on a frame, as it is seen."""
         bpy.context.scene.frame_set(frame)

@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import drivers, dynamics, ik, lattice, look_at, path, pull
+from . import drivers, dynamics, ik, lattice, look_at, path, pendulum, pull
 
 SYSTEMS = (
     path.SYSTEM,
@@ -9,5 +9,7 @@ SYSTEMS = (
     dynamics.SYSTEM,
     pull.SYSTEM,
     lattice.SYSTEM,
+    pendulum.SYSTEM,
+    pendulum.TRAILS,
     drivers.FEATURE,
 )

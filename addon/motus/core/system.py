@@ -71,6 +71,19 @@ class Matrix:
 
 
 @dataclass(frozen=True)
+class OwnMatrix:
+    """World matrix of the owner, where the boolean setting `when` is on; else None. The owner may not be driven itself."""
+
+    name: str
+    when: str
+
+    def variable(self, owner, settings):
+        return Variable('OBJECT', owner, "matrix_world") if getattr(settings, self.when) else None
+
+    read = staticmethod(Matrix.read)
+
+
+@dataclass(frozen=True)
 class Splines:
     """The splines of the curve object that the pointer setting `of` names; None without it."""
 
@@ -275,7 +288,9 @@ class System(Feature):
     a driven object and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
     a rig, and the old and the new name of a bone of it that the owner drives or reads. shared: names of the settings that
     solve() reads beside its inputs; if it reads nothing else, owners with the same inputs are solved by one solver as long as
-    their settings are still.
+    their settings are still. is_relative: of the members, where no groups are declared: see Member; solve() applies the
+    influence then. same_bits: the members have the same matrices in every Blender, to the last bit, by sinks that all Blenders
+    have. owner_of: called with an object that may belong to an owner without being driven; gives that owner or None.
     """
 
     solve: Callable
@@ -286,6 +301,8 @@ class System(Feature):
     members: Callable = lambda owner: [owner]
     member_data: Optional[Callable] = None
     space: str = 'WORLD'
+    is_relative: bool = False
+    same_bits: bool = False
     groups: Optional[Callable] = None
     entries: Optional[Callable] = None
     bone_renamed: Optional[Callable] = None
@@ -295,6 +312,7 @@ class System(Feature):
     over_time: Optional[Callable] = None
     unbakeable: str = ""
     shared: tuple = ()
+    owner_of: Optional[Callable] = None
 
     @property
     def has_modifier(self):
@@ -418,7 +436,7 @@ def groups_of(system, owner) -> tuple:
     if system.has_modifier:
         return (Group(outputs=system.outputs),)
     channels = system.channels(of_owner(system, owner))
-    members = tuple(Member(thing, channels, system.space) for thing in system.members(owner))
+    members = tuple(Member(thing, channels, system.space, system.is_relative) for thing in system.members(owner))
     return (Group(members=members, outputs=system.outputs),)
 
 

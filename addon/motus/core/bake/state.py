@@ -58,16 +58,18 @@ def _may_be_baked(one):
 
 
 def owner_of(system, obj):
-    """The object whose settings of the system move this one: its leader, or itself."""
-    return of_owner(system, obj).leader or obj
+    """The object whose settings of the system move this one: its leader, what the system says, or itself."""
+    # To ask an object for its settings would give it some.
+    leader = of_owner(system, obj).leader if obj.is_property_set("motus") else None
+    return leader or (system.owner_of and system.owner_of(obj)) or obj
 
 
 def is_baked(system, obj):
     """Whether the system's motion of an object stands in keyframes."""
-    # To ask an object for its settings would give it some.
-    if not isinstance(system, System) or not obj.is_property_set("motus"):
+    if not isinstance(system, System):
         return False
-    return of_owner(system, owner_of(system, obj)).is_baked
+    owner = owner_of(system, obj)
+    return owner.is_property_set("motus") and of_owner(system, owner).is_baked
 
 
 def frames(system, obj):
@@ -76,7 +78,7 @@ def frames(system, obj):
         return None
     owner = owner_of(system, obj)
     # Where the owner drives others only, these have the keyframes.
-    baked = [one for one in (obj, owner) if one.motus.bake.is_baked] or [
+    baked = [one for one in (obj, owner) if one.is_property_set("motus") and one.motus.bake.is_baked] or [
         one for one in bpy.data.objects if one.is_property_set("motus") and one.motus.bake.owner == owner]
     # Where nothing but properties of other datablocks is driven, the owner alone tells.
     state = (baked[0] if baked else owner).motus.bake

@@ -104,6 +104,14 @@ class Channel:
             return self._stack.bounds(first, last)
         return keys.bounds(self._curve, first, last) if self._curve is not None else [first, last]
 
+    def integral(self, first, last):
+        """Integral of a float over the frames from first to last."""
+        if self.is_constant:
+            return self.number.present * (last - first)
+        if self._curve is not None:
+            return keys.integral(self._curve, first, last)
+        return keys.over_pieces(self.values, self.bounds(first, last))
+
     @property
     def extent(self):
         """(first, last) time between which it changes, infinite where it goes on; None where nothing animates it."""

@@ -135,12 +135,16 @@ class _Laps:
         return _integral(self._curve, _pieces(self._curve, self._places, first, last)) if last > first else 0.0
 
 
-def _integral(curve, edges):
-    """Over the pieces between rising frames."""
+def over_pieces(evaluate, edges):
+    """Integral of evaluate(times), which gives an array, over the pieces between rising frames."""
     widths = np.diff(edges)[:, None]
-    parts = values(curve, _nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
+    parts = evaluate(_nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
     # fsum: rounded once, so that the same samples give the same bits in every process.
     return math.fsum(parts.tolist())
+
+
+def _integral(curve, edges):
+    return over_pieces(lambda times: values(curve, times), edges)
 
 
 def _nodes(edges):

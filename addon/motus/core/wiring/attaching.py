@@ -39,7 +39,7 @@ def _attach(system, owner):
 
 def _wire(system, owner, group):
     hub = carriers.make_hub(system, owner, group)
-    uses_attribute = carriers.uses_attribute() and not system.has_modifier
+    uses_attribute = carriers.uses_attribute(system)
     if uses_attribute:
         attribute_sink.prepare(system, hub.data, owner, group)
     elif system.has_modifier:
@@ -59,7 +59,7 @@ def _wire(system, owner, group):
         active = member.thing.constraints.active
         if uses_attribute:
             attribute_sink.add(system, group, index, hub)
-        elif proxy_sink.is_needed(member, driven):
+        elif proxy_sink.is_needed(system, member, driven):
             proxy_sink.add(system, of_owner(system, owner), group, index, hub)
         else:
             transform_sink.add(system, group, index, hub)
@@ -77,7 +77,7 @@ def _wire_row(system, owner, group):
 
     Returns that other one, None where the hub was there, the owner itself where it is alone and was not wired.
     """
-    uses_attribute = carriers.uses_attribute()
+    uses_attribute = carriers.uses_attribute(system)
 
     def reads_the_same(mesh):
         return solver_driver.reads_the_same(system, owner, mesh)

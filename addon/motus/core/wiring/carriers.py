@@ -12,9 +12,9 @@ VERSION = 2
 """Of how owners are wired; what an older version has wired, which is noted with it, is wired anew."""
 
 
-def uses_attribute():
+def uses_attribute(system):
     """Whether the members sample an attribute of the hub, and no drivers bring them the result."""
-    return capabilities.has_geometry_attribute_constraint()
+    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
 
 def has_strange_carriers(system, owner):
@@ -86,7 +86,7 @@ def signature(system, owner, groups):
                member.is_relative, _bone(member.thing) in driven) for member in group.members],
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
-    ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner)
+    ways = uses_attribute(system), has_outlet(system, owner), rows.can_share(system, owner)
     properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
                   for group in groups for one in group.properties]
     if properties:

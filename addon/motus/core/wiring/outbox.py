@@ -361,9 +361,9 @@ def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
     if system.has_modifier:
         return Layout(base, 0, False, False, False)
-    if isinstance(carrier, _Mesh) and size == base:
-        return Layout(base, len(carrier.vertices), False, False, True)
-    return Layout(base, max(0, size - base) // POSE_SIZE, False, False, False)
+    if isinstance(carrier, _Mesh) and size == base and not system.same_bits:
+        return Layout(base, len(carrier.vertices), False, system.is_relative, True)
+    return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
 
 
 def has_room(mesh, count):

@@ -34,7 +34,7 @@ def problem(system, owner, depsgraph):
         are_driven = of_owner(system, owner).is_baked or all(
             property_sink.are_driven(system, owner, carrier) for _, carrier in carried)
         return None if are_driven else _PROPERTY_PROBLEM
-    if system.has_modifier or not owner.matrix_basis.is_negative:
+    if system.has_modifier or system.is_relative or not owner.matrix_basis.is_negative:
         return None
     return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
 

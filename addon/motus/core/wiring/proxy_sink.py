@@ -15,9 +15,11 @@ from ..system import Variable
 from . import drivers, marks, outbox
 
 
-def is_needed(member, driven_bones):
+def is_needed(system, member, driven_bones):
     """Whether a member has to have a proxy. driven_bones: names of the owner's bones whose own channels are driven."""
-    return member.is_relative and (isinstance(member.thing, bpy.types.Object) or member.thing.name in driven_bones)
+    if isinstance(member.thing, bpy.types.PoseBone):
+        return member.is_relative and member.thing.name in driven_bones
+    return member.is_relative and not system.same_bits
 
 
 def add(system, settings, group, index, hub):

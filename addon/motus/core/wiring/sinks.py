@@ -161,15 +161,21 @@ def _strays(system, owner):
 
 def led_by(system, owner):
     """Objects whose leader the owner is."""
-    if not any(_may_lead(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
+    if _drives_itself_alone(system, owner):
         return []
     # To ask an object for its settings gives it some.
     return [other for other in bpy.data.objects
             if other.is_property_set("motus") and of_owner(system, other).leader == owner]
 
 
+def _drives_itself_alone(system, owner):
+    """Whether its hubs have no members that are neither the owner nor bones of it."""
+    if any(_may_lead(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
+        return False
+    return system.groups is not None or has_sinks(system, owner)
+
+
 def _may_lead(system, mesh):
-    """Whether a hub may have members that are neither its owner nor bones of that."""
     try:
         found = outbox.opened(system, mesh, outbox.key_on_hub(system, mesh))
     except Damaged:

@@ -231,6 +231,8 @@ def _do_nothing(box, layout):
 def _member_data(system, carrier, owner, count):
     if system.member_data is None:
         return None
+    if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # no custom property holds an empty list of floats
+        return np.empty(0)
     if carrier != owner:
         return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
     data = system.member_data(owner)
