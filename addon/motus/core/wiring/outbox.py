@@ -259,10 +259,12 @@ def _size(value):
     return len(value) if hasattr(value, "typecode") else 0
 
 
-def let_out(system, owner, mesh):
-    """Let an evaluated owner's outlet hold what was found on the evaluated mesh of its own hub."""
-    slots = stored.doubles(owner.get(out_key(system)), FIRST_OUTPUT + len(system.outputs))
-    slots[:] = opened(system, mesh).slots[:len(slots)]
+def let_out(system, owner, slots):
+    """Let an evaluated owner's outlet, where it has one, hold what was found: the slots of its own hub's outbox."""
+    outlet = owner.get(out_key(system)) if system.outputs else None
+    count = FIRST_OUTPUT + len(system.outputs)
+    if _size(outlet) == count:
+        stored.doubles(outlet, count)[:] = slots[:count]
 
 
 def remove(system, carrier):

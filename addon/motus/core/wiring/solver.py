@@ -33,8 +33,7 @@ def motus_solve(self, name, frame, depsgraph, *values):
         box = outbox.opened(system, self, key)
         owner = outbox.owner_of(system, self)
         _solve(system, key, self, owner, box, frame, depsgraph, values)
-        if outbox.has_outlet(system, owner):
-            outbox.let_out(system, owner, self)
+        outbox.let_out(system, owner, box.slots)
         if system.reads_mesh:
             healing.watch(system, owner)
         if not system.moves_points:
