@@ -1,6 +1,7 @@
 """One small scene of each system, all of it at work, and where everything in it really is."""
 
 import bpy
+from dynamics import dynamics_cases
 from ik import ik_cases
 from lattice import lattice_cases
 from look_at import look_at_cases
@@ -12,14 +13,16 @@ FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, pins, a pulled lattice; and users' drivers that read Motus."""
+    """A follower, a train, an arm, a figure that looks, things with dynamics, pins, a pulled lattice, pendulums; and users' drivers."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
     for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
         target.location = place
         target.keyframe_insert("location", frame=frame)
     _paths()
     _rigs()
+    _dynamics()
     _meshes()
+    _pendulums()
     bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
     bpy.context.view_layer.update()
 
@@ -52,6 +55,15 @@ def _rigs():
     bpy.ops.motus.look_at_add(object=figure.name, bone="Head", target="Target")
 
 
+def _dynamics():
+    parcel = dynamics_cases.moved("Parcel")
+    bpy.ops.motus.dynamics_add(object="Parcel", style='BOUNCY', channels={'LOCATION', 'ROTATION', 'SCALE'})
+    _link("Ribbon").parent = parcel
+    bpy.ops.motus.dynamics_add(object="Ribbon", style='FLOPPY')
+    rope = dynamics_cases.rope(3)
+    bpy.ops.motus.dynamics_add(object=rope.name, bones="Tail 0 0", whole_chains=True, chain_delay=0.05)
+
+
 def _rig(name, build_bones):
     rig = _link(name, bpy.data.armatures.new(name))
     bpy.context.view_layer.objects.active = rig
@@ -80,6 +92,15 @@ def _link(name, data=None, place=(0.0, 0.0, 0.0)):
     return obj
 
 
+def _pendulums():
+    hook = _link("Hook", place=(0.0, -5.0, 3.0))
+    bpy.ops.motus.pendulum_add(object=hook.name, kind='DOUBLE')
+    hook.motus.pendulum.speed = 0.5
+    hook.keyframe_insert("motus.pendulum.speed", frame=1)
+    bpy.ops.motus.pendulum_add(kind='FAN', count=3, use_trails=True, location=(0.0, -8.0, 3.0))
+    bpy.context.object.select_set(False)
+
+
 def _drive(obj, path, expression, source, source_path, index=-1):
     curve = obj.driver_add(path, index)
     variable = curve.driver.variables.new()
@@ -105,5 +126,14 @@ def _state(frame):
         for bone in evaluated.pose.bones if evaluated.pose else ():
             found[obj.name, bone.name] = np.array(evaluated.matrix_world @ bone.matrix).ravel()
         if obj.type == 'MESH':
-            found[obj.name, "mesh"] = pin_cases.evaluated(obj).ravel()
+            points = pin_cases.evaluated(obj)
+            # What a system makes has another number of points on each frame.
+            found[obj.name, "mesh"] = points.ravel() if len(obj.data.vertices) else _measured(points)
     return found
+
+
+def _measured(points):
+    """Numbers that say how many points there are, and where."""
+    if len(points) == 0:
+        return np.zeros(7)
+    return np.array([len(points), *points.min(axis=0), *points.max(axis=0)])

@@ -44,6 +44,23 @@ def _raise(error):
     raise error
 
 
+def register_systems(*toys):
+    """Register the add-on once more, with these systems in its list."""
+    _register_with(toys, toys)
+
+
+def unregister_systems(*toys):
+    """Take them out of its list again."""
+    _register_with((), toys)
+
+
+def _register_with(added, removed):
+    systems = addon("systems")
+    addon().unregister()
+    systems.SYSTEMS = (*(one for one in systems.SYSTEMS if one not in removed), *added)
+    addon().register()
+
+
 def in_one_blender(test):
     """Marks a test or a class of them that is the same in every Blender: `./motus test` runs it in the newest alone."""
     test.in_one_blender = True
@@ -63,6 +80,21 @@ class SceneTestCase(unittest.TestCase):
         self._temporary = tempfile.TemporaryDirectory(prefix="motus-test-")
         self.addCleanup(self._temporary.cleanup)
         self.folder = Path(self._temporary.name)
+
+    def save(self, name="scene.blend"):
+        """Saves a copy of the file into the test's folder; returns its path."""
+        path = str(self.folder / name)
+        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+        return path
+
+    def load(self, path, link, *names):
+        """Appends or links objects into an empty scene; returns the first."""
+        empty_scene()
+        with bpy.data.libraries.load(path, link=link) as (_, wanted):
+            wanted.objects = list(names)
+        for one in wanted.objects:
+            bpy.context.scene.collection.objects.link(one)
+        return wanted.objects[0]
 
     def keep_preset(self, system):
         """Keeps the active object's settings of a system as a preset, for this test; gives what takes them up again."""

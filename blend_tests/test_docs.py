@@ -30,6 +30,18 @@ class ExamplesTest(support.SceneTestCase):
         self.assertFalse(scope["glider"].constraints)
         self.assertEqual(tuple(scope["glider"].location), (0.0, 0.0, 0.0))
 
+    def test_the_scripted_example_of_dynamics_overshoots_and_settles(self):
+        scripted, = [code for code in examples(DOCS / "dynamics.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": seen.append}
+        exec(compile(scripted, "dynamics.md", "exec"), scope)
+        overshoot, arriving, beyond, resting = seen
+        self.assertAlmostEqual(overshoot, 0.372, places=3)
+        self.assertLess(abs(arriving - 4.0), 1.0)
+        self.assertGreater(beyond, 4.2)
+        self.assertAlmostEqual(resting, 4.0, places=2)
+        self.assertFalse(scope["crate"].constraints)
+
     def test_the_scripted_example_reaches_the_goal(self):
         scripted, = [code for code in examples(DOCS / "ik.md") if "bpy.ops.motus" in code]
         seen = []
@@ -86,6 +98,17 @@ class ExamplesTest(support.SceneTestCase):
         self.assertAlmostEqual(lamp.rotation_euler[0], swing, places=6)
         self.assertFalse(lamp.animation_data and lamp.animation_data.drivers)
         self.assertEqual([curve.data_path for curve in lamp.data.animation_data.drivers], ["energy"])
+
+    def test_the_scripted_example_drags_the_pendulum(self):
+        scripted, = [code for code in examples(DOCS / "pendulums.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": lambda place: seen.append(tuple(place))}
+        before = set(bpy.data.objects)
+        exec(compile(scripted, "pendulums.md", "exec"), scope)
+        dragged, swung = seen
+        self.assert_place(dragged, (1.0, 0.0, 2.0), 2e-6)
+        self.assertGreater(sum((a - b) ** 2 for a, b in zip(dragged, swung)), 0.01)
+        self.assertEqual(set(bpy.data.objects), before)
 
     def height_of(self, land, vertex, frame):
         """Height of a vertex on a frame, as it is seen."""

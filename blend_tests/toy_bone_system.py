@@ -178,19 +178,12 @@ NOD = _system("nod", MOTUS_PG_nod, (MOTUS_PG_nod,))
 
 def register():
     """Register the add-on once more, with these systems in its list."""
-    _register_with((SYSTEM, NOD))
+    support.register_systems(SYSTEM, NOD)
 
 
 def unregister():
     """Leave the add-on as it was installed."""
-    _register_with(())
-
-
-def _register_with(more):
-    systems = support.addon("systems")
-    support.addon().unregister()
-    systems.SYSTEMS = (*(one for one in systems.SYSTEMS if one not in (SYSTEM, NOD)), *more)
-    support.addon().register()
+    support.unregister_systems(SYSTEM, NOD)
 
 
 def new_rig(name="Rig", chains=2, length=2):

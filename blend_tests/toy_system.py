@@ -89,19 +89,12 @@ SYSTEM = core.System(
 
 def register():
     """Register the add-on once more, with this system in its list."""
-    _register_with((SYSTEM,))
+    support.register_systems(SYSTEM)
 
 
 def unregister():
     """Leave the add-on as it was installed."""
-    _register_with(())
-
-
-def _register_with(more):
-    systems = support.addon("systems")
-    support.addon().unregister()
-    systems.SYSTEMS = (*(one for one in systems.SYSTEMS if one is not SYSTEM), *more)
-    support.addon().register()
+    support.unregister_systems(SYSTEM)
 
 
 def new_object(name, location=(0.0, 0.0, 0.0), data=None):

@@ -7,11 +7,13 @@ HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 
 import demo_pictures  # noqa: E402  (found by the line above)
+import dynamics_pictures  # noqa: E402
 import ik_pictures  # noqa: E402
 import lattice_pictures  # noqa: E402
 import look_at_pictures  # noqa: E402
 import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
+import pendulum_pictures  # noqa: E402
 import pull_pictures  # noqa: E402
 import support  # noqa: E402
 
@@ -21,6 +23,7 @@ print("docs/operators.md")
 pictures = HERE / "pictures"
 for render in (
         path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
-        lattice_pictures.render_all, demo_pictures.render_all):
+        lattice_pictures.render_all, dynamics_pictures.render_all, pendulum_pictures.render_all,
+        demo_pictures.render_all):
     for picture in render(pictures):
         print(f"docs/pictures/{picture.name}")

@@ -1,12 +1,15 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import drivers, ik, lattice, look_at, path, pull
+from . import drivers, dynamics, ik, lattice, look_at, path, pendulum, pull
 
 SYSTEMS = (
     path.SYSTEM,
     ik.SYSTEM,
     look_at.SYSTEM,
+    dynamics.SYSTEM,
     pull.SYSTEM,
     lattice.SYSTEM,
+    pendulum.SYSTEM,
+    pendulum.TRAILS,
     drivers.FEATURE,
 )

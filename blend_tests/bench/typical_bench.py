@@ -20,7 +20,7 @@ import support  # noqa: E402  (found by the line above)
 
 FRAMES = 40
 FEWEST_ROUNDS, SECONDS = 7, 5.0
-FOLLOWERS, RIGS, LIMBS = 50, 10, 4
+FOLLOWERS, RIGS, LIMBS, PENDULUMS = 50, 10, 4, 10
 
 
 def new_object(name, data=None):
@@ -143,6 +143,11 @@ def mixed_by_blender(parts):
             constraint.target, constraint.track_axis, constraint.influence = goals[LIMBS], 'TRACK_Z', share
 
 
+def pendulums_by_motus(_made):
+    for index in range(PENDULUMS):
+        bpy.ops.motus.pendulum_add(kind='SINGLE', location=(index, 0.0, 0.0), angle1=0.3 + 0.1 * index)
+
+
 def nothing(_made):
     pass
 
@@ -155,6 +160,7 @@ SCENES = {
     "one rig, four limbs": (lambda: [new_character(0.0)], reach_by_motus, reach_by_blender),
     f"{RIGS} rigs, four limbs each": (
         lambda: [new_character(3.0 * index) for index in range(RIGS)], reach_by_motus, reach_by_blender),
+    f"{PENDULUMS} pendulums": (lambda: None, pendulums_by_motus, nothing),
     "12 followers, train, 3 characters": (new_mixed, mixed_by_motus, mixed_by_blender),
 }
 

@@ -95,6 +95,9 @@ class Layout:
     def template_list(self, _kind, _name, _data, name, *_arguments, **_options):
         self._note("list", name)
 
+    def template_icon(self, *_arguments, **_options):
+        self._note("icon", "")
+
     def operator(self, name, *_arguments, **_options):
         self._note("operator", name)
         return Properties()

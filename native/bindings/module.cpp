@@ -16,6 +16,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_frames(m);
     bind_follow(m);
     bind_pose(m);
+    bind_tails(m);
     bind_two_bone(m);  // first of the chains: Reason
     bind_chain(m);
     bind_look_at(m);

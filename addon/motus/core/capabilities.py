@@ -17,6 +17,11 @@ def keeps_settings_apart():
     return bpy.app.version >= (5, 0, 0)
 
 
+def has_quaternion_attributes():
+    """Rotations are a type of attributes and sockets of their own (4.0)."""
+    return 'QUATERNION' in bpy.types.Attribute.bl_rna.properties["data_type"].enum_items
+
+
 def has_limit_rotation_legacy_flag():
     """Limit Rotation has had a switch for its old behaviour since 4.2."""
     return "use_legacy_behavior" in bpy.types.LimitRotationConstraint.bl_rna.properties

@@ -163,6 +163,12 @@ def has_animated_settings(owner):
     return bool(animation.nla_tracks) or _reach(curves).settings
 
 
+def has_driven_settings(owner):
+    """Whether a driver sets a Motus setting of an object that is not evaluated."""
+    animation = owner.animation_data
+    return animation is not None and _reach(animation.drivers).settings
+
+
 def has_animation(evaluated):
     """Whether anything animates an object: what nothing does is as it was when Blender copied it."""
     animation = evaluated.animation_data

@@ -35,12 +35,34 @@ class OfADatablock:
         return found
 
 
+def everything():
+    """All datablocks of the file, and the node trees that lie within others."""
+    for collection in bpy.data.bl_rna.properties:
+        for datablock in getattr(bpy.data, collection.identifier) if collection.type == 'COLLECTION' else ():
+            yield datablock
+            tree = getattr(datablock, "node_tree", None)
+            if tree is not None and tree.is_embedded_data:
+                yield tree
+
+
 def collection_of(datablock):
     """Name of the file's collection that a datablock stands in."""
     for prop in bpy.data.bl_rna.properties:
         if prop.type == 'COLLECTION' and isinstance(datablock, getattr(bpy.types, prop.fixed_type.identifier)):
             return prop.identifier
     raise ValueError(f"{datablock!r} stands in no collection")
+
+
+_ID_TYPES = {
+    "LIGHTPROBE": 'LIGHT_PROBE', "METABALL": 'META', "VECTORFONT": 'FONT', "FREESTYLELINESTYLE": 'LINESTYLE',
+    "PARTICLESETTINGS": 'PARTICLE'}
+
+
+def id_type(datablock):
+    """Its type, as targets of drivers' variables name it."""
+    kind = next(one for one in type(datablock).__mro__ if one.__base__ is bpy.types.ID)
+    name = kind.__name__.upper()
+    return _ID_TYPES.get(name, name)
 
 
 def named_by(datablock, path):

@@ -1,16 +1,16 @@
-"""In which order the entries of a rig's systems have to be solved: what a bone or an object depends on.
+"""In which order the entries of an owner's systems have to be solved: what a bone or an object depends on.
 
 A graph of places, each named by a tuple: what Blender evaluates (an object's transform, a bone, a geometry, the drivers of
-some properties), and the entries of the systems. An entry depends on what it reads; a bone that an entry drives depends on
-that entry. Parents, constraints, drivers and what deforms a geometry are followed through all objects.
+some properties), and the entries of the systems. An entry depends on what it reads; a bone or object that an entry drives
+depends on that entry, whichever owner it belongs to. Parents, constraints, drivers and what deforms a geometry are followed through all objects.
 """
 
 import re
 
 import bpy
 
-from .system import systems
-from .wiring import marks, outbox, proxy_sink
+from .system import of_owner, registered, systems
+from .wiring import marks, order, outbox, proxy_sink
 
 TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "geometry", "drivers", "entry"
 
@@ -23,13 +23,13 @@ _TARGETS = (("target", "subtarget"), ("pole_target", "pole_subtarget"), ("space_
             ("depth_object", ""), ("camera", ""))
 
 
-def levels(rig):
-    """{(system's name, entry's name): level} of all entries on a rig.
+def levels(owner):
+    """{(system's name, entry's name): level} of all entries on an owner.
 
-    An entry of level n reads what entries of level n - 1 drive, directly or not, and of no higher level; None: it depends
-    on what it drives itself.
+    An entry reads what entries of lower levels drive, directly or by way of other owners; None: it depends on what it drives
+    itself.
     """
-    graph = _Graph(rig)
+    graph = _Graph(owner)
     found = {}
     # Components come in such an order that all that one depends on comes before it.
     depth = {}
@@ -40,8 +40,10 @@ def levels(rig):
         for node in component:
             depth[node] = below + (node[0] == ENTRY and not is_loop)
         for node in entries:
-            found[node[1:]] = None if is_loop else below
-    return {address: found[address] for address in graph.entries}
+            found[node] = None if is_loop else below
+    # Entries of other owners count as levels between: two owners' groups could wait for each other.
+    steps = sorted({found[node] for node in graph.roots()} - {None})
+    return {node[2:]: None if found[node] is None else steps.index(found[node]) for node in graph.roots()}
 
 
 def depends(obj, bone, rig, bones):
@@ -85,24 +87,31 @@ def _of_channel(obj, path):
 class _Graph:
     """What each place depends on, found when somebody asks."""
 
-    def __init__(self, rig):
-        self._rig = rig
+    def __init__(self, owner):
+        self._owner = owner
         self._known = {}
         self._drivers = {}
         self._solved = {}
         self._slots = [outbox.slot_pattern(system) for system in _with_entries()]
-        self.entries = {}
-        self._drivers_of_bones = {}
+        self._entries, self._entries_on, self._owners = {}, {}, set()
+        self._add(owner)
+
+    def _add(self, owner):
+        """Know an owner's entries."""
+        if owner in self._owners:
+            return
+        self._owners.add(owner)
         for system in _with_entries():
-            for entry in system.entries(rig):
-                self.entries[system.name, entry.name] = entry
-        for (system, name), entry in self.entries.items():
-            for bone in entry.drives:
-                self._drivers_of_bones.setdefault(bone, []).append((ENTRY, system, name))
+            for entry in system.entries(owner):
+                place = ENTRY, owner, system.name, entry.name
+                self._entries[place] = entry
+                for thing in entry.drives:
+                    node = (BONE, owner, thing) if isinstance(thing, str) else (TRANSFORM, thing)
+                    self._entries_on.setdefault(node, []).append(place)
 
     def roots(self):
-        """Where to begin: the entries."""
-        return [(ENTRY, *address) for address in self.entries]
+        """Where to begin: the owner's entries."""
+        return [node for node in self._entries if node[1] == self._owner]
 
     def depends_on(self, node):
         """The places that a place directly depends on."""
@@ -110,25 +119,29 @@ class _Graph:
             self._known[node] = list(dict.fromkeys(getattr(self, "_of_" + node[0])(*node[1:])))
         return self._known[node]
 
-    def _of_entry(self, system, name):
-        entry = self.entries[system, name]
+    def _of_entry(self, owner, system, name):
+        entry = self._entries[ENTRY, owner, system, name]
         for obj, bone in entry.reads:
             yield from _place(obj, bone)
+        for obj in order.geometries(registered[system], of_owner(registered[system], owner)):
+            yield GEOMETRY, obj
         # A bone's animation below the entry is read as it is after its own drivers.
-        for bone in entry.drives:
-            for path, driver in self._of_bone_paths(self._rig, bone):
+        for bone in [thing for thing in entry.drives if isinstance(thing, str)]:
+            for path, driver in self._of_bone_paths(owner, bone):
                 if ".constraints[" not in path:
                     yield from _read_by(driver)
         # To Blender all plain settings of an object are one thing.
-        yield DRIVERS, self._rig, "motus."
+        yield DRIVERS, owner, "motus."
 
     def _of_transform(self, obj):
         yield from self._of_parent(obj)
         for constraint in obj.constraints:
-            yield from _targets(constraint)
+            if not self._is_sink(obj, constraint):
+                yield from _targets(constraint)
         for path, driver in self._all_drivers(obj):
-            if path.startswith(_OWN_TRANSFORM):
+            if path.startswith(_OWN_TRANSFORM) and not self._is_of_sink(obj, path, driver):
                 yield from _read_by(driver)
+        yield from self._entries_on.get((TRANSFORM, obj), ())
 
     @staticmethod
     def _of_parent(obj):
@@ -146,15 +159,14 @@ class _Graph:
         if bone.parent:
             yield BONE, obj, bone.parent.name
         for constraint in bone.constraints:
-            if not self._is_ours(obj, constraint):
+            if not self._is_sink(obj, constraint):
                 yield from _targets(constraint)
         for path, driver in self._of_bone_paths(obj, name):
-            if not self._reads_ours(obj, driver):
+            if not self._is_of_sink(obj, path, driver):
                 yield from _read_by(driver)
         for constraint in self._solved_by(obj).get(name, ()):
             yield from _targets(constraint)
-        if obj == self._rig:
-            yield from self._drivers_of_bones.get(name, ())
+        yield from self._entries_on.get((BONE, obj, name), ())
 
     @staticmethod
     def _of_pose(obj):
@@ -210,21 +222,29 @@ class _Graph:
                             turned.setdefault(one.name, []).append(constraint)
         return self._solved[obj]
 
-    def _is_ours(self, obj, constraint):
+    def _is_sink(self, obj, constraint):
         """Whether a constraint is a sink of an entry: what that depends on, the entry says itself."""
-        if obj != self._rig:
-            return False
-        proxy = proxy_sink.proxy_of(constraint)
-        if proxy:
-            return proxy[marks.PROXY_KEY] == obj
         found = (marks.read(system, constraint) for system in _with_entries())
-        return any(mesh.get(outbox.OWNER_KEY) == obj for mesh, _ in filter(None, found))
+        if any(self._has_entries(mesh) for mesh, _ in filter(None, found)):
+            return True
+        proxy = proxy_sink.proxy_of(constraint) if obj == self._owner else None
+        return proxy is not None and proxy[marks.PROXY_KEY] == obj
 
-    def _reads_ours(self, obj, driver):
-        if obj != self._rig:
+    def _is_of_sink(self, obj, path, driver):
+        """Whether a driver brings values of a hub to a sink, or is one of the owner's that reads one of its own hubs."""
+        targets = [target for variable in driver.variables for target in variable.targets
+                   if any(pattern.match(target.data_path) for pattern in self._slots)]
+        if obj == self._owner:
+            return len(targets) > 0
+        return "constraints[" in path and any(target.id and self._has_entries(target.id) for target in targets)
+
+    def _has_entries(self, hub):
+        """Whether a hub's mesh has an owner, whose entries are known from then on."""
+        owner = hub.get(outbox.OWNER_KEY)
+        if not isinstance(owner, bpy.types.Object) or not owner.is_property_set("motus"):
             return False
-        paths = [target.data_path for variable in driver.variables for target in variable.targets]
-        return any(pattern.match(path) for path in paths for pattern in self._slots)
+        self._add(owner)
+        return True
 
 
 def _with_entries():
@@ -281,30 +301,30 @@ def _read_by(driver):
 
 def _components(graph):
     """Strongly connected components of the graph, what is depended on first (Tarjan, without recursion)."""
-    order, low, on_stack, stack, found = {}, {}, set(), [], []
+    places, low, on_stack, stack, found = {}, {}, set(), [], []
     for root in graph.roots():
-        if root in order:
+        if root in places:
             continue
         work = [(root, iter(graph.depends_on(root)))]
-        order[root] = low[root] = len(order)
+        places[root] = low[root] = len(places)
         stack.append(root)
         on_stack.add(root)
         while work:
             node, others = work[-1]
             for other in others:
-                if other not in order:
-                    order[other] = low[other] = len(order)
+                if other not in places:
+                    places[other] = low[other] = len(places)
                     stack.append(other)
                     on_stack.add(other)
                     work.append((other, iter(graph.depends_on(other))))
                     break
                 if other in on_stack:
-                    low[node] = min(low[node], order[other])
+                    low[node] = min(low[node], places[other])
             else:
                 work.pop()
                 if work:
                     low[work[-1][0]] = min(low[work[-1][0]], low[node])
-                if low[node] == order[node]:
+                if low[node] == places[node]:
                     component = [stack.pop()]
                     while component[-1] != node:
                         component.append(stack.pop())

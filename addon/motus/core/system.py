@@ -71,6 +71,19 @@ class Matrix:
 
 
 @dataclass(frozen=True)
+class OwnMatrix:
+    """World matrix of the owner, where the boolean setting `when` is on; else None. The owner may not be driven itself."""
+
+    name: str
+    when: str
+
+    def variable(self, owner, settings):
+        return Variable('OBJECT', owner, "matrix_world") if getattr(settings, self.when) else None
+
+    read = staticmethod(Matrix.read)
+
+
+@dataclass(frozen=True)
 class Splines:
     """The splines of the curve object that the pointer setting `of` names; None without it."""
 
@@ -123,6 +136,17 @@ class Deformed:
 
 
 @dataclass(frozen=True)
+class Geometry(Deformed):
+    """The evaluated mesh or curve object that `of` names, once its final geometry is there, modifiers included; None without it.
+
+    The solver runs again whenever that geometry is edited. Not in a system whose owners share solvers (System.shared).
+    """
+
+    def read(self, value, settings):
+        return getattr(settings, self.of) if Matrix.read(value, settings) is not None else None
+
+
+@dataclass(frozen=True)
 class Transform:
     """Waits for an object, or a bone of it, to stand where it is evaluated to stand. No argument of solve."""
 
@@ -150,8 +174,8 @@ class BonesOwn:
 class Member:
     """An Object or PoseBone that is driven, and how.
 
-    space: owner space of the sinks. is_relative: rotation and scale act on top of the thing's own transform, in its local
-    space; neutral values (no rotation, scale 1) leave it alone.
+    space: of what solve() fills, unless is_relative: then location, rotation and scale act on top of the thing's own, channel by
+    channel and in the axes of these; neutral values (no move, no rotation, scale 1) leave it alone.
     """
 
     thing: Any
@@ -159,19 +183,43 @@ class Member:
     space: str = 'WORLD'
     is_relative: bool = False
 
+    @property
+    def owner_space(self):
+        """Owner space of the sinks' constraints."""
+        if not self.is_relative:
+            return self.space
+        # The Local Space of an object without a parent is turned as the object is.
+        stands_alone = isinstance(self.thing, bpy.types.Object) and self.thing.parent is None
+        return 'WORLD' if stands_alone else 'LOCAL'
+
+
+@dataclass(frozen=True)
+class Property:
+    """A decimal number that is driven by one of a group's outputs, in the place of its own value and keys.
+
+    path: from the object, as object.path_resolve() takes it, through its data, materials, ...; index: in an array.
+    """
+
+    output: str
+    object: Any
+    path: str
+    index: int = -1
+
 
 @dataclass(frozen=True)
 class Group:
     """What one solver computes at once, where a system needs several on one owner.
 
     key: letters and digits, "" for the first. inputs: Transform and BonesOwn that the solver waits for. outputs: names of
-    numbers. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
+    numbers. properties: driven by outputs, on top of which solve() leaves the influence to the wiring; what solve() does not set
+    is the property's own. data: what solve needs to know and is known when wired: strings, numbers, and lists of numbers by name.
     """
 
     key: str = ""
     members: tuple = ()
     inputs: tuple = ()
     outputs: tuple = ()
+    properties: tuple = ()
     data: dict = field(default_factory=dict)
 
     @property
@@ -182,14 +230,32 @@ class Group:
 
 @dataclass(frozen=True)
 class Entry:
-    """One of an owner's settings that drives bones of it, for the order among them (core/dependencies.py).
+    """One of an owner's settings that drives bones of it or objects, for the order among them (core/dependencies.py).
 
-    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones.
+    reads: (object, bone or "") whose evaluated transform it needs. drives: names of the owner's bones, and objects.
     """
 
     name: str
     reads: tuple = ()
     drives: tuple = ()
+
+
+@dataclass(frozen=True)
+class Points:
+    """What a system makes on its owner: points with a position and `attributes`, which are pairs of name and kind.
+
+    kind: 'FLOAT', 'INT', 'VECTOR', 'COLOR', or 'QUATERNION' (w, x, y, z), which before Blender 4.0 arrives as Euler angles.
+    Names that Blender knows: the FLOAT "radius" of points and curves; the VECTOR "velocity", in metres a second, of which
+    motion blur is made; the INT "id", by which instances on the points are the same from one frame to the next.
+    shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; or 'TUBES' around such.
+    space: 'WORLD', in which the points stay where they are while the owner moves, or 'LOCAL', the owner's.
+    capacity: more points than that there never are.
+    """
+
+    attributes: tuple = ()
+    shape: str = 'POINTS'
+    space: str = 'WORLD'
+    capacity: int = 1 << 22
 
 
 @dataclass(frozen=True)
@@ -216,12 +282,15 @@ class Feature:
 class System(Feature):
     """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
 
-    moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. unbakeable: a sentence
-    that says why there is nothing to bake. settle: called after an evaluation in which solve() has asked for it
-    (Context.wants_to_settle), with the owner. over_time: called with the owner, a driven object and the scene; gives what
-    core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner, a rig, and the old and the new name of a
-    bone of it that the owner drives or reads. shared: names of the settings that solve() reads beside its inputs; if it
-    reads nothing else, owners with the same inputs are solved by one solver as long as their settings are still.
+    moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. makes_points: the solver
+    makes these, by a modifier too. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
+    evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner. over_time: called with the owner,
+    a driven object and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
+    a rig, and the old and the new name of a bone of it that the owner drives or reads. shared: names of the settings that
+    solve() reads beside its inputs; if it reads nothing else, owners with the same inputs are solved by one solver as long as
+    their settings are still. is_relative: of the members, where no groups are declared: see Member; solve() applies the
+    influence then. same_bits: the members have the same matrices in every Blender, to the last bit, by sinks that all Blenders
+    have. owner_of: called with an object that may belong to an owner without being driven; gives that owner or None.
     """
 
     solve: Callable
@@ -232,14 +301,28 @@ class System(Feature):
     members: Callable = lambda owner: [owner]
     member_data: Optional[Callable] = None
     space: str = 'WORLD'
+    is_relative: bool = False
+    same_bits: bool = False
     groups: Optional[Callable] = None
     entries: Optional[Callable] = None
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
+    makes_points: Optional[Points] = None
     settle: Optional[Callable] = None
     over_time: Optional[Callable] = None
     unbakeable: str = ""
     shared: tuple = ()
+    owner_of: Optional[Callable] = None
+
+    @property
+    def has_modifier(self):
+        """Whether its sink is a modifier of the owner, and it drives no members."""
+        return self.moves_points or self.makes_points is not None
+
+    @property
+    def reads_mesh(self):
+        """Whether its solver waits for the mesh that the owner has."""
+        return any(isinstance(declared, Vertices) for declared in self.inputs)
 
 
 @dataclass
@@ -247,6 +330,8 @@ class Context:
     """What solve() reads beyond its declared inputs, and what it fills; see docs/systems.md.
 
     common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
+    points(count): arrays for so many points by the names of their attributes, of a system that makes points. All of them are
+    to be filled; they are shorter where there is no room for so many, and Blender's own memory, valid until solve() returns.
     """
 
     settings: Any
@@ -261,6 +346,7 @@ class Context:
     group: str = ""
     data: Any = field(default_factory=dict)
     offsets: Any = None
+    points: Any = None
     wants_to_settle: bool = False
     memo: Any = None
     targets: Any = None
@@ -347,8 +433,10 @@ def groups_of(system, owner) -> tuple:
     """The groups of members that the system drives for an owner: one, where the system declares none."""
     if system.groups is not None:
         return tuple(system.groups(owner))
+    if system.has_modifier:
+        return (Group(outputs=system.outputs),)
     channels = system.channels(of_owner(system, owner))
-    members = tuple(Member(thing, channels, system.space) for thing in system.members(owner))
+    members = tuple(Member(thing, channels, system.space, system.is_relative) for thing in system.members(owner))
     return (Group(members=members, outputs=system.outputs),)
 
 

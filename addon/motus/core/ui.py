@@ -22,15 +22,20 @@ class Sidebar:
     bl_category = TAB
 
 
-class ObjectConstraints:
-    """Mixin of panels among the constraints of an object, in the properties editor."""
+class _Properties:
+    """Mixin of panels in the properties editor."""
 
     bl_space_type = 'PROPERTIES'
     bl_region_type = 'WINDOW'
+
+
+class ObjectConstraints(_Properties):
+    """Mixin of panels among the constraints of an object."""
+
     bl_context = "constraint"
 
 
-class BoneConstraints(ObjectConstraints):
+class BoneConstraints(_Properties):
     """Mixin of panels among the constraints of a bone."""
 
     bl_context = "bone_constraint"

@@ -34,11 +34,16 @@ def build_world():
 
 def build(collection):
     """Table, wall, lamps and props."""
+    build_room(collection)
+    _add_tools(collection)
+
+
+def build_room(collection):
+    """The same without props."""
     shapes.link_object(collection, "Table", _table_mesh())
     shapes.link_object(collection, "Wall", _wall_mesh())
     for lamp in LAMPS:
         _add_lamp(collection, *lamp)
-    _add_tools(collection)
 
 
 # --- light -----------------------------------------------------------------------------------------------------------

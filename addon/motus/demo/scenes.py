@@ -40,4 +40,19 @@ SCENES = (
         film=(0.0, 9.0),
         ambience=1.0,
     ),
+    DemoScene(
+        name="pendulum", identifier="PENDULUM", module="chaos", label="Fan of Chaos",
+        description="Double pendulums that start half a degree apart and soon go ways of their own, one of them alone, and "
+                    "one with other angles",
+        stills=(("Hall Camera", 2.6), ("Hall Camera", 5.1), ("Hall Camera", 9.0)),
+        film=(0.0, 12.0),
+        ambience=0.5,
+    ),
+    DemoScene(
+        name="dynamics", identifier="DYNAMICS", module="hopper", label="Hopping Creature",
+        description="A creature whose body, tail and antennae swing along with the few keys that make it hop",
+        stills=(("Table Camera", 0.45), ("Table Camera", 1.0), ("Table Camera", 3.2)),
+        film=(0.0, 110 / 24),
+        ambience=0.6,
+    ),
 )

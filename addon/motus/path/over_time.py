@@ -12,6 +12,7 @@ from ..core.tracks import world_track
 from ..core.tracks.animation import Channel
 from ..core.tracks.keys import union, whole
 from ..core.tracks.reason import Reason
+from ..core.tracks.solved import placed
 from ..core.tracks.strips import together
 from . import members, solve
 
@@ -54,8 +55,12 @@ class OverTime:
         tracks = [*self._numbers.values(), *([self._curve] if self._curve else [])]
         return next((track.reason for track in tracks if track.reason), None)
 
-    def poses(self, times):
-        """(locations, rotations, whether it is driven) at times (n,)."""
+    def applied(self, times, matrices):
+        """See core/tracks/solved.py."""
+        return placed(np.broadcast_to(matrices, (len(times), 4, 4)), *self._poses(times))
+
+    def _poses(self, times):
+        """(locations, rotations or None, whether it is driven) at times (n,)."""
         offsets, count = members.offsets(self._owner), len(times)
         values = np.stack([track.values(times) for track in self._numbers.values()], axis=1).tolist()
         matrices = self._curve.values(times) if self._curve else [None] * count
@@ -78,6 +83,11 @@ class OverTime:
         if self._curve:
             found.append(self._curve.bounds(first, last))
         return union([[first, *whole(first, last), last], *found])
+
+    @property
+    def extent(self):
+        """As Channel.extent: nobody knows when it stands."""
+        return -np.inf, np.inf
 
     @property
     def stamp(self):

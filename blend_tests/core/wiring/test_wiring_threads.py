@@ -60,7 +60,8 @@ class SolversTest(support.SceneTestCase):
                 for module in modules:
                     module.bpy = bpy
         support.addon("core.wiring.revival").revive()
-        self.assertEqual({name.partition(".")[0] for name in calls}, {"path", "ik", "look_at"})
+        self.assertEqual({name.partition(".")[0] for name in calls},
+                         {"path", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail"})
         self.assertEqual(asked, set())
 
 

@@ -29,18 +29,6 @@ class FilesTest(cases.PinsTestCase):
             self.shapes[frame] = evaluated(grid).copy()
         return grid
 
-    def save(self, name="pins.blend"):
-        path = str(self.folder / name)
-        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
-        return path
-
-    def load(self, path, link):
-        support.empty_scene()
-        with bpy.data.libraries.load(path, link=link) as (_, wanted):
-            wanted.objects = ["Grid"]
-        bpy.context.scene.collection.objects.link(wanted.objects[0])
-        return wanted.objects[0]
-
     def assert_same(self, obj):
         for frame in (11, 6, 2.5, 6):
             frame_set(frame)
@@ -91,7 +79,7 @@ class FilesTest(cases.PinsTestCase):
 
     def test_appended(self):
         self.pinned()
-        grid = self.load(self.save(), link=False)
+        grid = self.load(self.save(), False, "Grid")
         self.assert_same(grid)
         bpy.ops.motus.pin_remove(object="Grid", all=True)
         self.assertEqual(len(grid.modifiers), 0)
@@ -99,7 +87,7 @@ class FilesTest(cases.PinsTestCase):
 
     def test_linked(self):
         self.pinned()
-        grid = self.load(self.save(), link=True)
+        grid = self.load(self.save(), True, "Grid")
         self.assert_same(grid)
         self.assertEqual(len(grid.motus.pull.hub.data.vertices), 0)
         with self.assertRaisesRegex(RuntimeError, "linked from another file"):
@@ -107,7 +95,7 @@ class FilesTest(cases.PinsTestCase):
 
     def test_overridden(self):
         self.pinned()
-        linked = self.load(self.save(), link=True)
+        linked = self.load(self.save(), True, "Grid")
         grid = linked.override_create(remap_local_usages=True)
         self.assert_same(grid)
         self.assertIsNone(grid.motus.pull.hub.library)

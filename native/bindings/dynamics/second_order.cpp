@@ -152,6 +152,39 @@ length.  Returns an array of the shape of inputs.  Raises ValueError where shape
 not finite; other arguments and errors as SecondOrder().)");
 }
 
+/// What write(time, row) makes of each time.
+template <class Write>
+[[nodiscard]] DoubleArray rows_at(const BoundTrack& bound, const py::object& times, const Write& write) {
+    const Numbers at(times, "times");
+    const std::size_t size = bound.track.dimensions();
+    const std::size_t count = at.values().size();
+    std::vector<py::ssize_t> shape;
+    if (!at.is_single()) shape.push_back(static_cast<py::ssize_t>(count));
+    if (!bound.is_plain) shape.push_back(static_cast<py::ssize_t>(size));
+    DoubleArray result(shape);
+    const std::span<double> out = values_of(result);
+    {
+        const ReleaseGil released(out.size(), step_cost);
+        for (std::size_t i = 0; i < count; ++i) write(at.values()[i], out.subspan(i * size, size));
+    }
+    return result;
+}
+
+/// The rotation that rotation_at(time) gives for each time.
+template <class RotationAt>
+[[nodiscard]] DoubleArray rotations_at(const py::object& times, const RotationAt& rotation_at) {
+    const Numbers at(times, "times");
+    const std::size_t count = at.values().size();
+    DoubleArray result = at.is_single() ? new_array({4}) : new_array({count, 4});
+    const std::span<glm::dquat> out = quaternions_in(result.mutable_data(), count);
+    {
+        const ReleaseGil released(count, step_cost);
+        std::ranges::transform(at.values(), out.begin(), rotation_at);
+        rows_from_quaternions(out);
+    }
+    return result;
+}
+
 void bind_tracks(py::module_& m) {
     py::class_<BoundTrack>(m, "Track", py::module_local(), R"(
 An output at any time, in any order, of a SecondOrder and an input over time. Immutable.
@@ -173,23 +206,19 @@ or its length is a whole number of periods without damping.)")
         .def(
             "evaluate",
             [](const BoundTrack& self, const py::object& times) {
-                const Numbers at(times, "times");
-                const std::size_t size = self.track.dimensions();
-                const std::size_t count = at.values().size();
-                std::vector<py::ssize_t> shape;
-                if (!at.is_single()) shape.push_back(static_cast<py::ssize_t>(count));
-                if (!self.is_plain) shape.push_back(static_cast<py::ssize_t>(size));
-                DoubleArray result(shape);
-                const std::span<double> out = values_of(result);
-                {
-                    const ReleaseGil released(out.size(), step_cost);
-                    for (std::size_t i = 0; i < count; ++i)
-                        self.track.evaluate(at.values()[i], out.subspan(i * size, size));
-                }
-                return result;
+                return rows_at(self, times,
+                               [&](double time, std::span<double> row) { self.track.evaluate(time, row); });
             },
             "times"_a, R"(
-Outputs at times, s, a number or (m,): of the shape of the times, with the inputs' d at its end where they had one.)");
+Outputs at times, s, a number or (m,): of the shape of the times, with the inputs' d at its end where they had one.)")
+        .def(
+            "offsets",
+            [](const BoundTrack& self, const py::object& times) {
+                return rows_at(self, times,
+                               [&](double time, std::span<double> row) { self.track.offset(time, row); });
+            },
+            "times"_a, R"(
+What the outputs differ from the inputs by at times, in the same shape: exactly 0 where the input has never moved.)");
     py::class_<RotationTrack>(m, "RotationTrack", py::module_local(), R"(
 The same for rotations: inputs (m, 4), unit quaternions w, x, y, z, each taken the shorter way from the one before. The
 output is the input turned by a rotation vector that is filtered in its tangent space: about one axis that is the filter of
@@ -212,20 +241,18 @@ the angle. With `loop` the last input has to be the first one again.)")
         .def(
             "evaluate",
             [](const RotationTrack& self, const py::object& times) {
-                const Numbers at(times, "times");
-                const std::size_t count = at.values().size();
-                DoubleArray result = at.is_single() ? new_array({4}) : new_array({count, 4});
-                const std::span<glm::dquat> out = quaternions_in(result.mutable_data(), count);
-                {
-                    const ReleaseGil released(count, step_cost);
-                    std::ranges::transform(at.values(), out.begin(),
-                                           [&](double time) { return self.evaluate(time); });
-                    rows_from_quaternions(out);
-                }
-                return result;
+                return rotations_at(times, [&](double time) { return self.evaluate(time); });
             },
             "times"_a, R"(
-Rotations at times, s, a number or (m,): (4,) or (m, 4).)");
+Rotations at times, s, a number or (m,): (4,) or (m, 4).)")
+        .def(
+            "offsets",
+            [](const RotationTrack& self, const py::object& times) {
+                return rotations_at(times, [&](double time) { return self.offset(time); });
+            },
+            "times"_a, R"(
+Turns from the inputs to the outputs at times, in the inputs' own frames, in the same shape: exactly none where the input
+has never moved.)");
 }
 
 }  // namespace

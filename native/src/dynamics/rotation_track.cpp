@@ -123,16 +123,27 @@ void RotationTrack::close_loop() {
     run();
 }
 
+glm::dvec3 RotationTrack::offset_after(std::size_t sample, double seconds) const {
+    if (seconds == 0.0) return states_[sample].offset;
+    return advanced(sample, seconds, make_step(filter_, seconds)).offset;
+}
+
 glm::dquat RotationTrack::evaluate(double time) const {
     require(std::isfinite(time), "time must be finite");
     const Place place = place_of(time, times_, is_loop_);
     const std::size_t k = place.sample;
-    if (place.seconds == 0.0) return inputs_[k] * rotation(states_[k].offset);
-    const State state = advanced(k, place.seconds, make_step(filter_, place.seconds));
+    const double seconds = place.seconds;
+    const glm::dquat turn = rotation(offset_after(k, seconds));
+    if (seconds == 0.0) return inputs_[k] * turn;
     glm::dquat input = inputs_[k];
-    if (k + 1 < times_.size())
-        input = input * rotation(turns_[k] * (place.seconds / (times_[k + 1] - times_[k])));
-    return glm::normalize(input * rotation(state.offset));
+    if (k + 1 < times_.size()) input = input * rotation(turns_[k] * (seconds / (times_[k + 1] - times_[k])));
+    return glm::normalize(input * turn);
+}
+
+glm::dquat RotationTrack::offset(double time) const {
+    require(std::isfinite(time), "time must be finite");
+    const Place place = place_of(time, times_, is_loop_);
+    return rotation(offset_after(place.sample, place.seconds));
 }
 
 std::size_t RotationTrack::bytes() const noexcept {

@@ -84,11 +84,9 @@ void Track::evaluate(double time, std::span<double> out) const {
     evaluate(time, out, {});
 }
 
-void Track::evaluate(double time, std::span<double> out, std::span<double> velocity) const {
+template <class Visit>
+void Track::at(double time, const Visit& visit) const {
     require(std::isfinite(time), "time must be finite");
-    require(out.size() == dimensions_, "out must have a value for each dimension");
-    require(velocity.empty() || velocity.size() == dimensions_,
-            "velocity must have a value for each dimension");
     const Place place = place_of(time, times_, is_loop_);
     const std::size_t last = times_.size() - 1;
     const std::size_t next = place.sample + 1;
@@ -104,9 +102,23 @@ void Track::evaluate(double time, std::span<double> out, std::span<double> veloc
         if (place.seconds > 0.0) advance(step, slope, offset, speed);
         double input = x[i] + slope * place.seconds;
         if (is_loop_) input += place.cycles * (inputs_[last * dimensions_ + i] - inputs_[i]);
+        visit(i, input, offset, speed);
+    }
+}
+
+void Track::evaluate(double time, std::span<double> out, std::span<double> velocity) const {
+    require(out.size() == dimensions_, "out must have a value for each dimension");
+    require(velocity.empty() || velocity.size() == dimensions_,
+            "velocity must have a value for each dimension");
+    at(time, [&](std::size_t i, double input, double offset, double speed) {
         out[i] = input + offset;
         if (!velocity.empty()) velocity[i] = speed;
-    }
+    });
+}
+
+void Track::offset(double time, std::span<double> out) const {
+    require(out.size() == dimensions_, "out must have a value for each dimension");
+    at(time, [&](std::size_t i, double, double offset, double) { out[i] = offset; });
 }
 
 void Track::outputs(std::span<double> out) const {

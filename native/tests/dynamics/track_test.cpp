@@ -300,3 +300,29 @@ TEST_CASE("what is no track is refused by its argument's name", "[track]") {
     const std::array rotations{glm::dquat(1.0, 0.0, 0.0, 0.0), glm::dquat(2.0, 0.0, 0.0, 0.0)};
     CHECK_THROWS_WITH(RotationTrack(filter, times, rotations), StartsWith("inputs"));
 }
+
+TEST_CASE("offsets are what outputs differ from their inputs by", "[track]") {
+    Random random(11);
+    const Input input = random_input(random, 20, 3);
+    std::vector<glm::dquat> turns;
+    for (std::size_t k = 0; k < input.times.size(); ++k)
+        turns.push_back(about({1.0, 2.0, 3.0}, input.values[3 * k]));
+    for (const SecondOrder& filter : filters) {
+        const Track track(filter, input.times, input.values, 3);
+        const RotationTrack turning(filter, input.times, turns);
+        std::array<double, 3> output{}, offset{};
+        for (std::size_t k = 0; k < input.times.size(); ++k) {
+            track.evaluate(input.times[k], output);
+            track.offset(input.times[k], offset);
+            for (std::size_t i = 0; i < 3; ++i)
+                CHECK(output[i] - offset[i] == Approx(input.values[3 * k + i]).margin(1e-13));
+            const glm::dquat turned = turns[k] * turning.offset(input.times[k]);
+            CHECK(angle_between(turned, turning.evaluate(input.times[k])) < 1e-13);
+        }
+        const Track rests(filter, input.times, std::vector<double>(input.times.size(), 0.3), 1);
+        const std::vector<glm::dquat> still(input.times.size(), about({0.0, 1.0, 0.0}, 0.3));
+        rests.offset(1.234, {offset.data(), 1});
+        CHECK(offset[0] == 0.0);
+        CHECK(RotationTrack(filter, input.times, still).offset(1.234) == glm::dquat(1.0, 0.0, 0.0, 0.0));
+    }
+}

@@ -6,8 +6,8 @@ from .. import system, wiring
 from ..frames import Kept, go_to
 from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
-from . import keys
-from .sampling import Track, is_mirrored
+from . import keys, state
+from .sampling import NumberTrack, Track, is_mirrored
 
 
 def owner_and_systems(thing, name=""):
@@ -55,12 +55,13 @@ def unbake(thing, name=""):
 
     thing: the owner or one of its members. name: of a system that has to be among the baked ones.
     """
-    owner = thing.motus.bake.owner or thing
+    owner = _baked_owner(thing)
     systems, baked = check_baked(thing, name)
     for one in baked:
         check_local(one)
         check_no_tweak_mode(one)
     partial = [one for one in baked if not keys.restore(one)]
+    owner.motus.property_unset("bake")
     for one in systems:
         system.of_owner(one, owner).is_baked = False
         wiring.set_muted(one, owner, False)
@@ -69,22 +70,27 @@ def unbake(thing, name=""):
 
 def check_baked(thing, name=""):
     """(systems, objects) that were baked together with a thing. Raises Refused where nothing was."""
-    owner = thing.motus.bake.owner or thing
+    owner = _baked_owner(thing)
     systems = [one for one in system.systems() if system.of_owner(one, owner).is_baked]
-    baked = [one for one in bpy.data.objects if _is_baked_with(owner, one)]
+    baked = state.baked_with(owner)
     if not baked or (name and name not in [one.name for one in systems]):
         raise Refused(tr("{object} is not baked").format(object=thing.name))
     return systems, baked
 
 
-def _is_baked_with(owner, thing):
-    state = thing.motus.bake
-    return state.is_baked and (state.owner or thing) == owner
+def _baked_owner(thing):
+    """The owner with which an object was baked, or properties of what it uses."""
+    if thing.motus.bake.is_baked:
+        return thing.motus.bake.owner or thing
+    leaders = [system.of_owner(one, thing).leader for one in system.systems()]
+    return next((leader for leader in leaders if leader and any(
+        system.of_owner(one, leader).is_baked for one in system.systems())), thing)
 
 
 def objects_of(owner, systems):
-    """The objects that the systems drive, themselves or their bones."""
-    return {member.thing.id_data for one in systems for member in _members(one, owner)}
+    """The objects that the systems drive, themselves, their bones, or what they use."""
+    driven = {member.thing.id_data for one in systems for member in _members(one, owner)}
+    return driven | {obj for one in systems for obj, _ in wiring.driven_properties(one, owner)}
 
 
 def inexact(owner, systems):
@@ -115,7 +121,8 @@ def _tracks(owner, systems):
         # A mirrored thing loses its negative scale in the sinks.
         if keys.others(thing, sinks) or is_mirrored(thing.scale):
             names.update(("location", "rotation", "scale"))
-    return [Track(thing, frozenset(names)) for thing, names in channels.items()]
+    return [Track(thing, frozenset(names)) for thing, names in channels.items()] + [
+        NumberTrack(*one) for owned in systems for one in wiring.driven_properties(owned, owner)]
 
 
 def _check(tracks, view_layer):
@@ -123,9 +130,10 @@ def _check(tracks, view_layer):
         raise Refused(tr("The system drives nothing that could be baked"))
     for one in {track.id_data for track in tracks}:
         check_local(one)
-        if one.motus.bake.is_baked:
+        if state.of(one).is_baked:
             raise Refused(tr("{object} is baked already: unbake it first").format(object=one.name))
         check_no_tweak_mode(one)
+    for one in {track.thing.id_data for track in tracks}:
         check_evaluated(one, view_layer)
     for rig in {track.id_data for track in tracks if isinstance(track.thing, bpy.types.PoseBone)}:
         check_posed(rig, view_layer)
@@ -133,11 +141,13 @@ def _check(tracks, view_layer):
 
 def _apply(owner, systems, tracks, frames):
     sinks = _sinks(owner, systems)
+    for one in systems:
+        wiring.set_muted(one, owner, True)
     for one in {track.id_data for track in tracks}:
         own = [track for track in tracks if track.id_data == one]
         keys.remember(one, owner, own, keys.mute(one, own, sinks))
         keys.write(one, own, frames)
         one.update_tag()
+    owner.motus.bake.frame_start, owner.motus.bake.frame_end = frames[0], frames[-1]
     for one in systems:
-        wiring.set_muted(one, owner, True)
         system.of_owner(one, owner).is_baked = True

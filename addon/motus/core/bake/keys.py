@@ -6,7 +6,11 @@ import re
 
 import bpy
 
-from .. import actions
+from .. import actions, stored
+from ..refusals import Refused
+from ..tracks import animation as animated
+from . import state as states
+from .sampling import NumberTrack
 
 PARKED_KEY = "motus_parked"
 """Custom property that the drivers of baked channels are aimed at until they are wanted again."""
@@ -23,14 +27,11 @@ def write(id_data, tracks, frames):
     """Give an object an action with the tracks' keyframes beside its own other F-curves."""
     bag = actions.assign_copy(id_data, f"{id_data.name} Motus Bake")
     for track in tracks:
-        group = track.thing.name if isinstance(track.thing, bpy.types.PoseBone) else "Object Transforms"
-        for name, rows in track.values.items():
-            path = track.data_path(name)
-            for curve in [one for one in bag.fcurves if one.data_path == path]:
+        for path, index, column in track.curves():
+            for curve in [one for one in bag.fcurves if (one.data_path, one.array_index) == (path, index)]:
                 bag.fcurves.remove(curve)
-            for index, column in enumerate(zip(*rows)):
-                _write_curve(actions.new_fcurve(bag, path, index, group), frames, column)
-    state = id_data.motus.bake
+            _write_curve(actions.new_fcurve(bag, path, index, track.group), frames, column)
+    state = states.of(id_data)
     state.action, state.frame_start, state.frame_end = id_data.animation_data.action, frames[0], frames[-1]
 
 
@@ -49,21 +50,25 @@ def _write_curve(curve, frames, values):
 
 def remember(id_data, owner, tracks, muted):
     """Note on an object that is about to be baked what restore() needs. muted: what mute() returned."""
-    state = id_data.motus.bake
+    state = states.of(id_data)
     animation = id_data.animation_data
     paths = [track.data_path(name) for track in tracks for name in track.values]
     state.is_baked = True
     state.owner = None if owner == id_data else owner
     state.previous_action = animation.action if animation else None
     state.previous_slot = actions.slot_identifier(id_data)
-    state.kept = json.dumps({"values": {path: list(id_data.path_resolve(path)) for path in paths}, "muted": muted})
+    kept = {"values": {path: list(id_data.path_resolve(path)) for path in paths}, "muted": muted}
+    numbers = [track.own for track in tracks if isinstance(track, NumberTrack)]
+    state.kept = json.dumps(kept | ({"numbers": numbers} if numbers else {}))
 
 
 def restore(id_data):
     """Undo what write(), mute() and remember() did to an object; False where the file does not say all of it any more."""
-    state = id_data.motus.bake
+    state = states.of(id_data)
     values, constraints, drivers, is_whole = _kept(state.kept)
     baked, state.action = state.action, None
+    own_numbers, has_all = _numbers(state.kept, baked)
+    is_whole &= has_all
     # Where the user has chosen yet another action since, it stays.
     if id_data.animation_data and id_data.animation_data.action == baked:
         is_whole &= _assign_previous(id_data, state)
@@ -74,7 +79,9 @@ def restore(id_data):
     is_whole &= _unpark(id_data, drivers)
     for path, numbers in values.items():
         _set_values(id_data, path, numbers)
-    id_data.motus.property_unset("bake")
+    for path, index, number in own_numbers:
+        _set_number(id_data, path, index, number)
+    states.forget(id_data)
     id_data.update_tag()
     return is_whole
 
@@ -107,6 +114,28 @@ def _kept(text):
     return *parts, all(one is not None and len(one) == len(part) for one, part in zip((values, constraints, drivers), parts))
 
 
+def _numbers(text, baked):
+    """((path, index, value) of properties, whether that is all): those alone that the baked action animates."""
+    try:
+        said = json.loads(text)
+    except (ValueError, RecursionError):
+        return [], True  # which _kept() tells
+    found = said.get("numbers", []) if isinstance(said, dict) else []
+    if not stored.fits(found, [(str, lambda value: type(value) is int and value >= -1, float)]):
+        return [], False
+    animated_ones = {(curve.data_path, curve.array_index) for curves in (actions.all_fcurves(baked) if baked else ())
+                     for curve in curves}
+    kept = [tuple(one) for one in found if (one[0], max(one[1], 0)) in animated_ones]
+    return kept, len(kept) == len(found)
+
+
+def _set_number(id_data, path, index, value):
+    try:
+        animated.number(id_data, path, index).write(value)
+    except Refused:
+        pass  # the user has removed it since
+
+
 def _get(holder, key, kind):
     found = holder.get(key) if isinstance(holder, dict) else None
     return found if isinstance(found, kind) else None
@@ -131,7 +160,8 @@ def mute(id_data, tracks, sinks):
     A driver is not only muted but aimed at another property: in Blender 5.2 the value of a key for a property that has a
     muted driver sometimes arrives after the transform was computed (seen in about one frame of a hundred).
     """
-    constraints = [f"{constraint.path_from_id()}.mute" for track in tracks for constraint in others(track.thing, sinks)]
+    constraints = [f"{constraint.path_from_id()}.mute" for track in tracks if track.values
+                   for constraint in others(track.thing, sinks)]
     baked = {track.data_path(name) for track in tracks for name in track.values}
     parked = [curve for curve in _drivers(id_data) if curve.data_path in baked]
     for path in constraints:

@@ -48,6 +48,43 @@ class Track:
                 for length, delta, factor in zip(lengths, deltas.scale, self.thing.scale)])
 
 
+    def curves(self):
+        """(data path, index, values by frames) of the F-curves that it makes."""
+        for name, rows in self.values.items():
+            for index, column in enumerate(zip(*rows)):
+                yield self.data_path(name), index, column
+
+    @property
+    def group(self):
+        """What the F-curves are listed under."""
+        return self.thing.name if isinstance(self.thing, bpy.types.PoseBone) else "Object Transforms"
+
+
+class NumberTrack:
+    """A property, sampled frame by frame. It has no transform channels: `values` is empty. read: gives its Place from an object."""
+
+    values = {}
+    group = "Properties"
+
+    def __init__(self, obj, read):
+        self.thing, self._read = obj, read
+        found = read(obj)
+        self.id_data, self._path, self.number, self._rows = found.id_data, found.data_path, found.number, []
+
+    def record(self, depsgraph):
+        """Append the present evaluated value."""
+        self._rows.append(self._read(self.thing.evaluated_get(depsgraph)).number.present)
+
+    def curves(self):
+        """As of Track."""
+        yield self._path, max(self.number.index, 0), self._rows
+
+    @property
+    def own(self):
+        """(data path, index, value without the system) for what is remembered."""
+        return self._path, self.number.index, self.number.present
+
+
 class _Deltas:
     """The delta transform that an object applies on top of its channels; a bone has none."""
 

@@ -1,21 +1,75 @@
-"""What is baked, and over which frames: for those who draw it."""
+"""What is baked, and over which frames: for those who draw it; and where a datablock notes what unbaking needs."""
 
 import bpy
 
+from .. import datablocks
 from ..system import System, of_owner
+
+KEY = "motus_bake"
+"""Custom property that holds, on what is no object, what MOTUS_PG_bake does."""
+_FORMS = {
+    "is_baked": (int, False), "owner": (bpy.types.Object, None), "action": (bpy.types.Action, None), "frame_start": (float, 0.0),
+    "frame_end": (float, 0.0), "previous_action": (bpy.types.Action, None), "previous_slot": (str, ""), "kept": (str, "")}
+
+
+class _Noted:
+    """The attributes of MOTUS_PG_bake, of a datablock that is no object. What a file has otherwise is as if it were not there."""
+
+    def __init__(self, id_data):
+        self.__dict__["_id"] = id_data
+
+    def __getattr__(self, name):
+        kind, default = _FORMS[name]
+        noted = self._id.get(KEY)
+        value = noted.get(name) if hasattr(noted, "keys") else None
+        return value if isinstance(value, kind) else default
+
+    def __setattr__(self, name, value):
+        if not hasattr(self._id.get(KEY), "keys"):
+            self._id[KEY] = {}
+        if value is None:
+            self._id[KEY].pop(name, None)
+        else:
+            self._id[KEY][name] = value
+
+
+def of(id_data):
+    """What a datablock remembers while it is baked, to be read and written."""
+    return id_data.motus.bake if isinstance(id_data, bpy.types.Object) else _Noted(id_data)
+
+
+def forget(id_data):
+    """Let it remember nothing."""
+    if isinstance(id_data, bpy.types.Object):
+        id_data.motus.property_unset("bake")
+    else:
+        id_data.pop(KEY, None)
+
+
+def baked_with(owner):
+    """All datablocks whose motion by an owner's systems stands in keyframes."""
+    found = [one for one in datablocks.everything() if _may_be_baked(one)]
+    return [one for one in found if of(one).is_baked and (of(one).owner or one) == owner]
+
+
+def _may_be_baked(one):
+    # To ask an object for its settings would give it some.
+    return one.is_property_set("motus") if isinstance(one, bpy.types.Object) else KEY in one
 
 
 def owner_of(system, obj):
-    """The object whose settings of the system move this one: its leader, or itself."""
-    return of_owner(system, obj).leader or obj
+    """The object whose settings of the system move this one: its leader, what the system says, or itself."""
+    # To ask an object for its settings would give it some.
+    leader = of_owner(system, obj).leader if obj.is_property_set("motus") else None
+    return leader or (system.owner_of and system.owner_of(obj)) or obj
 
 
 def is_baked(system, obj):
     """Whether the system's motion of an object stands in keyframes."""
-    # To ask an object for its settings would give it some.
-    if not isinstance(system, System) or not obj.is_property_set("motus"):
+    if not isinstance(system, System):
         return False
-    return of_owner(system, owner_of(system, obj)).is_baked
+    owner = owner_of(system, obj)
+    return owner.is_property_set("motus") and of_owner(system, owner).is_baked
 
 
 def frames(system, obj):
@@ -24,9 +78,11 @@ def frames(system, obj):
         return None
     owner = owner_of(system, obj)
     # Where the owner drives others only, these have the keyframes.
-    baked = [one for one in (obj, owner) if one.motus.bake.is_baked] or [
+    baked = [one for one in (obj, owner) if one.is_property_set("motus") and one.motus.bake.is_baked] or [
         one for one in bpy.data.objects if one.is_property_set("motus") and one.motus.bake.owner == owner]
-    return tuple(f"{frame:g}" for frame in _range(baked[0].motus.bake)) if baked else ("?", "?")
+    # Where nothing but properties of other datablocks is driven, the owner alone tells.
+    state = (baked[0] if baked else owner).motus.bake
+    return tuple(f"{frame:g}" for frame in _range(state)) if state.frame_end else ("?", "?")
 
 
 def _range(bake):

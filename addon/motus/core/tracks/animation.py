@@ -40,6 +40,16 @@ class Number(NamedTuple):
             return float(self.holder.bl_rna.properties[self.name].enum_items[value].value)
         return float(value if self.index < 0 else value[self.index])
 
+    def write(self, value):
+        """Set it."""
+        is_custom = self.name.startswith("[")
+        if self.index >= 0:
+            (self.holder[_key(self.name)] if is_custom else getattr(self.holder, self.name))[self.index] = value
+        elif is_custom:
+            self.holder[_key(self.name)] = value
+        else:
+            setattr(self.holder, self.name, value)
+
     def rounded(self, values):
         """What Blender makes of an F-curve's values when it writes them into the property."""
         if self.type == 'BOOLEAN':
@@ -93,6 +103,21 @@ class Channel:
         if self._stack is not None:
             return self._stack.bounds(first, last)
         return keys.bounds(self._curve, first, last) if self._curve is not None else [first, last]
+
+    def integral(self, first, last):
+        """Integral of a float over the frames from first to last."""
+        if self.is_constant:
+            return self.number.present * (last - first)
+        if self._curve is not None:
+            return keys.integral(self._curve, first, last)
+        return keys.over_pieces(self.values, self.bounds(first, last))
+
+    @property
+    def extent(self):
+        """(first, last) time between which it changes, infinite where it goes on; None where nothing animates it."""
+        if self._stack is not None:
+            return -np.inf, np.inf
+        return keys.extent(self._curve) if self._curve is not None else None
 
     @property
     def stamp(self):

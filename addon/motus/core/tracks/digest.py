@@ -22,7 +22,7 @@ DEEPEST = 4
 
 _INDEXED = re.compile(r"^(.*?)(?:\[(\d+)\])?$", re.DOTALL)
 _NUMBERS = {'BOOLEAN', 'INT', 'FLOAT', 'STRING', 'ENUM'}
-_OF_EDITORS = {"name", "select", "active", "show_expanded", "wired"}
+_OF_EDITORS = {"rna_type", "name", "select", "active", "show_expanded", "wired"}
 """Properties that move nothing."""
 _KEYS = (("co", 2), ("handle_left", 2), ("handle_right", 2), ("back", 1), ("amplitude", 1), ("period", 1))
 _KINDS = "interpolation", "easing"

@@ -9,6 +9,9 @@ WEIGHTS = 5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0
 """Gauss-Legendre on [0, 1]: exact for polynomials up to degree 5, and never at an end, where a stepped key jumps."""
 
 CLOSE = 1e-4  # frames; nearer bounds are one
+BEFORE = 1e-3  # frames, from a bound to the step after it
+CONSTANT = 0
+"""What foreach_get makes of the interpolation of a key that holds its value."""
 SHORT = 2.0  # frames; between nearer keys the value bends so much in a frame that it is halved
 STEP = 0.5  # frames, to either side of where a rate is measured
 
@@ -57,7 +60,22 @@ def bounds(curve, first, last):
     if curve.extrapolation == 'CONSTANT' and _is_straight_beyond(curve, places):
         start, end = max(first, places[0]), min(last, places[-1])
     repeated = _repeated(curve, places, first, last)
-    return _rising(first, last, {*whole(start, end), *places, *_halves(places), *repeated})
+    return _rising(first, last, {*whole(start, end), *places, *_halves(places), *_before_steps(curve, places), *repeated})
+
+
+def extent(curve):
+    """(frame of the first key, of the last): outside of them the value rests; infinite where it goes on."""
+    places = _places(curve)
+    points = curve.keyframe_points
+    if _is_straight_beyond(curve, places) and (curve.extrapolation == 'CONSTANT' or len(points) < 2):
+        return places[0], places[-1]
+    return -math.inf, math.inf
+
+
+def united(extents):
+    """The extent of several, each of which may be None: nothing changes then; None where nothing changes at all."""
+    found = [one for one in extents if one is not None]
+    return (min(first for first, _ in found), max(last for _, last in found)) if found else None
 
 
 def union(lists):
@@ -117,12 +135,16 @@ class _Laps:
         return _integral(self._curve, _pieces(self._curve, self._places, first, last)) if last > first else 0.0
 
 
-def _integral(curve, edges):
-    """Over the pieces between rising frames."""
+def over_pieces(evaluate, edges):
+    """Integral of evaluate(times), which gives an array, over the pieces between rising frames."""
     widths = np.diff(edges)[:, None]
-    parts = values(curve, _nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
+    parts = evaluate(_nodes(edges)) * (widths * np.array(WEIGHTS)).ravel()
     # fsum: rounded once, so that the same samples give the same bits in every process.
     return math.fsum(parts.tolist())
+
+
+def _integral(curve, edges):
+    return over_pieces(lambda times: values(curve, times), edges)
 
 
 def _nodes(edges):
@@ -161,6 +183,16 @@ def whole(first, last):
     """Whole frames, or every so many-th where they would be too many."""
     step = max(1, math.ceil((last - first) / MOST))
     return map(float, range(math.ceil(first / step) * step, math.floor(last) + 1, step))
+
+
+def _before_steps(curve, places):
+    """Just before the keys at which a stepped value jumps, as far as there are not too many."""
+    points = curve.keyframe_points
+    if len(points) != len(places):
+        return []
+    kinds = np.empty(len(points), np.int32)
+    points.foreach_get("interpolation", kinds)
+    return [place - BEFORE for place, kind in zip(places[1:], kinds.tolist()) if kind == CONSTANT]
 
 
 def _halves(places):

@@ -2,9 +2,9 @@
 
 What System.over_time gives is None, or has
 
-    reason             as Channel.reason
-    poses(times)       (locations (n, 3), rotations (n, 4) or None, acts (n,) whether it drives the object) in world space
-    bounds, stamp      as those of Channel
+    reason                     as Channel.reason
+    applied(times, matrices)   world matrices (n, 4, 4) of the object, from those that its own channels and parents make
+    bounds, extent, stamp      as those of Channel
 """
 
 import threading
@@ -24,7 +24,7 @@ class Solved:
 
     def __init__(self, system, obj, source):
         self.label, self._object, self._source = system.label, obj, source
-        self.bounds = source.bounds
+        self.bounds, self.applied = source.bounds, source.applied
 
     @property
     def reason(self):
@@ -43,15 +43,20 @@ class Solved:
         """As Channel.stamp."""
         return self._source.stamp
 
-    def applied(self, times, matrices):
-        """World matrices (n, 4, 4) of the object, from those that its own channels and parents make; the scale is these'."""
-        locations, turns, acts = self._source.poses(times)
-        found = np.broadcast_to(matrices, (len(times), 4, 4)).copy()
-        if turns is not None:
-            sizes = np.sqrt((found[:, :3, :3] ** 2).sum(axis=1, keepdims=True))
-            found[acts, :3, :3] = (rotations.matrices(turns) * sizes)[acts]
-        found[acts, :3, 3] = locations[acts]
-        return found
+    @property
+    def extent(self):
+        """As Channel.extent."""
+        return self._source.extent
+
+
+def placed(matrices, locations, turns, acts):
+    """World matrices with places, and turns (n, 4) or None, of their own where `acts` (n,); the scale stays."""
+    found = matrices.copy()
+    if turns is not None:
+        sizes = np.sqrt((found[:, :3, :3] ** 2).sum(axis=1, keepdims=True))
+        found[acts, :3, :3] = (rotations.matrices(turns) * sizes)[acts]
+    found[acts, :3, 3] = locations[acts]
+    return found
 
 
 def of(obj, scene):

@@ -96,6 +96,18 @@ def stamp_of_action(player):
     return copies.number_of_action(player.action), getattr(player, "action_slot_handle", 0)
 
 
+def stamp_of(animation):
+    """Of all that evaluated animation data plays, whatever that sets: hashable; None where nobody can tell its edits."""
+    if animation is None:
+        return ()
+    acting = (stamp_of_action(animation), animation.action_influence, animation.action_blend_type,
+              animation.action_extrapolation) if animation.action else ()
+    if not animation.nla_tracks:
+        return acting
+    return together((acting, animation.use_nla, animation.use_tweak_mode, *(
+        together((track.mute, track.is_solo, *map(_strip_stamp, track.strips))) for track in animation.nla_tracks)))
+
+
 def keys_stamp(id_data):
     """What changes with any key of an evaluated datablock's action, where no NLA takes part; None without an action."""
     animation = id_data.animation_data

@@ -103,6 +103,13 @@ class Track:
         return recordings.bounds(self.recording, first, last) if self.recording else [first, last]
 
     @property
+    def extent(self):
+        """(first, last) time between which it changes, infinite where it goes on; None where nothing ever does."""
+        if self.reason is None:
+            return self._source.extent
+        return (self.recording.start, self.recording.end) if self.recording else None
+
+    @property
     def stamp(self):
         """Of an evaluated thing: something hashable that changes whenever values() may; None where that is not known."""
         if self.reason is None:
@@ -127,9 +134,13 @@ def own_track(thing):
     return Track(Own(thing), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
 
 
-def world_track(thing, scene):
-    """The Track of the world matrix of an Object or PoseBone. scene: whose frame rate counts for what systems drive."""
-    return Track(World(thing, scene), thing.id_data, _what(thing, "world"), recordings.WIDTHS["world"])
+def world_track(thing, scene, beneath=None):
+    """The Track of the world matrix of an Object or PoseBone. scene: whose frame rate counts for what systems drive.
+
+    beneath: a System that acts on top of the animation of the bones of a rig: what it makes of these is left out. Without its
+    sinks a recording is taken of what it makes of them all the same.
+    """
+    return Track(World(thing, scene, beneath), thing.id_data, _what(thing, "world"), recordings.WIDTHS["world"])
 
 
 def kept(track, name, make):

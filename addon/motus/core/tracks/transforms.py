@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Matrix
 
-from .. import actions, copies
+from .. import actions, copies, wiring
 from ..lazy import numpy as np
 from . import keys, rotations, solved, strips
 from .animation import Channel, is_driven
@@ -113,6 +113,14 @@ class Own:
         return keys.union([one.bounds(first, last) for group in self.channels.values() for one in group])
 
     @property
+    def extent(self):
+        """As Channel.extent."""
+        if self._is_simple:
+            found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
+            return keys.united(map(keys.extent, found))
+        return keys.united(one.extent for group in self.channels.values() for one in group)
+
+    @property
     def present(self):
         """A row of location, rotation and scale as they are now."""
         found = {name: np.array([[one.number.present for one in group]]) for name, group in self.channels.items()}
@@ -193,8 +201,8 @@ class Own:
 class World:
     """The world matrix of an Object or PoseBone, from the channels of it and of all that it hangs on."""
 
-    def __init__(self, thing, scene):
-        self._thing, self._scene = thing, scene
+    def __init__(self, thing, scene, beneath=None):
+        self._thing, self._scene, self._beneath = thing, scene, beneath
         self._is_bone = isinstance(thing, bpy.types.PoseBone)
 
     @functools.cached_property
@@ -203,9 +211,9 @@ class World:
         found, obj = [], self._thing.id_data
         bone = self._thing if self._is_bone else None
         while obj is not None and len(found) < DEEPEST:
-            link = _Link(obj, bone, self._scene)
+            link = _Link(obj, bone, self._scene, None if found else self._beneath)
             found.insert(0, link)
-            bone = link.parent_bone
+            bone = _parent_bone(obj)
             obj = obj.parent
         return found
 
@@ -231,6 +239,11 @@ class World:
         return keys.union([link.bounds(first, last) for link in self._links])
 
     @property
+    def extent(self):
+        """As Channel.extent."""
+        return keys.united(link.extent for link in self._links)
+
+    @property
     def stamp(self):
         """As Channel.stamp."""
         return strips.together(link.stamp for link in self._links)
@@ -246,34 +259,16 @@ class World:
 class _Link:
     """An object, and the bone of it that the next one hangs on, or None for the object itself."""
 
-    def __init__(self, obj, bone, scene):
-        self._object, self._bone, self._scene = obj, bone, scene
+    def __init__(self, obj, bone, scene, beneath):
+        self._object, self._bone, self._scene, self._beneath = obj, bone, scene, beneath
         self._own = Own(obj)
         self._bones = _chain(bone) if bone else []
         self._posed = [Own(one) for one in self._bones]
 
-    @property
-    def parent_bone(self):
-        """The bone that the object hangs on."""
-        obj = self._object
-        if obj.parent and obj.parent_type == 'BONE' and obj.parent.pose:
-            return obj.parent.pose.bones.get(obj.parent_bone)
-        return None
-
     @functools.cached_property
     def reason(self):
-        return self._of_parent() or self._of_object() or self._of_bones() or next(
+        return of_parent(self._object) or self._of_object() or self._of_bones() or next(
             (own.reason for own in (self._own, *self._posed) if own.reason), None)
-
-    def _of_parent(self):
-        obj, parent = self._object, self._object.parent
-        if parent is None:
-            return None
-        if obj.parent_type in {'VERTEX', 'VERTEX_3'}:
-            return Reason(Reason.VERTICES, thing=obj.name, name=parent.name)
-        if obj.parent_type == 'OBJECT' and parent.type == 'CURVE' and parent.data.use_path:
-            return Reason(Reason.ALONG_CURVE, thing=obj.name, name=parent.name)
-        return None
 
     def _of_object(self):
         if self._object.rigid_body:
@@ -289,7 +284,7 @@ class _Link:
         if self._bone is None or self._object.data.pose_position == 'REST':
             return None
         for bone in self._bones:
-            found = _constrained(bone)
+            found = _constrained(bone, self._beneath)
             if found:
                 return found
         names = {bone.name for bone in self._bones}
@@ -304,20 +299,10 @@ class _Link:
         obj = self._object
         found = self._own.values(times).matrices
         if parent is not None:
-            for matrix in (_array(obj.matrix_parent_inverse), self._from_parent(), parent):
-                found = rotations.chained(matrix, found)
+            found = rotations.chained(rotations.chained(parent, parent_offset(obj)), found)
         if self.solved:
             found = self.solved.applied(times, found)
         return rotations.chained(found, self._poses(times)) if self._bone else found
-
-    def _from_parent(self):
-        """From what _poses() gives of a parent to where its children begin."""
-        bone = self.parent_bone
-        if bone is None:
-            return _array(Matrix())
-        if bone.bone.use_relative_parent:
-            return _array(bone.bone.matrix_local.inverted_safe())
-        return _array(Matrix.Translation((0.0, bone.bone.length, 0.0)))
 
     def _poses(self, times):
         """Matrices of the bone in the rig's space."""
@@ -325,12 +310,19 @@ class _Link:
             return _array(self._bone.bone.matrix_local)
         found = None
         for bone, own in zip(self._bones, self._posed):
-            found = _posed(bone.bone, _basis(bone, own, times), found)
+            found = posed(bone, own.values(times), found)
         return found
 
+    @property
+    def _parts(self):
+        return [self._own, *self._posed, *([self.solved] if self.solved else [])]
+
     def bounds(self, first, last):
-        parts = [self._own, *self._posed, *([self.solved] if self.solved else [])]
-        return keys.union([part.bounds(first, last) for part in parts])
+        return keys.union([part.bounds(first, last) for part in self._parts])
+
+    @property
+    def extent(self):
+        return keys.united(part.extent for part in self._parts)
 
     @property
     def stamp(self):
@@ -354,10 +346,10 @@ def _numbers(matrix):
     return tuple(map(tuple, matrix))
 
 
-def _constrained(thing):
-    """Why a constraint makes it unknown; None without one that acts."""
+def _constrained(thing, beneath=None):
+    """Why a constraint makes it unknown; None without one that acts. beneath: a System whose sinks do not count."""
     for constraint in thing.constraints:
-        if not constraint.mute:
+        if not constraint.mute and not (beneath and wiring.is_sink(beneath, constraint)):
             return Reason(Reason.CONSTRAINED, thing=thing.name, name=constraint.name)
     return None
 
@@ -375,11 +367,44 @@ def _turned_by(bone, constraint):
     return [one.name for one in chain[:constraint.chain_count or None]]
 
 
-def _basis(bone, own, times):
-    transforms = own.values(times)
+def parent_of(obj):
+    """The Object or PoseBone that an object hangs on, or None."""
+    return _parent_bone(obj) or obj.parent
+
+
+def _parent_bone(obj):
+    if obj.parent and obj.parent_type == 'BONE' and obj.parent.pose:
+        return obj.parent.pose.bones.get(obj.parent_bone)
+    return None
+
+
+def of_parent(obj):
+    """The Reason for which nobody knows where an object hangs on its parent; None where that is plain, or there is none."""
+    parent = obj.parent
+    if parent is None:
+        return None
+    if obj.parent_type in {'VERTEX', 'VERTEX_3'}:
+        return Reason(Reason.VERTICES, thing=obj.name, name=parent.name)
+    if obj.parent_type == 'OBJECT' and parent.type == 'CURVE' and parent.data.use_path:
+        return Reason(Reason.ALONG_CURVE, thing=obj.name, name=parent.name)
+    return None
+
+
+def parent_offset(obj):
+    """(1, 4, 4): from the matrix of what an object hangs on to the space that its own channels are in."""
+    bone, inverse = _parent_bone(obj), _array(obj.matrix_parent_inverse)
+    if bone is None:
+        return inverse
+    if bone.bone.use_relative_parent:
+        return rotations.chained(_array(bone.bone.matrix_local.inverted_safe()), inverse)
+    return rotations.chained(_array(Matrix.Translation((0.0, bone.bone.length, 0.0))), inverse)
+
+
+def posed(bone, transforms, parent):
+    """Poses in the rig's space (n, 4, 4) of a PoseBone with these own Transforms, by those of its parent, or None."""
     if bone.bone.use_connect:
         transforms = transforms._replace(locations=np.zeros_like(transforms.locations))
-    return transforms.matrices
+    return _posed(bone.bone, transforms.matrices, parent)
 
 
 def _posed(bone, basis, parent):

@@ -5,8 +5,8 @@ import bpy
 from .. import actions, copies
 from ..system import drop_dead_copy, groups_of, of_owner, systems
 from . import (
-    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, proxy_sink, readers, rows,
-    solver_driver, transform_sink)
+    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, property_sink, proxy_sink, readers,
+    rows, solver_driver, transform_sink)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -39,16 +39,19 @@ def _attach(system, owner):
 
 def _wire(system, owner, group):
     hub = carriers.make_hub(system, owner, group)
-    uses_attribute = carriers.uses_attribute() and not system.moves_points
+    uses_attribute = carriers.uses_attribute(system)
     if uses_attribute:
-        attribute_sink.prepare(hub.data, owner, group)
-    elif system.moves_points:
-        geometry_sink.prepare(hub.data)
+        attribute_sink.prepare(system, hub.data, owner, group)
+    elif system.has_modifier:
+        geometry_sink.prepare(system, hub.data)
     outbox.create(system, hub.data, group, uses_attribute)
     if carriers.has_outlet(system, owner):
         outbox.create_outlet(system, owner, hub.data)
     solver_driver.add(system, owner, group, hub)
-    if system.moves_points:
+    property_sink.add(system, owner, group, hub, is_off=of_owner(system, owner).is_baked)
+    for one in group.properties:
+        _lead(system, owner, one.object)
+    if system.has_modifier:
         geometry_sink.add(system, owner, hub)
         return
     driven = drivers.driven_bones(owner)
@@ -56,13 +59,17 @@ def _wire(system, owner, group):
         active = member.thing.constraints.active
         if uses_attribute:
             attribute_sink.add(system, group, index, hub)
-        elif member.is_relative and member.thing.name in driven:
+        elif proxy_sink.is_needed(system, member, driven):
             proxy_sink.add(system, of_owner(system, owner), group, index, hub)
         else:
             transform_sink.add(system, group, index, hub)
         member.thing.constraints.active = active
-        if member.thing.id_data != owner:
-            of_owner(system, member.thing.id_data).leader = owner
+        _lead(system, owner, member.thing.id_data)
+
+
+def _lead(system, owner, obj):
+    if obj != owner:
+        of_owner(system, obj).leader = owner
 
 
 def _wire_row(system, owner, group):
@@ -70,7 +77,7 @@ def _wire_row(system, owner, group):
 
     Returns that other one, None where the hub was there, the owner itself where it is alone and was not wired.
     """
-    uses_attribute = carriers.uses_attribute()
+    uses_attribute = carriers.uses_attribute(system)
 
     def reads_the_same(mesh):
         return solver_driver.reads_the_same(system, owner, mesh)
@@ -102,7 +109,7 @@ def detach(system, owner):
     followers = readers.of(system, owner)
     _detach(system, owner)
     readers.point(system, owner, followers)
-    if system.moves_points:
+    if system.has_modifier:
         geometry_sink.remove(system, owner)
     override_drivers.align(owner)
     refresh_others(system, owner)
@@ -117,23 +124,30 @@ def _detach(system, owner):
     for other in led_by(system, owner):
         of_owner(system, other).leader = None
         overrides.unmark(system, other)
-    own = [hub.data for _, hub in outbox.hubs(system, owner) if outbox.is_own_hub(hub, owner)]
+    hubs = [hub for _, hub in outbox.hubs(system, owner)]
+    own = [hub.data for hub in hubs if outbox.is_own_hub(hub, owner)] + outbox.lost_hubs(system, owner)
+    property_sink.remove(system, own)
+    for mesh in [hub.data for hub in hubs if hub.data not in own]:
+        property_sink.remove_copies(system, owner, mesh)
     read = set()
-    for mesh in own + outbox.lost_hubs(system, owner):
-        read.update(solver_driver.curves_of(mesh))
+    for mesh in own:
+        read.update(solver_driver.marked_by(mesh))
         bpy.data.meshes.remove(mesh)
     shared = outbox.hub_of(system, owner)
     if shared and not shared.library and outbox.is_shared(system, shared.data):
-        read.update(solver_driver.curves_of(shared.data))
+        read.update(solver_driver.marked_by(shared.data))
         settings.hub = None  # by which the row is free
         rows.prune(system, shared.data)
-    for curve in read:
-        if not any(curve in solver_driver.curves_of(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh)):
-            copies.unmark(curve)
+    for datablock in read:
+        is_read = any(datablock in solver_driver.marked_by(mesh) for mesh in bpy.data.meshes if outbox.is_hub(mesh))
+        if not is_read and not _is_wired(datablock):
+            copies.unmark(datablock)
     settings.hub = None
     settings.more_hubs.clear()
     proxy_sink.release(settings)
-    drivers.remove_where(owner, lambda path: path.startswith(f'["{outbox.out_key(system)}'))
+    wait_key = carriers.wait_key(system)
+    drivers.remove_where(owner, lambda path: path.startswith((f'["{outbox.out_key(system)}', f'["{wait_key}"]')))
+    owner.pop(wait_key, None)
     outbox.remove(system, owner)
     overrides.unmark(system, owner)
     order.release(settings)
@@ -143,6 +157,12 @@ def _detach(system, owner):
         copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
+
+
+def _is_wired(datablock):
+    """Whether it is the owner of any system."""
+    return isinstance(datablock, bpy.types.Object) and datablock.is_property_set("motus") and any(
+        of_owner(one, datablock).is_active for one in systems())
 
 
 def refresh(system, owner):
@@ -231,6 +251,17 @@ def _rename_paths(system, owner, old, new):
         for curve in curves:
             if names_it(curve.data_path):
                 curve.data_path = curve.data_path.replace(old, new)
+
+
+def set_muted(system, owner, muted):
+    """Switch the sinks off or on, leaving all else in place."""
+    for _, constraint in sinks(system, owner):
+        constraint.mute = muted
+    for group in groups_of(system, owner) if system.groups is not None else ():
+        hub = outbox.hub_of(system, owner, group.key)
+        if hub and outbox.is_own_hub(hub, owner):
+            property_sink.remove(system, [hub.data])
+            property_sink.add(system, owner, group, hub, is_off=muted)
 
 
 def is_attached(system, owner):

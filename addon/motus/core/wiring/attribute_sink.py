@@ -26,11 +26,11 @@ STILL_KEY = "motus_still"
 MOVES, STILL, RELATIVE = 0, 1, 2
 
 
-def prepare(mesh, owner, group):
+def prepare(system, mesh, owner, group):
     """Give a hub's mesh one point and one matrix a member. Called before the members have sinks."""
     mesh.vertices.add(len(group.members))
     mesh.attributes.new(ATTRIBUTE, 'FLOAT4X4', 'POINT')
-    mesh[STILL_KEY] = [_kind(member, owner) for member in group.members]
+    mesh[STILL_KEY] = [_kind(system, member, owner) for member in group.members]
     _store(mesh, *own_poses(group.members))
 
 
@@ -54,7 +54,7 @@ def add(system, group, index, hub, row=None):
     constraint.attribute_name = ATTRIBUTE
     constraint.data_type = 'FLOAT4X4'
     constraint.sample_index = place
-    constraint.owner_space = 'LOCAL' if member.is_relative else member.space
+    constraint.owner_space = member.owner_space
     constraint.apply_target_transform = False
     constraint.mix_loc = "location" in member.channels
     constraint.mix_rot = "rotation" in member.channels
@@ -119,11 +119,12 @@ def own_poses(members):
     return locations, rotations, scales
 
 
-def _kind(member, owner):
+def _kind(system, member, owner):
     if member.is_relative:
         return RELATIVE
     thing = member.thing
-    stands = isinstance(thing, bpy.types.Object) and thing != owner and not (
+    # Which members a group has is too dear to find out in a solver.
+    stands = system.groups is None and isinstance(thing, bpy.types.Object) and thing != owner and not (
         thing.parent or thing.constraints or thing.animation_data)
     return STILL if stands else MOVES
 

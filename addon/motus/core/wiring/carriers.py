@@ -12,9 +12,9 @@ VERSION = 2
 """Of how owners are wired; what an older version has wired, which is noted with it, is wired anew."""
 
 
-def uses_attribute():
+def uses_attribute(system):
     """Whether the members sample an attribute of the hub, and no drivers bring them the result."""
-    return capabilities.has_geometry_attribute_constraint()
+    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
 
 
 def has_strange_carriers(system, owner):
@@ -55,21 +55,52 @@ def has_outlet(system, owner):
     return bool(system.outputs) and not copies.has_animated_settings(owner)
 
 
+def wait_for_keys(system, owner):
+    """Data path of a custom property of the owner that Blender evaluates after the owner's keys, and that nothing else precedes.
+
+    The settings themselves are one with all plain properties of the owner to Blender, which sinks may drive.
+    """
+    key = wait_key(system)
+    owner[key] = 0.0
+    drivers.copy_value(owner, f'["{key}"]')
+    return f'["{key}"]'
+
+
+def wait_key(system):
+    """Name of that property."""
+    return f"motus_{system.name}_wait"
+
+
+def way_to_wait(owner, groups):
+    """How a solver that drives properties waits for animated settings: "" where there is no need, "keys", or "settings"."""
+    if not any(group.properties for group in groups) or not copies.has_animated_settings(owner):
+        return ""
+    return "settings" if copies.has_driven_settings(owner) else "keys"
+
+
 def signature(system, owner, groups):
     """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
     driven = drivers.driven_bones(owner)
     said = [(group.key, group.outputs, sorted(group.data.items()),
-             [(_name(member.thing.id_data, owner), member.thing.name, sorted(member.channels), member.space,
-               member.is_relative, member.thing.name in driven) for member in group.members],
+             [(_name(member.thing.id_data, owner), _bone(member.thing), sorted(member.channels), member.owner_space,
+               member.is_relative, _bone(member.thing) in driven) for member in group.members],
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
-    ways = uses_attribute(), has_outlet(system, owner), rows.can_share(system, owner)
+    ways = uses_attribute(system), has_outlet(system, owner), rows.can_share(system, owner)
+    properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
+                  for group in groups for one in group.properties]
+    if properties:
+        ways += way_to_wait(owner, groups), properties
     return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
 
 
 def is_old(settings):
     """Whether an owner was wired by an older version."""
     return not settings.wired.startswith(f"{VERSION} ")
+
+
+def _bone(thing):
+    return thing.name if isinstance(thing, bpy.types.PoseBone) else ""
 
 
 def _name(obj, owner):

@@ -13,10 +13,9 @@ def add(owner, path, expression, variables, index=None, use_self=False):
     driver.expression = expression
 
 
-def copy_value(owner, path, source, index=None):
-    """Let one property have the value of another, without Python."""
-    no_name = ""  # only expressions need one
-    _new(owner, path, index, {no_name: source}).type = 'SUM'
+def copy_value(owner, path, source=None, index=None, name=""):
+    """Let one property have the value of another, or 0, without Python. name: of the variable, which only expressions need."""
+    _new(owner, path, index, {name: source} if source else {}).type = 'SUM'
 
 
 def _new(owner, path, index, variables):

@@ -1,44 +1,41 @@
-"""The sink of systems that move the points of a mesh: a Geometry Nodes modifier that adds what the hub holds.
+"""The sink of systems that move or make points: a Geometry Nodes modifier of the owner that brings in what the hub holds.
 
-The hub's mesh is empty in the file. The solver gives the *evaluated* one as many points as the owner's mesh has, and a vector
-a point; the modifier, first in the owner's stack, adds to each point the vector of the same index. Without the add-on
-there are no vectors, and the mesh stands as it is. In Edit Mode, where points come and go before the solver hears of
-it, the modifier is switched off.
+The hub's mesh is empty in the file. The solver gives the *evaluated* one points and attributes, of which moved_points and
+made_points say what they are, and what the nodes do with them. Without the add-on there are none, and the owner stands as
+it is. In Edit Mode, where the points of a mesh come and go before the solver hears of it, the modifier is switched off.
 """
 
 import bpy
 
 from .. import capabilities
-from ..lazy import numpy as np
-from . import attributes, outbox
-from .scratch import scratch
+from . import made_points, moved_points, node_groups, outbox
 
-ATTRIBUTE = "motus_offset"
 KEY = "motus_system"
 """Custom property of the node group: name of the system whose sinks have it."""
-HUB_SOCKET = "Hub"
+HUB = "Hub"
 
 
-def prepare(mesh):
-    """Give a hub's mesh the attribute that the solver fills."""
-    mesh.attributes.new(ATTRIBUTE, 'FLOAT_VECTOR', 'POINT')
+def prepare(system, mesh):
+    """Give a hub's mesh the attributes that the solver fills."""
+    _kind(system).prepare(system, mesh)
 
 
 def add(system, owner, hub):
     """Let the owner's points be moved by what the hub holds, by the modifier that is there already or a new one."""
     found = modifier(system, owner)
     if found is not None:
-        if not _is_whole(found.node_group):
+        if not _is_whole(system, found.node_group):
             found.node_group = _node_group(system)
-        _set_hub(found, hub)
+        node_groups.set_input(found, HUB, hub)
         return
     active = getattr(owner.modifiers, "active", None)
     found = owner.modifiers.new(f"Motus {system.label}", 'NODES')
     found.node_group = _node_group(system)
     found.show_in_editmode = found.show_on_cage = found.show_expanded = False
     # Before it is moved: where that is done by an operator, Blender evaluates, and takes no notice of the hub later.
-    _set_hub(found, hub)
-    _move_first(owner, found)
+    node_groups.set_input(found, HUB, hub)
+    if _kind(system).IS_FIRST:
+        _move_first(owner, found)
     if active:
         owner.modifiers.active = active  # the user's, which stays so
 
@@ -72,25 +69,23 @@ def is_stale(system, owner):
     return any(target.id != owner.data for target in targets)
 
 
-def room(carrier, count):
-    """Vectors for all points of the evaluated hub, all zero; the first `count` are the owner's."""
-    # Points can be added to an evaluated mesh, but not taken away.
-    offsets = scratch("offsets", (max(count, len(carrier.vertices)), 3), np.float32)
-    offsets.fill(0.0)
-    return offsets
+def room(system, carrier, inputs, context):
+    """What the solver fills, in the context too. Its write(weight) lets the evaluated hub hold that."""
+    return _kind(system).Room(system, carrier, inputs, context)
 
 
-def write(carrier, offsets):
-    """Let the evaluated hub hold the vectors."""
-    missing = len(offsets) - len(carrier.vertices)
-    if missing > 0:
-        carrier.vertices.add(missing)
-    attributes.write(carrier, ATTRIBUTE, 'FLOAT_VECTOR', offsets)
+def write_nothing(system, carrier):
+    """Let the owner be what it is by itself."""
+    _kind(system).write_nothing(system, carrier)
 
 
-def write_nothing(carrier):
-    """Let the owner's points be where they are by themselves."""
-    write(carrier, room(carrier, 0))
+def set_material(system, owner, material):
+    """Give what the system makes on an owner a material."""
+    node_groups.set_input(modifier(system, owner), made_points.MATERIAL, material)
+
+
+def _kind(system):
+    return moved_points if system.moves_points else made_points
 
 
 def _is_sink(system, one):
@@ -107,72 +102,25 @@ def _move_first(owner, found):
         bpy.ops.object.modifier_move_to_index(modifier=found.name, index=0)
 
 
-def _set_hub(found, hub):
-    identifier = _socket_identifier(found.node_group)
-    if capabilities.has_modifier_inputs():
-        getattr(found.properties.inputs, identifier).value = hub
-    else:
-        found[identifier] = hub
-    found.id_data.update_tag()
+def _is_whole(system, group):
+    """Whether it has its inputs, which somebody may have removed."""
+    return node_groups.has_inputs(group, {name for name, way, _ in _sockets(system) if way == 'INPUT'})
 
 
-def _socket_identifier(group):
-    return next(socket.identifier for socket in _sockets(group) if socket.name == HUB_SOCKET)
-
-
-def _sockets(group):
-    return group.interface.items_tree if capabilities.has_tree_interface() else group.inputs
-
-
-def _is_whole(group):
-    """Whether it has its input, which somebody may have removed."""
-    return any(socket.name == HUB_SOCKET for socket in _sockets(group))
+def _sockets(system):
+    return (("Geometry", 'INPUT', "NodeSocketGeometry"), (HUB, 'INPUT', "NodeSocketObject"), *_kind(system).MORE_INPUTS,
+            ("Geometry", 'OUTPUT', "NodeSocketGeometry"))
 
 
 def _node_group(system):
     """The node group of all the system's sinks in this file."""
     for group in bpy.data.node_groups:
-        if group.get(KEY) == system.name and group.library is None and _is_whole(group):
+        if group.get(KEY) == system.name and group.library is None and _is_whole(system, group):
             return group
     group = bpy.data.node_groups.new(f"Motus {system.label}", 'GeometryNodeTree')
     group[KEY] = system.name
-    _add_sockets(group)
-    _add_nodes(group)
+    node_groups.add_sockets(group, _sockets(system))
+    start, end = (node_groups.add_node(group, kind) for kind in ("NodeGroupInput", "NodeGroupOutput"))
+    _kind(system).add_nodes(system, group, start, end)
+    end.location.x = 200.0 * len(group.nodes)
     return group
-
-
-def _add_sockets(group):
-    sockets = (("Geometry", 'INPUT', "NodeSocketGeometry"), (HUB_SOCKET, 'INPUT', "NodeSocketObject"),
-               ("Geometry", 'OUTPUT', "NodeSocketGeometry"))
-    for name, way, kind in sockets:
-        if capabilities.has_tree_interface():
-            group.interface.new_socket(name, in_out=way, socket_type=kind)
-        else:
-            (group.inputs if way == 'INPUT' else group.outputs).new(kind, name)
-
-
-def _add_nodes(group):
-    kinds = ("NodeGroupInput", "GeometryNodeObjectInfo", "GeometryNodeInputNamedAttribute", "GeometryNodeInputIndex",
-             "GeometryNodeSampleIndex", "GeometryNodeSetPosition", "NodeGroupOutput")
-    made = [group.nodes.new(kind) for kind in kinds]
-    for place, node in enumerate(made):
-        node.location = (200.0 * place, 0.0)
-    start, info, named, index, sample, move, end = made
-    named.data_type = sample.data_type = 'FLOAT_VECTOR'
-    named.inputs["Name"].default_value = ATTRIBUTE
-    sample.domain = 'POINT'
-    for source, target in (
-            (start.outputs["Geometry"], move.inputs["Geometry"]), (start.outputs[HUB_SOCKET], info.inputs["Object"]),
-            (info.outputs["Geometry"], sample.inputs["Geometry"]), (_enabled(named.outputs), _value(sample.inputs)),
-            (index.outputs["Index"], sample.inputs["Index"]), (_enabled(sample.outputs), move.inputs["Offset"]),
-            (move.outputs["Geometry"], end.inputs["Geometry"])):
-        group.links.new(source, target)
-
-
-def _enabled(sockets):
-    # Before 4.x such nodes have a socket a type, of which those of other types are off.
-    return next(socket for socket in sockets if socket.enabled)
-
-
-def _value(sockets):
-    return next(socket for socket in sockets if socket.enabled and socket.name == "Value")

@@ -20,7 +20,7 @@ from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native
 from ..system import of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, outbox, overrides, proxy_sink, relations, rows
+from . import attaching, carriers, geometry_sink, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -44,6 +44,10 @@ _rows = {}
 """(system, hub that owners share) -> its rows."""
 _unsettled = set()
 """(system, owner) that have asked to settle."""
+_keyed = set()
+"""Names of hubs that drive properties, whose keys they read."""
+_resting = set()
+"""(system, name and library of a hub's mesh) whose drivers of properties are at rest."""
 _given_up = set()
 """(system, owner) that could not be given carriers of their own."""
 
@@ -53,14 +57,19 @@ def note_use():
     _in_use[0] = True
 
 
-def check(system, owner):
-    """Called with the evaluated owner: by its solver, or after the evaluation where owners share one."""
+def check(system, owner, hub=None):
+    """Called with the evaluated owner: by its solver, which has a hub, or after the evaluation where owners share one."""
+    if hub is not None and property_sink.KEY in hub:
+        _keyed.add(_key(hub))
+        if property_sink.is_resting(hub):
+            _resting.add(_key(hub))
     if owner.library:
         return
     animation = owner.animation_data
     place = system.name, owner.name
-    # Whether settings are animated counts for outlets alone.
-    seen = len(animation.drivers) if animation else 0, bool(system.outputs) and copies.has_moving_settings(owner)
+    # Whether settings are animated counts for outlets and driven properties alone.
+    counts = bool(system.outputs) or hub is not None and property_sink.KEY in hub
+    seen = len(animation.drivers) if animation else 0, counts and copies.has_moving_settings(owner)
     if _seen.get(place) != seen:
         _seen[place] = seen
         _asked.add(place)
@@ -104,6 +113,11 @@ def _heal(_scene=None, depsgraph=None, is_edit=True):
 
 
 def _heal_all(depsgraph, is_edit):
+    while _resting:
+        _wake(_mesh(_resting.pop()))
+    if is_edit and depsgraph is not None and depsgraph.id_type_updated('ACTION'):
+        for mesh in filter(None, map(_mesh, _keyed)):
+            mesh.update_tag()
     if depsgraph is not None:
         _check_rows(depsgraph)
     _heal_asked()
@@ -241,7 +255,8 @@ def _heal_joined(grown):
         has_settings = obj.is_property_set("motus")
         for system in systems():
             is_wired = has_settings and of_owner(system, obj).is_active
-            if system.groups is not None and not is_wired and has_sinks(system, obj):
+            is_led = has_settings and of_owner(system, obj).leader is not None
+            if system.groups is not None and not is_wired and not is_led and has_sinks(system, obj):
                 joined = [rig for rig in makers(system, obj) if not rig.users_collection]
                 release(system, obj)
                 for rig in joined:
@@ -270,6 +285,35 @@ def _armatures(system, owner):
     return {owner.data, *(obj.data for obj in read if obj)}
 
 
+def _mesh(key):
+    return next((mesh for mesh in bpy.data.meshes if _key(mesh) == key), None)
+
+
+def _wake(mesh):
+    owner = mesh and mesh.get(outbox.OWNER_KEY)
+    for system in systems() if isinstance(owner, bpy.types.Object) else ():
+        if outbox.key_on_hub(system, mesh) is not None:
+            property_sink.wake(system, owner, mesh)
+
+
+@persistent
+def _wake_all(*_):
+    """After a file was loaded or saved: let drivers of properties act."""
+    for mesh in bpy.data.meshes if native.module is not None else ():
+        if property_sink.KEY in mesh and property_sink.is_resting(mesh):
+            _try(lambda mesh=mesh: _wake(mesh))
+
+
+@persistent
+def _rest_all(*_):
+    """Before a file is saved: let keys animate the properties."""
+    for mesh in bpy.data.meshes:
+        if property_sink.KEY in mesh and not mesh.library:
+            for system in systems():
+                if outbox.key_on_hub(system, mesh) is not None:
+                    property_sink.rest(system, mesh)
+
+
 @persistent
 def _forget(*_):
     _in_use[0] = False
@@ -280,6 +324,8 @@ def _forget(*_):
     _watched.clear()
     _rows.clear()
     _unsettled.clear()
+    _keyed.clear()
+    _resting.clear()
     _given_up.clear()
     overrides.forget()
     relations.forget()
@@ -291,6 +337,7 @@ def loaded(*_):
     """Before the first evaluation of a file."""
     _forget()
     _try(lambda: (overrides.complete_references(), _heal_old(), _heal_overrides()))
+    _wake_all()
 
 
 @persistent
@@ -308,7 +355,7 @@ def _heal_order(depsgraph):
     if not relations.have_changed(depsgraph):
         return
     for system, owner in _attached():
-        if system.entries is not None:
+        if system.groups is not None:
             attaching.refresh_changed(system, owner)
 
 
@@ -316,7 +363,9 @@ def _watched_handlers():
     found = bpy.app.handlers
     return (
         (found.depsgraph_update_post, _heal), (found.frame_change_post, _heal_after_frame),
-        (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references))
+        (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references),
+        (found.save_pre, _rest_all), (found.save_post, _wake_all),
+        *((functions, _wake_all) for functions in (getattr(found, "save_post_fail", None),) if functions is not None))
 
 
 def register():

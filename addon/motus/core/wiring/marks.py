@@ -14,7 +14,7 @@ OLD_KINDS = {'LIMIT_LOCATION', 'LIMIT_ROTATION', 'LIMIT_SCALE', 'TRANSFORM'}
 KINDS = OLD_KINDS | {'GEOMETRY_ATTRIBUTE', 'COPY_TRANSFORMS'}
 CHANNELS = ("location", "rotation", "scale")
 PROXY_KEY = "motus_proxy"
-"""Custom property of a proxy: the object whose bone copies it."""
+"""Custom property of a proxy: the object that copies it, or a bone of which does."""
 
 
 def name(system, channel=""):

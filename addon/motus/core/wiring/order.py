@@ -1,28 +1,37 @@
-"""Order proxies: how a driver waits for another object's deformed geometry.
+"""Order proxies: how a driver waits for the final geometry of other objects.
 
-A Follow Path constraint at influence 0 moves nothing, but makes Blender evaluate the curve's geometry before the
-transform of the empty that carries it; a driver that declares that transform is then evaluated later still.
+A Follow Path or Shrinkwrap constraint at influence 0 moves nothing, but makes Blender evaluate its target's geometry before
+the transform of the empty that carries it; a driver that declares that transform is then evaluated later still.
 """
 
 import bpy
 
 from ..system import Deformed
 
+_WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP'}
+"""Type of an object -> of the constraint that waits for its geometry."""
+
+
+def geometries(system, settings):
+    """The objects whose geometry the system reads as it is evaluated."""
+    named = (getattr(settings, declared.of) for declared in system.inputs if isinstance(declared, Deformed))
+    return list(dict.fromkeys(obj for obj in named if obj and obj.type in _WAITING))
+
 
 def proxy_for(system, settings):
-    """The proxy of the curve that the system reads deformed, shared by all who read it; None without one."""
-    names = [declared.of for declared in system.inputs if isinstance(declared, Deformed)]
-    curve = getattr(settings, names[0]) if names else None
-    if curve is None or curve.type != 'CURVE':
+    """The proxy that waits for these, shared by all who read the same; None without one."""
+    targets = geometries(system, settings)
+    if not targets:
         return None
-    name = f"Motus Order {curve.name}"
+    name = f"Motus Order {targets[0].name}"
     for candidate in bpy.data.objects:
-        if candidate.name.startswith(name) and candidate.library is None and _waits_for(candidate, curve):
+        if candidate.name.startswith(name) and candidate.library is None and _waits_for(candidate) == targets:
             return candidate
     proxy = bpy.data.objects.new(name, None)
-    constraint = proxy.constraints.new('FOLLOW_PATH')
-    constraint.target = curve
-    constraint.influence = 0.0
+    for target in targets:
+        constraint = proxy.constraints.new(_WAITING[target.type])
+        constraint.target = target
+        constraint.influence = 0.0
     return proxy
 
 
@@ -33,5 +42,5 @@ def release(settings):
         bpy.data.objects.remove(proxy)
 
 
-def _waits_for(candidate, curve):
-    return any(c.type == 'FOLLOW_PATH' and c.target == curve and c.influence == 0.0 for c in candidate.constraints)
+def _waits_for(candidate):
+    return [one.target for one in candidate.constraints if one.type in _WAITING.values() and one.influence == 0.0]

@@ -4,7 +4,7 @@
 
 Scales are there where a member of the group has the channel. It lies on a hub's mesh. The solver driver sits on the first slot, status: to
 Blender's dependency graph the array is one property, so whoever reads any slot of it waits for the solver. status is 0 or
-the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation); weight is the
+the index + 1 of the system's problem (INTERNAL for an error of our own, SILENT before the first evaluation, and so on); weight is the
 influence of the sinks, and 0 where they may not act. On the original the weight stays zero and the scales one for ever:
 without the add-on nothing acts.
 
@@ -28,7 +28,7 @@ import bpy
 
 from .. import stored
 from ..stored import Damaged, Newer
-from ..system import Problem, Variable, groups_of, of_owner
+from ..system import Variable, of_owner
 from . import drivers
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
@@ -41,9 +41,11 @@ SHARED_KEY = "motus_shared"
 """Custom property of the mesh of a hub that owners share (see rows): [1], or [0] where the members sample no attribute."""
 MEMBER_DATA_KEY = "motus_member_data"
 """Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
-INTERNAL, SILENT, DAMAGED, NEWER = -1, -2, -3, -4
+INTERNAL, SILENT, DAMAGED, NEWER, FULL = -1, -2, -3, -4, -5
 VERSION = 1
 """Of what lies in an outbox and beside it; to be raised where an add-on of today could not read it."""
+OTHER = "\n"
+"""What Info.members has in place of a name for an object that is not the owner."""
 LARGEST_CACHE = 256  # groups whose Info is known at a time
 
 _infos = OrderedDict()
@@ -55,7 +57,7 @@ class Info:
     """What is known of a group since it was wired. uses_attribute: the poses are not in the outbox. data: of the Group."""
 
     outputs: tuple
-    members: tuple  # names
+    members: tuple  # names of bones; "" for the owner itself, OTHER for another object
     has_scales: bool
     is_relative: bool
     uses_attribute: bool
@@ -105,16 +107,6 @@ def _is_data(value):
 
 
 _INFO_FORM = ([str], [str], bool, bool, bool, _is_data, [str])
-
-_DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
-_NEWER_PROBLEM = Problem(
-    "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
-_INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
-_MIRRORED_PROBLEM = Problem(
-    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale", blocking=False)
-_SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
-_OWN_PROBLEMS = {
-    INTERNAL: _INTERNAL_PROBLEM, SILENT: _SILENT_PROBLEM, DAMAGED: _DAMAGED_PROBLEM, NEWER: _NEWER_PROBLEM}
 
 _Mesh, _Object = bpy.types.Mesh, bpy.types.Object  # to look them up there costs more than the question
 
@@ -169,10 +161,16 @@ def create(system, carrier, group, uses_attribute):
     carrier[out_key(system, group.key)] = slots
     if system.groups is not None:
         noted = Info(
-            group.outputs, tuple(member.thing.name for member in group.members), has_scales(group),
+            group.outputs, tuple(_noted(member.thing, carrier) for member in group.members), has_scales(group),
             any(member.is_relative for member in group.members), uses_attribute, group.data,
             tuple(bone for _, bone in group.reads))
         carrier[info_key(system, group.key)] = {"version": VERSION, "text": json.dumps(list(vars(noted).values()))}
+
+
+def _noted(thing, hub):
+    if isinstance(thing, bpy.types.PoseBone):
+        return thing.name
+    return "" if thing == hub.get(OWNER_KEY) else OTHER
 
 
 def is_shared(system, mesh):
@@ -261,10 +259,12 @@ def _size(value):
     return len(value) if hasattr(value, "typecode") else 0
 
 
-def let_out(system, owner, mesh):
-    """Let an evaluated owner's outlet hold what was found on the evaluated mesh of its own hub."""
-    slots = stored.doubles(owner.get(out_key(system)), FIRST_OUTPUT + len(system.outputs))
-    slots[:] = opened(system, mesh).slots[:len(slots)]
+def let_out(system, owner, slots):
+    """Let an evaluated owner's outlet, where it has one, hold what was found: the slots of its own hub's outbox."""
+    outlet = owner.get(out_key(system)) if system.outputs else None
+    count = FIRST_OUTPUT + len(system.outputs)
+    if _size(outlet) == count:
+        stored.doubles(outlet, count)[:] = slots[:count]
 
 
 def remove(system, carrier):
@@ -361,9 +361,11 @@ def layout_of(system, carrier, group, size):
 
 def _layout_without_info(system, carrier, size):
     base = FIRST_OUTPUT + len(system.outputs)
-    if isinstance(carrier, _Mesh) and size == base:
-        return Layout(base, len(carrier.vertices), False, False, True)
-    return Layout(base, max(0, size - base) // POSE_SIZE, False, False, False)
+    if system.has_modifier:
+        return Layout(base, 0, False, False, False)
+    if isinstance(carrier, _Mesh) and size == base and not system.same_bits:
+        return Layout(base, len(carrier.vertices), False, system.is_relative, True)
+    return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
 
 
 def has_room(mesh, count):
@@ -471,34 +473,3 @@ def outputs_of(system, owner, entry, names, depsgraph):
         if values and weight != 0.0:
             return values
     return None
-
-
-def problem(system, owner, depsgraph):
-    """The Problem that the solvers of the owner reported, a blocking one first; or None."""
-    carried = carriers(system, owner)
-    if not carried:
-        is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
-        return _DAMAGED_PROBLEM if is_bereft else None
-    row = row_of(system, owner)
-    problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key, row) for key, carrier in carried)
-    found = sorted(filter(None, problems), key=lambda one: not one.blocking)
-    if found:
-        return found[0]
-    if system.groups is not None or not owner.matrix_basis.is_negative:
-        return None
-    return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
-
-
-def _problem_of(system, evaluated, key, row):
-    try:
-        if row is None:
-            owner_of(system, evaluated)
-        status = opened(system, evaluated, key, row).slots[STATUS]
-    except Newer:
-        return _NEWER_PROBLEM
-    except Damaged:
-        return _DAMAGED_PROBLEM
-    if status in _OWN_PROBLEMS:
-        return _OWN_PROBLEMS[status]
-    known = (None, *system.problems)
-    return known[int(status)] if 0.0 <= status < len(known) else _DAMAGED_PROBLEM

@@ -97,7 +97,8 @@ def _key(system):
 
 
 def _overridden(owner, groups):
-    touched = {owner, *(member.thing.id_data for group in groups for member in group.members)}
+    touched = {owner, *(member.thing.id_data for group in groups for member in group.members),
+               *(one.object for group in groups for one in group.properties)}
     return {obj for obj in touched if obj.override_library and not obj.library}
 
 

@@ -1,11 +1,12 @@
-"""Sinks for bones whose own channels are driven, where Blender has no Geometry Attribute constraint.
+"""Sinks for relative objects, and for bones whose own channels are driven, where Blender has no Geometry Attribute constraint.
 
 To Blender's dependency graph a bone's channels and the values of its constraints are one thing. A driver that brings the
 solver's result to a constraint would have to come before the bone's own drivers, and after the solver, which needs what
 those say. So the result takes a way round: a hidden empty, the *proxy*, is turned and scaled by drivers, and the bone
-copies its transform on top of its own.
+copies its transform on top of its own. An object does so whatever drives it: unlike Transformation, Copy Transforms keeps a
+negative scale.
 
-A constraint does not count as a user of its target, so the rig's settings point to the proxies too.
+A constraint does not count as a user of its target, so the owner's settings point to the proxies too.
 """
 
 import bpy
@@ -14,30 +15,38 @@ from ..system import Variable
 from . import drivers, marks, outbox
 
 
+def is_needed(system, member, driven_bones):
+    """Whether a member has to have a proxy. driven_bones: names of the owner's bones whose own channels are driven."""
+    if isinstance(member.thing, bpy.types.PoseBone):
+        return member.is_relative and member.thing.name in driven_bones
+    return member.is_relative and not system.same_bits
+
+
 def add(system, settings, group, index, hub):
     """Drive relative member `index` of the group by its slots of the hub's outbox. settings: keep the proxy alive."""
     member = group.members[index]
-    bone = member.thing
-    proxy = bpy.data.objects.new(f"{marks.name(system)} {bone.name}", None)
-    proxy[marks.PROXY_KEY] = bone.id_data
-    slots = {"rotation": ("rotation_euler", outbox.pose_slot(group, index) + 3),
+    thing = member.thing
+    proxy = bpy.data.objects.new(f"{marks.name(system)} {thing.name}", None)
+    proxy[marks.PROXY_KEY] = thing.id_data
+    pose = outbox.pose_slot(group, index)
+    slots = {"location": ("location", pose), "rotation": ("rotation_euler", pose + 3),
              "scale": ("scale", outbox.scale_slot(group, index))}
     for channel in sorted(member.channels):
         path, first = slots[channel]
         for axis in range(3):
             drivers.copy_value(proxy, path, Variable('MESH', hub.data, outbox.out_path(system, first + axis, group.key)), axis)
-    constraint = bone.constraints.new('COPY_TRANSFORMS')
+    constraint = thing.constraints.new('COPY_TRANSFORMS')
     constraint.name = marks.name(system)
     marks.put(constraint, hub, index)
     constraint.target = proxy
-    constraint.owner_space = 'LOCAL'
+    constraint.owner_space = member.owner_space
     constraint.target_space = 'WORLD'
     constraint.mix_mode = 'AFTER_SPLIT'
-    _keep(settings, bone.name, proxy)
+    _keep(settings, thing.name, proxy)
 
 
 def _keep(settings, name, proxy):
-    # By the bone's name overrides know the entry.
+    # By the name overrides know the entry.
     entry = settings.targets.add()
     entry.name, entry.object = name, proxy
     if settings.id_data.override_library:
@@ -62,6 +71,7 @@ def proxy_of(constraint):
 
 
 def has_strange_proxies(obj):
-    """Whether a rig was copied from another one and still hangs on its proxies."""
-    proxies = (proxy_of(constraint) for bone in (obj.pose.bones if obj.pose else ()) for constraint in bone.constraints)
+    """Whether an object was copied from another one and still hangs, or its bones do, on its proxies."""
+    things = (obj, *(obj.pose.bones if obj.pose else ()))
+    proxies = (proxy_of(constraint) for thing in things for constraint in thing.constraints)
     return any(proxy.get(marks.PROXY_KEY) != obj for proxy in proxies if proxy)

@@ -12,6 +12,10 @@ import bpy
 from . import outbox
 
 
+SINK = "motus"
+"""Name of the variable of drivers that are sinks (property_sink), which the wiring makes anew."""
+
+
 class Reader(NamedTuple):
     """A target of a driver's variable, found again by what it is on. output: name of what it reads."""
 
@@ -31,6 +35,8 @@ def of(system, owner):
     slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
     found = []
     for holder, curve, variable, index in targets_on(read):
+        if variable.name == SINK:
+            continue
         target = variable.targets[index]
         at, absent = slot.match(target.data_path), waiting.match(target.data_path)
         first = 0 if target.id == owner else outbox.first_slot(system, owner)

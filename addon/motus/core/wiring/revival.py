@@ -10,7 +10,7 @@ import itertools
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import actions, handlers
+from .. import actions, datablocks, handlers
 from . import healing
 
 _NAME = "motus"
@@ -21,25 +21,18 @@ _is_due = [False]
 
 def revive():
     """Switch the drivers and F-curves on again that need Motus, those of linked data too, which costs in memory only."""
-    for datablock in _datablocks():
-        for holder in (datablock, getattr(datablock, "node_tree", None)):
-            animation = getattr(holder, "animation_data", None)
-            for curve in animation.drivers if animation else ():
-                if _needs_motus(curve):
-                    curve.is_valid = True
-                    # Has Blender compile it, clear the mark, and build the order of evaluation anew.
-                    curve.driver.expression = curve.driver.expression
+    for holder in datablocks.everything():
+        animation = getattr(holder, "animation_data", None)
+        for curve in animation.drivers if animation else ():
+            if _needs_motus(curve):
+                curve.is_valid = True
+                # Has Blender compile it, clear the mark, and build the order of evaluation anew.
+                curve.driver.expression = curve.driver.expression
     for action in bpy.data.actions:
         for curve in itertools.chain.from_iterable(actions.all_fcurves(action)):
             if not curve.is_valid and curve.data_path.startswith(_NAME):
                 curve.is_valid = True
                 action.update_tag()
-
-
-def _datablocks():
-    for collection in bpy.data.bl_rna.properties:
-        if collection.type == 'COLLECTION':
-            yield from getattr(bpy.data, collection.identifier)
 
 
 def _needs_motus(curve):

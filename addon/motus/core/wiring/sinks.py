@@ -4,7 +4,7 @@ import bpy
 
 from ..stored import Damaged
 from ..system import groups_of, of_owner
-from . import drivers, marks, outbox, proxy_sink
+from . import drivers, marks, outbox, property_sink, proxy_sink
 
 
 def on_object(system, obj):
@@ -58,6 +58,11 @@ def sinks(system, owner):
             for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
 
+def is_sink(system, constraint):
+    """Whether a constraint is a sink of the system, whoever drives it."""
+    return marks.read(system, constraint) is not None
+
+
 def has_sinks(system, obj):
     """Whether an object carries sinks of the system: its own, its leader's, or those it was copied with."""
     return any(True for _ in on_object(system, obj))
@@ -92,7 +97,7 @@ def _as_wired(system, owner):
             old_names[carrier] = known.members
     for thing, constraint, carrier, _ in on_object(system, owner) if old_names else ():
         names, index = old_names.get(carrier, ()), marks.index_of(constraint)
-        if index is not None and index < len(names):
+        if isinstance(thing, bpy.types.PoseBone) and index is not None and index < len(names):
             yield thing, names[index]
 
 
@@ -154,26 +159,30 @@ def _strays(system, owner):
             if marks.is_bereft(system, constraint)]
 
 
-def set_muted(system, owner, muted):
-    """Switch the sinks off or on, leaving all else in place."""
-    for _, constraint in sinks(system, owner):
-        constraint.mute = muted
-
-
 def led_by(system, owner):
     """Objects whose leader the owner is."""
-    if system.groups is not None or all(_has_one_member(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
+    if _drives_itself_alone(system, owner):
         return []
     # To ask an object for its settings gives it some.
     return [other for other in bpy.data.objects
             if other.is_property_set("motus") and of_owner(system, other).leader == owner]
 
 
-def _has_one_member(system, mesh):
-    try:
-        return outbox.opened(system, mesh).layout.members == 1
-    except Damaged:
+def _drives_itself_alone(system, owner):
+    """Whether its hubs have no members that are neither the owner nor bones of it."""
+    if any(_may_lead(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
         return False
+    return system.groups is not None or has_sinks(system, owner)
+
+
+def _may_lead(system, mesh):
+    try:
+        found = outbox.opened(system, mesh, outbox.key_on_hub(system, mesh))
+    except Damaged:
+        return True
+    if found.info is None:
+        return found.layout.members != 1
+    return outbox.OTHER in found.info.members or property_sink.is_foreign(mesh)
 
 
 def _driven_objects(system, owner):

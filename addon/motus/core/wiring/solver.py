@@ -10,8 +10,8 @@ from .. import copies, handlers, native, stored
 from ..lazy import numpy as np
 from ..per_thread import keep_state, kept
 from ..stored import Damaged, Newer
-from ..system import Context, Setting, Vertices, groups_of, of_owner, registered
-from . import attribute_sink, geometry_sink, healing, outbox, revival, rows
+from ..system import Context, Setting, groups_of, of_owner, registered
+from . import attribute_sink, geometry_sink, healing, outbox, property_sink, revival, rows
 
 LARGEST_CACHE = 64  # numbers of members that there is room for at a time
 
@@ -33,14 +33,13 @@ def motus_solve(self, name, frame, depsgraph, *values):
         box = outbox.opened(system, self, key)
         owner = outbox.owner_of(system, self)
         _solve(system, key, self, owner, box, frame, depsgraph, values)
-        if outbox.has_outlet(system, owner):
-            outbox.let_out(system, owner, self)
-        if system.moves_points:
+        outbox.let_out(system, owner, box.slots)
+        if system.reads_mesh:
             healing.watch(system, owner)
-        else:
-            healing.check(system, owner)
+        if not system.moves_points:
+            healing.check(system, owner, self)
     except Exception as error:
-        return _fail(self, name, error)
+        return _fail(self, name, frame, error)
     return box.slots[outbox.STATUS]
 
 
@@ -116,8 +115,9 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
     box = np.frombuffer(found.slots)
     if native.module is None:
         _do_nothing(box, layout)
-        if system.moves_points:
-            geometry_sink.write_nothing(carrier)
+        property_sink.blend(carrier, owner, box, frame, 0.0)
+        if system.has_modifier:
+            geometry_sink.write_nothing(system, carrier)
         return
     count = layout.members
     settings = of_owner(system, owner)
@@ -129,19 +129,24 @@ def _solve(system, key, carrier, owner, found, frame, depsgraph, values):
         member_data=_member_data(system, carrier, owner, count), group=key, data={} if info is None else info.data,
         memo=_memo(system, owner, key))
     inputs = _inputs(system, context, values)
-    offsets = _room(system, carrier, inputs, context) if system.moves_points else None
+    room = geometry_sink.room(system, carrier, inputs, context) if system.has_modifier else None
+    drives_properties = property_sink.KEY in carrier
+    if drives_properties:
+        property_sink.clear(carrier, box)
     problem = system.solve(context, **inputs)
     box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
     is_blocked = problem is not None and problem.blocking
+    if drives_properties:
+        property_sink.blend(carrier, owner, box, frame, 0.0 if is_blocked else settings.influence)
     # Where members are relative the solver applies the influence, and then to the absolute ones among them too.
     weight = 0.0 if is_blocked else 1.0 if layout.is_relative else settings.influence
     box[outbox.WEIGHT] = weight
     if is_blocked:
         poses.reset()
-    if offsets is not None:
-        if weight != 1.0:
-            offsets *= np.float32(weight)
-        geometry_sink.write(carrier, offsets)
+    if room is not None:
+        room.write(weight)
+        if room.is_full and problem is None:
+            box[outbox.STATUS] = outbox.FULL
         if context.wants_to_settle:
             healing.ask_to_settle(system, owner)
     elif layout.has_attribute:
@@ -171,15 +176,6 @@ def _inputs(system, context, values):
         if declared.name not in found:
             found[declared.name] = declared.read(value, settings)
     return found
-
-
-def _room(system, carrier, inputs, context):
-    """Zero vectors for the points of the evaluated mesh that the system moves, in the context too; all of the hub's."""
-    mesh = next((inputs[declared.name] for declared in system.inputs if isinstance(declared, Vertices)), None)
-    count = len(mesh.vertices) if mesh else 0
-    offsets = geometry_sink.room(carrier, count)
-    context.offsets = offsets[:count]
-    return offsets
 
 
 class _Poses:
@@ -234,6 +230,8 @@ def _do_nothing(box, layout):
 def _member_data(system, carrier, owner, count):
     if system.member_data is None:
         return None
+    if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # no custom property holds an empty list of floats
+        return np.empty(0)
     if carrier != owner:
         return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
     data = system.member_data(owner)
@@ -242,7 +240,7 @@ def _member_data(system, carrier, owner, count):
     return data
 
 
-def _fail(carrier, name, error):
+def _fail(carrier, name, frame, error):
     """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
     _log(carrier, name, error)
     if isinstance(carrier, bpy.types.Mesh) and outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
@@ -250,6 +248,8 @@ def _fail(carrier, name, error):
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):
             rest(*_called(name), carrier)
+    with suppress(Exception):
+        property_sink.blend_none(*_called(name), carrier, frame)
     if isinstance(error, Damaged):
         return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
     return float(outbox.INTERNAL)
@@ -264,17 +264,19 @@ def _log(carrier, name, error):
 def _rest_slots(system, key, carrier):
     memory = memoryview(carrier[outbox.out_key(system, key)])
     box = np.frombuffer(memory, memory.format)
-    # Where nobody knows what the slots are: in a file that is as it was saved, all are 0, but for scales, which are 1.
-    box[box != 1] = 0
+    if property_sink.KEY not in carrier:  # whose properties would be 0
+        # Where nobody knows what the slots are: in a file that is as it was saved, all are 0, but for scales, which are 1.
+        box[box != 1] = 0
     box[outbox.STATUS:outbox.FIRST_OUTPUT] = 0
     layout = outbox.layout_of(system, carrier, key, len(box))
-    box[outbox.FIRST_OUTPUT:layout.base] = 0
+    if property_sink.KEY not in carrier:
+        box[outbox.FIRST_OUTPUT:layout.base] = 0
     _do_nothing(box, layout)
 
 
 def _rest_attribute(system, key, carrier):
-    if system.moves_points:
-        geometry_sink.write_nothing(carrier)
+    if system.has_modifier:
+        geometry_sink.write_nothing(system, carrier)
     elif isinstance(carrier, bpy.types.Mesh):
         attribute_sink.write_rest(carrier, lambda: groups_of(system, outbox.owner_of(system, carrier))[0].members)
 

@@ -4,7 +4,11 @@ import bpy
 
 from .. import copies
 from ..system import BonesOwn, Transform, Variable, input_variables, of_owner
-from . import drivers, outbox, waiting
+from . import carriers, drivers, outbox, property_sink, waiting
+
+
+_OF_PROPERTY = "p"
+"""How the names of variables begin that wait for what has driven properties."""
 
 
 def add(system, owner, group, hub):
@@ -24,11 +28,16 @@ def curves_for(system, owner):
     return [variable.id for variable in variables if variable and variable.id_type == 'CURVE']
 
 
-def curves_of(mesh):
-    """The data of the curves that the solver of a hub's mesh reads."""
+def marked_by(mesh):
+    """What the solver of a hub's mesh reads and tells copies apart of: the data of curves, and what has driven properties."""
     animation = mesh.animation_data
-    return {target.id for curve in (animation.drivers if animation else ()) for variable in curve.driver.variables
-            for target in variable.targets if target.id_type == 'CURVE' and target.id}
+    targets = [(variable.name, target) for curve in (animation.drivers if animation else ())
+               for variable in curve.driver.variables for target in variable.targets if target.id]
+    found = {target.id for _, target in targets if target.id_type == 'CURVE'}
+    for name, target in targets:
+        if name.startswith(_OF_PROPERTY):
+            found.add(target.id.node_tree if target.data_path.startswith("node_tree[") else target.id)
+    return found - {None}
 
 
 def waits(system, owner, key):
@@ -97,9 +106,14 @@ def _call(system, owner, group, hub):
         variables["waits"] = waiting.wait_for(hub, group.reads)
     for index, one in enumerate(awaited):
         variables[f"w{index}"] = one.variable()
+    for index, one in enumerate(property_sink.waits(group)):
+        variables[f"{_OF_PROPERTY}{index}"] = one
     if not outbox.is_shared(system, hub.data):
         path = f"{of_owner(system, owner).path_from_id()}.influence"
-        if outbox.has_outlet(system, owner):
+        way = carriers.way_to_wait(owner, [group])
+        if way == "keys":
+            path = carriers.wait_for_keys(system, owner)
+        elif outbox.has_outlet(system, owner) or group.properties and not way:
             path = f'["{copies.KEY}"][0]'
         variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables

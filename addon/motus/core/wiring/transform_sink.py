@@ -35,11 +35,11 @@ def _mapped(member, channel, hub):
     """A Transformation constraint that maps an empty range of the hub's location, so that its least value counts."""
     constraint = member.thing.constraints.new('TRANSFORM')
     constraint.target = hub
-    constraint.owner_space = 'LOCAL' if member.is_relative else member.space
+    constraint.owner_space = member.owner_space
     constraint.map_from = 'LOCATION'
     constraint.map_to = channel.upper()
     if channel == "location":
-        constraint.mix_mode = 'REPLACE'
+        constraint.mix_mode = 'ADD' if member.is_relative else 'REPLACE'
         return constraint, ("to_min_{}",)
     if channel == "scale":
         constraint.mix_mode_scale = 'MULTIPLY' if member.is_relative else 'REPLACE'
@@ -51,7 +51,7 @@ def _mapped(member, channel, hub):
 
 def _limit(member):
     constraint = member.thing.constraints.new('LIMIT_LOCATION')
-    constraint.owner_space = member.space
+    constraint.owner_space = member.owner_space
     for letter in AXES:
         for switch in ("use_min_{}", "use_max_{}"):
             setattr(constraint, switch.format(letter), True)

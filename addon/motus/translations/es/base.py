@@ -21,6 +21,8 @@ INTERFACE = {
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
     "What this file holds for the solver is damaged: press Refresh, or set it up again":
         "Lo que este archivo guarda para el solucionador está dañado: pulsa Actualizar, o configúralo de nuevo",
+    "More points than there is room for: only the first ones are there":
+        "Hay más puntos que sitio para ellos: solo están los primeros",
     "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh":
         "Creado por una versión más nueva de Motus, cuyos datos esta no puede leer: actualiza Motus, o pulsa Actualizar",
     "Not evaluated: the add-on's driver functions are not available in this file yet":

@@ -12,6 +12,10 @@ INTERFACE = {
         "Objetos ocultos que las restricciones tienen como objetivos",
     "Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}":
         "Los fotogramas clave no pueden deshacer el estiramiento que estos huesos heredan de la cadena: {bones}",
+    "{path} of {object} is no decimal number": "{path} de {object} no es un número decimal",
+    "{path} of {object} has a driver already: remove it first": "{path} de {object} ya tiene un controlador: quítelo antes",
+    "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven":
+        "Una propiedad que se ha de controlar ya no está, tiene otro controlador o es de otro archivo; las demás se controlan",
     "Wired": "Conectado",
     "What was wired, to notice where it has changed since":
         "Lo que se conectó, para notar dónde ha cambiado desde entonces",

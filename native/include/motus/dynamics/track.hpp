@@ -36,6 +36,8 @@ class Track {
     void evaluate(double time, std::span<double> out) const;
     /// The same, and its derivative by time, 1/s.
     void evaluate(double time, std::span<double> out, std::span<double> velocity) const;
+    /// The output less the input at a time: exactly 0 where the input has never moved.
+    void offset(double time, std::span<double> out) const;
     /// Outputs at the samples, row by row.
     void outputs(std::span<double> out) const;
     /// Of the memory held.
@@ -44,6 +46,9 @@ class Track {
   private:
     void run();
     void close_loop();
+    /// Calls visit(dimension, input, offset, velocity) of each dimension at a time.
+    template <class Visit>
+    void at(double time, const Visit& visit) const;
     [[nodiscard]] double* state(std::size_t sample) { return states_.data() + 2 * dimensions_ * sample; }
     [[nodiscard]] const double* state(std::size_t sample) const {
         return states_.data() + 2 * dimensions_ * sample;
@@ -76,6 +81,9 @@ class RotationTrack {
                   Start start = Start::at_rest);
 
     [[nodiscard]] glm::dquat evaluate(double time) const;
+    /// The turn from the input to the output at a time, in the input's own frame: input * turn is the output,
+    /// and exactly no turn where the input has never moved.
+    [[nodiscard]] glm::dquat offset(double time) const;
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
@@ -87,6 +95,7 @@ class RotationTrack {
     };
     /// The state so many seconds after a sample, by the step of that length.
     [[nodiscard]] State advanced(std::size_t sample, double seconds, const Step& step) const;
+    [[nodiscard]] glm::dvec3 offset_after(std::size_t sample, double seconds) const;
     void run();
     void close_loop();
 

@@ -1,0 +1,185 @@
+"""How points are made on the owner: the hub's evaluated mesh has them, and the modifier brings them in.
+
+What the hub's mesh holds in the file is the form alone, attributes without points. At each solve the evaluated mesh is given
+that form anew, and room for as many points as there are: fresh memory, which neither the original nor what Blender has
+evaluated before shares, so that the solver can fill it where it lies.
+"""
+
+import bmesh
+
+from .. import capabilities, native
+from ..lazy import numpy as np
+from ..stored import Damaged
+from . import attributes, node_groups
+from .scratch import scratch
+
+IS_FIRST = False
+"""The modifier is added behind those that the owner has: these shape what the owner has by itself."""
+MATERIAL = "Material"
+MORE_INPUTS = ((MATERIAL, 'INPUT', "NodeSocketMaterial"),)
+TUBE_SIDES = 8
+RADIUS = "radius"
+
+_forms = {}
+"""(system's name, attributes) -> an empty BMesh with them, of which meshes are made that have them."""
+_TYPES = {'FLOAT': 'FLOAT', 'INT': 'INT', 'VECTOR': 'FLOAT_VECTOR', 'COLOR': 'FLOAT_COLOR', 'QUATERNION': 'QUATERNION'}
+"""Kind of an attribute -> its type, in Blenders that have it."""
+
+
+class Room:
+    """What the solver asks for points. is_full: for more than there may be."""
+
+    def __init__(self, system, carrier, _inputs, context):
+        self._system, self._made, self._carrier = system, system.makes_points, carrier
+        self._found, self._staged = None, ()
+        self.is_full = False
+        context.points = self._points
+
+    def _points(self, count):
+        self.is_full = count > self._made.capacity
+        count = min(count, self._made.capacity)
+        _resize(self._system, self._carrier, int(count))
+        self._staged = []
+        self._found = {"position": self._positions(count)}
+        for name, kind in self._made.attributes:
+            self._found[name] = self._rotations(name, count) if _is_staged(kind) else attributes.memory(
+                self._carrier, name, _TYPES[kind])
+        return self._found
+
+    def _positions(self, count):
+        if "position" in self._carrier.attributes:
+            return attributes.memory(self._carrier, "position", 'FLOAT_VECTOR')
+        # Before Blender 3.5 a vertex is a record that begins with its position.
+        places = attributes.items(self._carrier.vertices, "<f4", (3,))
+        positions = scratch("positions", (count, 3), np.float32)
+        self._staged.append(lambda: np.copyto(places, positions))
+        return positions
+
+    def _rotations(self, name, count):
+        angles = attributes.memory(self._carrier, name, 'FLOAT_VECTOR')
+        rotations = scratch(f"rotations {name}", (count, 4), np.float32)
+        self._staged.append(lambda: np.copyto(angles, native.module.euler_xyz(rotations.astype(float))))
+        return rotations
+
+    def write(self, weight):
+        """Let the evaluated hub have the points, or none where the weight is 0 or the solver has asked for none."""
+        if weight == 0.0 or self._found is None:
+            _clear(self._carrier)
+            return
+        for write in self._staged:
+            write()
+        if self._made.shape != 'POINTS':
+            _join(self._carrier, self._found["curve"])
+
+
+def prepare(system, mesh):
+    """Give a hub's mesh the attributes of the points."""
+    for name, kind in system.makes_points.attributes:
+        mesh.attributes.new(name, _type(kind), 'POINT')
+
+
+def write_nothing(_system, carrier):
+    """Let there be no points."""
+    _clear(carrier)
+
+
+def add_nodes(system, group, start, end):
+    """The nodes of the modifier, between those of the group's inputs and outputs."""
+    made = system.makes_points
+    hub = node_groups.add_node(
+        group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')
+    # As an instance it stands still in the world with all that its attributes say, whatever that is.
+    hub.inputs["As Instance"].default_value = made.space == 'WORLD'
+    group.links.new(start.outputs["Hub"], hub.inputs["Object"])
+    found = (_as_points if made.shape == 'POINTS' else _as_curves)(made, group, hub.outputs["Geometry"])
+    if made.shape == 'TUBES':
+        found = _as_tubes(made, group, found)
+    material = node_groups.add_node(group, "GeometryNodeSetMaterial")
+    join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
+    for source, target in (
+            (found, material.inputs["Geometry"]), (start.outputs[MATERIAL], material.inputs["Material"]),
+            (material.outputs["Geometry"], join.inputs["Geometry"]), (start.outputs["Geometry"], join.inputs["Geometry"]),
+            (join.outputs["Geometry"], end.inputs["Geometry"])):
+        group.links.new(source, target)
+
+
+def _as_points(made, group, mesh):
+    node = node_groups.add_node(group, "GeometryNodeMeshToPoints")
+    group.links.new(mesh, node.inputs["Mesh"])
+    _link_radius(made, group, node, "Radius")
+    return node.outputs[0]
+
+
+def _as_curves(_made, group, mesh):
+    node = node_groups.add_node(group, "GeometryNodeMeshToCurve")
+    group.links.new(mesh, node.inputs["Mesh"])
+    return node.outputs["Curve"]
+
+
+def _as_tubes(made, group, curves):
+    circle = node_groups.add_node(group, "GeometryNodeCurvePrimitiveCircle")
+    circle.inputs["Resolution"].default_value = TUBE_SIDES
+    circle.inputs["Radius"].default_value = 1.0
+    node = node_groups.add_node(group, "GeometryNodeCurveToMesh")
+    group.links.new(curves, node.inputs["Curve"])
+    group.links.new(circle.outputs["Curve"], node.inputs["Profile Curve"])
+    if "Scale" in node.inputs:
+        # Where there is no such input Blender takes the radius by itself.
+        _link_radius(made, group, node, "Scale")
+    return node.outputs["Mesh"]
+
+
+def _link_radius(made, group, node, name):
+    if (RADIUS, 'FLOAT') in made.attributes:
+        group.links.new(node_groups.named_attribute(group, RADIUS, 'FLOAT'), node.inputs[name])
+
+
+def _type(kind):
+    return 'FLOAT_VECTOR' if _is_staged(kind) else _TYPES[kind]
+
+
+def _is_staged(kind):
+    """Whether Blender has no attribute of that kind, so that it gets Euler angles."""
+    return kind == 'QUATERNION' and not capabilities.has_quaternion_attributes()
+
+
+def _resize(system, carrier, count):
+    """Give an evaluated mesh the attributes of the points, and so many of these, whose content is undefined."""
+    key = system.name, system.makes_points.attributes
+    form = _forms.get(key)
+    if form is None:
+        form = _forms[key] = _form_of(system, carrier.original)
+    # Of all that empties a mesh this alone leaves it the driver that is being evaluated.
+    form.to_mesh(carrier)
+    carrier.vertices.add(count)
+
+
+def _form_of(system, mesh):
+    declared = dict(system.makes_points.attributes)
+    own = {"position", *(one.name for one in mesh.attributes if one.name.startswith("."))}
+    if len(mesh.vertices) or not own.union(declared).issuperset(mesh.attributes.keys()):
+        raise Damaged("another form than that of the points")
+    for name, kind in declared.items():
+        attributes.memory(mesh, name, _type(kind))
+    form = bmesh.new()
+    form.from_mesh(mesh)
+    return form
+
+
+def _clear(carrier):
+    form = bmesh.new()
+    form.to_mesh(carrier)
+    form.free()
+
+
+def _join(carrier, curves):
+    """Join points that follow each other and are of the same curve by edges."""
+    starts = np.flatnonzero(curves[1:] == curves[:-1])
+    carrier.edges.add(len(starts))
+    if ".edge_verts" in carrier.attributes:
+        ends = attributes.memory(carrier, ".edge_verts", 'INT32_2D', 'EDGE')
+    else:
+        # Before Blender 3.6 an edge is a record that begins with its ends.
+        ends = attributes.items(carrier.edges, "<i4", (2,))
+    ends[:, 0] = starts
+    ends[:, 1] = starts + 1

@@ -1,0 +1,54 @@
+"""What keeps an owner's systems from working, as a sentence for the panel: what its solvers report, and what the wiring sees."""
+
+from ..stored import Damaged, Newer
+from ..system import Problem, groups_of, of_owner
+from . import outbox, property_sink
+
+_DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
+_NEWER_PROBLEM = Problem(
+    "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
+_INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
+_MIRRORED_PROBLEM = Problem(
+    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale", blocking=False)
+_PROPERTY_PROBLEM = Problem(
+    "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven", blocking=False)
+_SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
+_FULL_PROBLEM = Problem("More points than there is room for: only the first ones are there", blocking=False)
+_OWN_PROBLEMS = {
+    outbox.INTERNAL: _INTERNAL_PROBLEM, outbox.SILENT: _SILENT_PROBLEM, outbox.DAMAGED: _DAMAGED_PROBLEM,
+    outbox.NEWER: _NEWER_PROBLEM, outbox.FULL: _FULL_PROBLEM}
+
+
+def problem(system, owner, depsgraph):
+    """The Problem that the solvers of the owner reported, a blocking one first; or None."""
+    carried = outbox.carriers(system, owner)
+    if not carried:
+        is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
+        return _DAMAGED_PROBLEM if is_bereft else None
+    row = outbox.row_of(system, owner)
+    problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key, row) for key, carrier in carried)
+    found = sorted(filter(None, problems), key=lambda one: not one.blocking)
+    if found:
+        return found[0]
+    if system.groups is not None:
+        are_driven = of_owner(system, owner).is_baked or all(
+            property_sink.are_driven(system, owner, carrier) for _, carrier in carried)
+        return None if are_driven else _PROPERTY_PROBLEM
+    if system.has_modifier or system.is_relative or not owner.matrix_basis.is_negative:
+        return None
+    return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
+
+
+def _problem_of(system, evaluated, key, row):
+    try:
+        if row is None:
+            outbox.owner_of(system, evaluated)
+        status = outbox.opened(system, evaluated, key, row).slots[outbox.STATUS]
+    except Newer:
+        return _NEWER_PROBLEM
+    except Damaged:
+        return _DAMAGED_PROBLEM
+    if status in _OWN_PROBLEMS:
+        return _OWN_PROBLEMS[status]
+    known = (None, *system.problems)
+    return known[int(status)] if 0.0 <= status < len(known) else _DAMAGED_PROBLEM

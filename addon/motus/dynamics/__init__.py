@@ -1,0 +1,20 @@
+"""Dynamics: objects and bones follow their animation as a mass on a spring does, exact at any frame."""
+
+from ..core import graph
+from ..core.system import System
+from . import groups, operators, over_time, panel, presets, properties, solve
+
+SYSTEM = System(
+    name="dynamics",
+    label="Dynamics",
+    settings=properties.MOTUS_PG_dynamics,
+    classes=(*properties.classes, *operators.classes, *presets.classes, *panel.classes),
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    groups=groups.groups,
+    entries=groups.entries,
+    bone_renamed=groups.bone_renamed,
+    over_time=over_time.over_time,
+    object_menu=("motus.dynamics_add", "motus.dynamics_remove"),
+    pose_menu=("motus.dynamics_add", "motus.dynamics_remove"),
+)

@@ -1,0 +1,153 @@
+"""What is wired on an owner: the object itself and its bones that follow, and which of them are solved together."""
+
+import json
+from typing import Any, NamedTuple
+
+import bpy
+
+from ..core import dependencies, rigs
+from ..core.entries import unwired
+from ..core.system import BonesOwn, Entry, Group, Member, Transform
+from ..core.tracks import transforms
+from . import inputs
+
+PLAN = "plan"
+"""Key of a group's data: a JSON object that solve.Plan is read from."""
+LOOPED = "looped"
+"""Key of a group's data: how many bones are left out, because what they hang on moves with them."""
+OBJECT = "object"
+"""Name of the object's own unit; bones' are called "bone " and the topmost bone."""
+TURN = frozenset({"rotation"})
+
+
+class Unit(NamedTuple):
+    """What is solved at once: the object, a bone by its own animation, or bones that hang on each other by their tails.
+
+    entries: of the things, the topmost bone first. kind: 'OBJECT', 'OWN' or 'TAILS'.
+    """
+
+    name: str
+    kind: str
+    entries: tuple
+    things: tuple
+
+    def reads(self, owner):
+        """(object, bone or "") whose evaluated transform it needs."""
+        if self.kind == 'OBJECT':
+            parent = transforms.parent_of(owner)
+            if parent == owner.parent and not inputs.follows_parent(owner, self.entries[0]):
+                return []
+            return [(owner.parent, parent.name if parent != owner.parent else "")]
+        if self.kind == 'OWN':
+            return []
+        return unit_reads(owner, self.things[0].name)
+
+    def input(self, scene):
+        """What it follows, over time."""
+        entry = self.entries[0]
+        if self.kind == 'TAILS':
+            return inputs.TailInput(self.things, entry, scene)
+        if self.kind == 'OBJECT':
+            return inputs.of_object(self.things[0], entry, scene)
+        return inputs.OwnInput(self.things[0], entry, scene)
+
+    @property
+    def drives(self):
+        """What it drives: names of bones, or the object."""
+        return tuple(thing.name if isinstance(thing, bpy.types.PoseBone) else thing for thing in self.things)
+
+
+def unit_reads(owner, bone):
+    """What a chain of tails needs to stand whose topmost bone is the one of this name."""
+    parent = owner.pose.bones[bone].parent
+    return [(owner, parent.name if parent else "")]
+
+
+def units(owner):
+    """The Units of an owner, as far as its bones are there, without two for a thing."""
+    found, tails, taken = [], {}, set()
+    for entry in owner.motus.dynamics.entries:
+        if entry.name in taken:
+            continue
+        taken.add(entry.name)
+        if not entry.name:
+            found.append(Unit(OBJECT, 'OBJECT', (entry,), (owner,)))
+        elif owner.pose is None or entry.name not in owner.pose.bones:
+            continue
+        elif entry.follow == 'WORLD':
+            tails[entry.name] = entry
+        else:
+            found.append(Unit(f"bone {entry.name}", 'OWN', (entry,), (owner.pose.bones[entry.name],)))
+    return [*found, *_tail_units(owner, tails, taken - set(tails))]
+
+
+def _tail_units(owner, tails, others):
+    """Units of the bones whose tails follow; others: names of bones that follow otherwise, between which chains end."""
+    by_top = {}
+    for name in tails:
+        top = name
+        for above in owner.pose.bones[name].parent_recursive:
+            if above.name in others:
+                break
+            if above.name in tails:
+                top = above.name
+        by_top.setdefault(top, []).append(name)
+    for top, names in by_top.items():
+        names.sort(key=lambda name: len(owner.pose.bones[name].parent_recursive))
+        yield Unit(f"bone {top}", 'TAILS', tuple(tails[name] for name in names),
+                   tuple(owner.pose.bones[name] for name in names))
+
+
+def entries(owner):
+    """For the order of evaluation: what each unit reads and drives."""
+    return [Entry(unit.name, tuple(unit.reads(owner)), unit.drives) for unit in units(owner)]
+
+
+def groups(owner):
+    """One group for the object, and one for the bones of each level: they are solved by one call."""
+    present = units(owner)
+    levels = dependencies.levels(owner)
+    looped = sum(levels.get(("dynamics", unit.name)) is None for unit in present)
+    placed = [(levels.get(("dynamics", unit.name)), unit) for unit in present]
+    by_key = {}
+    for level, unit in placed:
+        if level is not None:
+            by_key.setdefault(OBJECT if unit.kind == 'OBJECT' else f"bones{level}", []).append(unit)
+    if not by_key:
+        by_key[OBJECT] = []  # to say what is wrong
+    ordered = sorted(by_key.items(), key=lambda pair: (pair[0] != OBJECT, pair[0]))
+    return tuple(_group(owner, key if index else "", found, looped) for index, (key, found) in enumerate(ordered))
+
+
+def channels(entry, thing):
+    """What of a thing its entry drives."""
+    is_bone = isinstance(thing, bpy.types.PoseBone)
+    if is_bone and entry.follow == 'WORLD':
+        return TURN
+    names = {name.lower() for name in entry.channels}
+    return frozenset(names - {"location"} if is_bone and thing.bone.use_connect else names)
+
+
+def bone_renamed(owner, rig, old, new):
+    """Let the entries follow a bone that was given another name. The wiring wires the rig again by itself."""
+    if rig != owner:
+        return
+    with unwired(owner.motus.dynamics) as settings:
+        for entry in settings.entries:
+            if entry.name == old:
+                entry.name = new
+            if entry.chain == old:
+                entry.chain = new
+
+
+def _group(owner, key, found, looped):
+    things = [(thing, entry, unit.kind) for unit in found for thing, entry in zip(unit.things, unit.entries)]
+    reads = dict.fromkeys(pair for unit in found for pair in unit.reads(owner))
+    bones = [thing.name for thing, _, kind in things if kind != 'OBJECT']
+    plan = {"fingerprint": rigs.fingerprint(owner) if bones else 0,
+            "units": [[unit.kind, [entry.name for entry in unit.entries]] for unit in found]}
+    return Group(
+        key=key,
+        members=tuple(Member(thing, channels(entry, thing), 'LOCAL', is_relative=True) for thing, entry, _ in things),
+        inputs=(*(Transform(*pair) for pair in reads), *(BonesOwn(owner, name) for name in dict.fromkeys(bones))),
+        data={PLAN: json.dumps(plan), LOOPED: looped})

@@ -1,0 +1,226 @@
+"""What entries follow, over time: read from tracks, beneath what dynamics themselves make of it."""
+
+import functools
+
+from ..core import tracks
+from ..core.lazy import numpy as np
+from ..core.system import registered
+from ..core.tracks import keys, rotations, transforms
+from . import sampling
+from .sampling import Samples
+
+
+def of_object(obj, entry, scene):
+    """The input of an entry of the object itself, original or evaluated."""
+    return WorldInput(obj, entry, scene) if follows_parent(obj, entry) else OwnInput(obj, entry, scene)
+
+
+def follows_parent(obj, entry):
+    """Whether what an object's entry follows is more than the object's own channels."""
+    return entry.follow == 'WORLD' and obj.parent is not None
+
+
+def carrier(obj, scene):
+    """The Track of the world matrix of what an object hangs on."""
+    return tracks.world_track(transforms.parent_of(obj), scene)
+
+
+class _Input:
+    """of(): tracks it is made from. extent: of all of them together. Built anew for each use."""
+
+    def __init__(self, thing, entry, scene):
+        self._thing, self._entry, self._scene = thing, entry, scene
+
+    @property
+    def reason(self):
+        """A Reason for which nobody knows it, recorded or not; None without."""
+        return None
+
+    @property
+    def unknown(self):
+        """(track, keywords of motus.track_record) of what has to be recorded, or was."""
+        return [(track, keywords) for track, keywords in self.listed if track.reason is not None]
+
+    @property
+    def is_known(self):
+        """Whether all of it can be read."""
+        return self.reason is None and all(track.is_known for track, _ in self.listed)
+
+    @property
+    def tracks(self):
+        """All tracks that it is made from."""
+        return [track for track, _ in self.listed]
+
+    @property
+    def extent(self):
+        """As Track.extent."""
+        return extent_of(self.tracks)
+
+    def times(self, frame):
+        """Frames at which it is looked at, as far as they are needed for one."""
+        return times_of(self._entry, self.tracks, self._scene, frame)
+
+
+def extent_of(found):
+    """As Track.extent, of several tracks."""
+    return keys.united(track.extent for track in found)
+
+
+def times_of(entry, found, scene, frame):
+    """Frames at which the tracks of an entry are looked at."""
+    if entry.use_loop and entry.loop_end > entry.loop_start:
+        return np.array(sampling.between(found, float(entry.loop_start), float(entry.loop_end), scene))
+    return sampling.times(found, sampling.span_of(extent_of(found), scene, frame), scene)
+
+
+def seconds_of(frames, scene):
+    """Times in seconds."""
+    return frames * (scene.render.fps_base / scene.render.fps)
+
+
+class OwnInput(_Input):
+    """The own transform of an Object or PoseBone."""
+
+    @functools.cached_property
+    def listed(self):
+        """[(track, keywords of motus.track_record)]."""
+        thing = self._thing
+        names = {"datablock": thing.id_data.name, "transform": 'OWN'}
+        return [(tracks.own_track(thing), names if thing == thing.id_data else names | {"bone": thing.name})]
+
+    def samples(self, frames):
+        """Samples at frames (n,)."""
+        found = self.tracks[0].values(frames)
+        turns = rotations.product(found.rotations, _mirrored(found.scales))
+        return Samples(seconds_of(frames, self._scene), found.locations, turns, found.scales,
+                       sampling.resets(frames, found.locations, self._entry.jump))
+
+
+def _mirrored(scales):
+    """Quaternions by which a transform with these scales (n, 3) turns more than its rotation, as Blender takes it apart.
+
+    Blender makes a mirrored matrix one with three negative scales, any other one with none.
+    """
+    signs = np.where(scales < 0.0, -1.0, 1.0)
+    signs *= np.prod(signs, axis=1, keepdims=True)
+    # Half a turn about the axis that keeps its sign, or none.
+    turned = (signs < 0.0).any(axis=1)
+    found = np.zeros((len(scales), 4))
+    found[~turned, 0] = 1.0
+    found[:, 1:] = np.where(turned[:, None] & (signs > 0.0), 1.0, 0.0)
+    return found
+
+
+class WorldInput(_Input):
+    """Where an object is carried in the world: its own transform, and that of what it hangs on."""
+
+    @functools.cached_property
+    def listed(self):
+        """As OwnInput.listed."""
+        obj, parent = self._thing, transforms.parent_of(self._thing)
+        names = {"datablock": obj.parent.name, "transform": 'WORLD'}
+        if parent != obj.parent:
+            names["bone"] = parent.name
+        return [*OwnInput(obj, self._entry, self._scene).listed, (carrier(obj, self._scene), names)]
+
+    @property
+    def reason(self):
+        return transforms.of_parent(self._thing)
+
+    def samples(self, frames):
+        """As OwnInput.samples, in world space but for the scales."""
+        own, carried = (track.values(frames) for track in self.tracks)
+        space = rotations.chained(carried, transforms.parent_offset(self._thing))
+        found = rotations.chained(space, own.matrices)
+        places = found[:, :3, 3]
+        return Samples(seconds_of(frames, self._scene), places, rotations.of_axes(found[:, :3, :3]), own.scales,
+                       sampling.resets(frames, places, self._entry.jump))
+
+
+class TailInput(_Input):
+    """Where the tails of bones are carried in the world, by the animation of their rig and what that hangs on.
+
+    Of the bones that hang on each other all are given together. Bones above them may be moved by other systems.
+    """
+
+    def __init__(self, bones, entry, scene):
+        super().__init__(bones, entry, scene)
+        self._rig = bones[0].id_data
+
+    @functools.cached_property
+    def listed(self):
+        """As OwnInput.listed."""
+        rig, scene = self._rig, self._scene
+        found = {"": (tracks.world_track(rig, scene), {"datablock": rig.name, "transform": 'WORLD'})}
+        names = {bone.name for bone in self._thing}
+        for bone in self._thing:
+            while bone is not None and bone.name not in found:
+                if names.isdisjoint(one.name for one in (bone, *bone.parent_recursive)):
+                    # Above all that follow.
+                    found[bone.name] = tracks.world_track(bone, scene, registered["dynamics"]), {
+                        "datablock": rig.name, "bone": bone.name, "transform": 'WORLD'}
+                    break
+                found[bone.name] = tracks.own_track(bone), {
+                    "datablock": rig.name, "bone": bone.name, "transform": 'OWN'}
+                bone = bone.parent
+        self._places = dict(zip(found, range(len(found))))
+        return list(found.values())
+
+    def tails(self, frames):
+        """{bone's name: places of its tail (n, 3) in world space} at frames (n,)."""
+        found = self.tracks
+        world = found[0].values(frames)
+        inverse = _inverse(world)
+        poses, tails = {}, {}
+        for bone in self._thing:
+            pose = self._pose(bone, frames, inverse, poses)
+            tail = rotations.chained(world, pose)
+            tails[bone.name] = np.broadcast_to(
+                tail[:, :3, 3] + bone.bone.length * tail[:, :3, 1], (len(frames), 3))
+        return tails
+
+    def _pose(self, bone, frames, inverse, poses):
+        """Its poses in the rig's space (n, 4, 4)."""
+        way = []
+        while bone is not None and bone.name not in poses:
+            way.append(bone)
+            if self._is_base(bone):
+                break
+            bone = bone.parent
+        for one in reversed(way):
+            track = self.tracks[self._places[one.name]]
+            if self._is_base(one):
+                poses[one.name] = rotations.chained(inverse, track.values(frames))
+            else:
+                above = poses[one.parent.name] if one.parent else None
+                poses[one.name] = np.broadcast_to(
+                    transforms.posed(one, track.values(frames), above), (len(frames), 4, 4))
+        return poses[way[0].name] if way else poses[bone.name]
+
+    def _is_base(self, bone):
+        return self.tracks[self._places[bone.name]].what.endswith("world")
+
+    def samples(self, frames):
+        """({name: places}, resets)."""
+        tails = self.tails(frames)
+        jump = self._entry.jump
+        return tails, sampling.resets(frames, tails[self._thing[0].name], jump)
+
+
+def _inverse(matrices):
+    """Of affine matrices (n, 4, 4), by sums that are the same wherever the arrays lie; those without one give zeros."""
+    x, y, z = (matrices[:, :3, column] for column in range(3))
+    rows = [_cross(y, z), _cross(z, x), _cross(x, y)]
+    volume = (x * rows[0]).sum(axis=1)
+    scale = np.where(volume != 0.0, 1.0, 0.0) / np.where(volume != 0.0, volume, 1.0)
+    found = np.zeros_like(matrices)
+    for index, row in enumerate(rows):
+        found[:, index, :3] = row * scale[:, None]
+        found[:, index, 3] = -(found[:, index, :3] * matrices[:, :3, 3]).sum(axis=1)
+    found[:, 3, 3] = 1.0
+    return found
+
+
+def _cross(a, b):
+    return np.stack((a[:, 1] * b[:, 2] - a[:, 2] * b[:, 1], a[:, 2] * b[:, 0] - a[:, 0] * b[:, 2],
+                     a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]), axis=1)

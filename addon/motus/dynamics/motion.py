@@ -1,0 +1,126 @@
+"""What the inputs of a group's entries make of its members at any time: native tracks, made once and kept."""
+
+from typing import Any, NamedTuple
+
+from ..core import native
+from ..core.lazy import numpy as np
+from . import filters, inputs
+
+CLOSED = 1e-3
+"""How far a rotation may be from where its loop began, as a part of a turn, and still be meant to be there again."""
+
+
+class OpenLoop(Exception):
+    """A rotation does not come back to where its loop began."""
+
+
+class Part(NamedTuple):
+    """What one entry does to one member: native tracks, None for what does not follow.
+
+    row: of the member. delay: s. in_world: whether locations are those in world space. place: index of the entry.
+    """
+
+    row: int
+    place: int
+    delay: float
+    is_object: bool
+    in_world: bool
+    locations: Any
+    rotations: Any
+    scales: Any
+
+    def at(self, seconds, weight):
+        """(moves, turns, ratios of the scale) of the member at a time, or times (n,); None for what does not follow."""
+        at = seconds - self.delay
+        moves = None if self.locations is None else weight * self.locations.offsets(at)
+        turns = None if self.rotations is None else _shares(self.rotations.offsets(at), weight)
+        if self.scales is None:
+            return moves, turns, None
+        reached = self.scales.evaluate(at)
+        before = reached - self.scales.offsets(at)
+        ratios = np.divide(reached, before, out=np.ones_like(reached), where=before != 0.0)
+        return moves, turns, 1.0 + weight * (ratios - 1.0)
+
+    def write(self, seconds, weight, context, to_local):
+        """Let the member's row be what it is at a time. to_local(moves, in_world): in the axes that the sinks add them in."""
+        moves, turns, ratios = self.at(seconds, weight)
+        if moves is not None:
+            context.locations[self.row] = to_local(moves, self.in_world) if self.is_object else moves
+        if turns is not None:
+            context.rotations[self.row] = turns
+        if ratios is not None:
+            context.scales[self.row] = ratios
+
+
+class Tails(NamedTuple):
+    """Tails that go the same way of filtering: the native track of all their places. members: (bones' rows, entries' places)."""
+
+    track: Any
+    delay: float
+    rows: Any
+    places: Any
+
+
+def _shares(turns, weight):
+    """A share of the turns of unit quaternions (4,) or (n, 4), by the shorter way."""
+    if weight == 1.0:
+        return turns
+    mixed = weight * turns
+    mixed[..., 0] += (1.0 - weight) * np.where(turns[..., 0] >= 0.0, 1.0, -1.0)
+    return mixed / np.sqrt((mixed * mixed).sum(axis=-1, keepdims=True))
+
+
+def part_of(thing, entry, row, place, scene, frame):
+    """The Part of an entry and its member; None where nothing moves. Raises OpenLoop, and ValueError for bad numbers."""
+    is_object = thing == thing.id_data
+    source = inputs.of_object(thing, entry, scene) if is_object else inputs.OwnInput(thing, entry, scene)
+    extent = source.extent
+    if extent is None:
+        return None
+    samples = source.samples(source.times(frame))
+    # An object that is moved has its filter for each channel that it has.
+    follower = filters.second_order(filters.numbers(entry))
+    is_loop = entry.use_loop and entry.loop_end > entry.loop_start
+    module, resets = native.module, [] if is_loop else samples.resets
+    channels = entry.channels
+    turns = _closed(samples.rotations) if is_loop and 'ROTATION' in channels else samples.rotations
+    return Part(
+        row, place, entry.delay, is_object, is_object and inputs.follows_parent(thing, entry),
+        module.Track(follower, samples.seconds, samples.locations, resets, is_loop) if 'LOCATION' in channels else None,
+        module.RotationTrack(follower, samples.seconds, turns, resets, is_loop) if 'ROTATION' in channels else None,
+        module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None)
+
+
+def _closed(turns):
+    """The same rotations (n, 4), the last one the first again."""
+    if abs((turns[0] * turns[-1]).sum()) < 1.0 - 0.5 * CLOSED:
+        raise OpenLoop
+    turns = turns.copy()
+    turns[-1] = turns[0]
+    return turns
+
+
+def tails_of(bones, entries, rows, places, scene, frame):
+    """Tails of the bones whose entries go the same way; [] where nothing moves. Raises ValueError for bad numbers."""
+    ways = {}
+    for index, entry in enumerate(entries):
+        loop = (entry.loop_start, entry.loop_end) if entry.use_loop and entry.loop_end > entry.loop_start else None
+        way = filters.numbers(entry), entry.delay, loop, entry.jump
+        ways.setdefault(way, []).append(index)
+    found, known = [], {}
+    source = inputs.TailInput(bones, entries[0], scene)
+    if source.extent is None:
+        return []
+    for (numbers, delay, loop, jump), members in ways.items():
+        if loop not in known:
+            frames = inputs.times_of(entries[members[0]], source.tracks, scene, frame)
+            known[loop] = frames, source.tails(frames)
+        frames, tails = known[loop]
+        names = [bones[index].name for index in members]
+        resets = [] if loop else inputs.sampling.resets(frames, tails[bones[0].name], jump)
+        track = native.module.Track(
+            filters.second_order(numbers), inputs.seconds_of(frames, scene),
+            np.concatenate([tails[name] for name in names], axis=1), resets, loop is not None)
+        found.append(Tails(track, delay, np.array([rows[index] for index in members]),
+                           np.array([places[index] for index in members])))
+    return found

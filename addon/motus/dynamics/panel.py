@@ -1,0 +1,140 @@
+"""The panel of dynamics, in the sidebar's tab, and in the constraint properties of objects and bones."""
+
+import bpy
+
+from ..core import graph, native, panels, tracks, ui
+from ..core.lazy import numpy as np
+from ..core.translations import OWN_SENSE, tr
+from . import filters, inputs, presets, rows
+from .groups import units
+from .setup import active_entry, system
+
+POINTS = 256  # of the graph
+BEFORE = 0.06  # of its width: before the step
+
+
+def draw_main(layout, context):
+    """The list of what follows, what is wrong, and of the active entry what it follows and how."""
+    owner = context.object
+    settings = owner.motus.dynamics
+    _, remove, _ = ui.draw_list(layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry",
+                                "motus.dynamics_add", "motus.dynamics_remove", rows=2)
+    entry = active_entry(owner)
+    remove.object, remove.bones = owner.name, entry.name if entry else ""
+    ui.draw_problem(layout, context, system(), owner)
+    if entry:
+        column = ui.split(layout)
+        rows.FOLLOW.draw(column, entry)
+        rows.AMOUNT.draw(column, entry)
+    ui.split(layout).prop(settings, "influence", slider=True)
+
+
+def draw_motion(layout, context):
+    """The numbers, and what they make of a step."""
+    entry = active_entry(context.object)
+    if entry is None:
+        return
+    column = ui.split(layout)
+    column.prop(entry, "style")
+    column.prop(entry, "shape")
+    rows.MOTION.draw(column, entry)
+    draw_graph(layout, filters.numbers(entry))
+
+
+def draw_graph(layout, numbers):
+    """The step response of (frequency, damping, response)."""
+    if native.module is None:
+        return
+    try:
+        seconds = filters.seconds_shown(numbers)
+        times = np.linspace(-BEFORE * seconds, seconds, POINTS)
+        found = native.module.step_response(times, *numbers)
+    except ValueError as error:
+        ui.draw_message(layout, str(error), 'ERROR')
+        return
+    box = layout.box().column(align=True)
+    step = (times >= 0.0).astype(float)
+    box.template_icon(graph.icon("dynamics", found, (0.0, 1.0), (step,)), scale=7.0)
+    box.label(text=tr("What it makes of a step, in {seconds} s").format(seconds=f"{seconds:.2g}"), translate=False)
+
+
+def draw_loop(layout, context):
+    """The seamless loop."""
+    entry = active_entry(context.object)
+    if entry is None:
+        return
+    rows.LOOP.draw(ui.split(layout), entry)
+    button = layout.operator("motus.dynamics_loop", icon='FILE_REFRESH')
+    button.object, button.bones = context.object.name, entry.name
+
+
+def _draw_loop_switch(layout, context):
+    entry = active_entry(context.object)
+    if entry is not None:
+        layout.prop(entry, "use_loop", text="")
+
+
+def draw_input(layout, context):
+    """How what is followed is known, with buttons that record it; and teleports."""
+    entry = active_entry(context.object)
+    if entry is None:
+        return
+    rows.JUMP.draw(ui.split(layout), entry)
+    source = input_of(context.object, entry, context.scene)
+    if source is None:
+        ui.draw_message(layout, tr("{object} has no bone {bone}").format(object=context.object.name, bone=entry.name), 'ERROR')
+        return
+    if source.reason is not None:
+        ui.draw_message(layout, source.reason.sentence, 'ERROR')
+        return
+    unknown = source.unknown
+    for track, keywords in unknown:
+        tracks.draw(layout, track, **keywords)
+    if not unknown:
+        ui.draw_message(layout, tr("Exact at any frame"), 'INFO')
+
+
+def input_of(owner, entry, scene):
+    """What an entry of an original owner follows; None where its bone is gone."""
+    for unit in units(owner):
+        if entry in unit.entries:
+            return unit.input(scene)
+    return None
+
+
+def draw_actions(layout, context):
+    """Baking and removing."""
+    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    ui.draw_bake(column, system())
+    column.operator("motus.dynamics_remove", text="Remove All", icon='X').object = context.object.name
+
+
+def draw_add(layout, _context):
+    """The buttons that add dynamics."""
+    layout.operator("motus.dynamics_add", icon='FORCE_HARMONIC')
+
+
+class MOTUS_UL_dynamics_entries(bpy.types.UIList):
+    def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
+        row = layout.row(align=True)
+        row.active = not entry.is_muted
+        name, icon = (entry.name, 'BONE_DATA') if entry.name else (entry.id_data.name, 'OBJECT_DATA')
+        row.label(text=name, icon=icon, translate=False)
+        row.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
+        row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
+
+
+PANEL = panels.SystemPanel(
+    name="dynamics", prefix="MOTUS_PT_dynamics", label="Dynamics",
+    editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints, "_bone_constraint": ui.BoneConstraints},
+    suits=lambda obj: True,
+    is_used=lambda obj: len(obj.motus.dynamics.entries) > 0,
+    draw=draw_main,
+    parts=(
+        panels.Part("motion", "Motion", draw_motion, is_open=True),
+        panels.Part("loop", "Loop", draw_loop, draw_header=_draw_loop_switch),
+        panels.Part("input", "Input", draw_input, is_open=True),
+    ),
+    actions=draw_actions, refresh="motus.dynamics_refresh", presets=presets.PANEL, draw_add=draw_add)
+
+classes = (MOTUS_UL_dynamics_entries, *panels.classes(PANEL))

@@ -1,0 +1,110 @@
+"""Settings of dynamics: Object.motus.dynamics, with an entry for the object itself and for each bone."""
+
+import bpy
+
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from . import filters, styles
+
+FOLLOWS = (
+    ('OWN', "Own Animation", "The thing's own location, rotation and scale, whatever its parents do"),
+    ('WORLD', "World Motion", "Where it is carried in the world as well; a bone turns to where its tail has come"),
+)
+CHANNELS = (
+    ('LOCATION', "Location", "The location follows"),
+    ('ROTATION', "Rotation", "The rotation follows"),
+    ('SCALE', "Scale", "The scale follows"),
+)
+SHAPES = (
+    ('FREQUENCY', "Frequency", "By frequency, damping and response"),
+    ('OVERSHOOT', "Overshoot", "By how far it overshoots, and how long it takes to settle"),
+    ('SPRING', "Spring", "By a mass on a spring and a damper"),
+)
+
+# The state on a frame is made of the whole past, so that a number that changes would have to be known at all times.
+_STILL = {"update": touch, "options": set(), "override": OVERRIDABLE}
+
+
+def _number(name, description, default, **options):
+    return bpy.props.FloatProperty(name=name, description=description, default=default, **{**_STILL, **options})
+
+
+def _seen(name, description, key, **options):
+    """A number that frequency, damping and response make, and that sets them."""
+    return bpy.props.FloatProperty(
+        name=name, description=description, options={'SKIP_SAVE'}, get=lambda self: filters.seen(self, key),
+        set=lambda self, value: filters.put(self, key, value), **options)
+
+
+class DynamicsKeywords:
+    """What both the entries and the operator have: the names are the keywords of scripts."""
+
+    follow: bpy.props.EnumProperty(
+        name="Follow", description="Which motion is followed", items=FOLLOWS, default='OWN', update=rewire, options=set(),
+        override=OVERRIDABLE)
+    channels: bpy.props.EnumProperty(
+        name="Channels", description="What of it follows", items=CHANNELS, options={'ENUM_FLAG'},
+        default={'LOCATION', 'ROTATION'}, update=rewire, override=OVERRIDABLE)
+    frequency: _number(
+        "Frequency", "How many times a second it swings", 2.0, min=filters.LEAST_FREQUENCY,
+        max=filters.GREATEST_FREQUENCY, soft_max=10.0, precision=3, step=5)
+    damping: _number(
+        "Damping", "0 swings for ever, 1 comes to rest soonest without swinging", 0.4, min=0.0, max=filters.GREATEST_DAMPING,
+        soft_max=2.0, precision=3, step=2)
+    response: _number(
+        "Response", "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first", 0.0,
+        min=-filters.GREATEST_RESPONSE, max=filters.GREATEST_RESPONSE, soft_min=-3.0, soft_max=3.0, precision=3, step=5)
+    delay: _number(
+        "Delay", "How much later it follows", 0.0, min=0.0, max=3600.0, soft_max=1.0, unit='TIME_ABSOLUTE', precision=3)
+    weight: bpy.props.FloatProperty(
+        name="Weight", description="From the animation (0) to what follows it (1)", default=1.0, min=0.0, max=1.0,
+        subtype='FACTOR', update=touch, options=ANIMATED, override=OVERRIDABLE)
+    use_loop: bpy.props.BoolProperty(
+        name="Loop", description="Let the motion close without a seam over a range of frames", default=False, **_STILL)
+    loop_start: bpy.props.IntProperty(
+        name="Start", description="First frame of the loop", default=1, **_STILL)
+    loop_end: bpy.props.IntProperty(
+        name="End", description="Frame on which the loop begins again, which looks like its first one", default=251, **_STILL)
+    jump: _number(
+        "Teleport", "What moves farther than this in a frame has jumped there, and starts anew at rest; 0 never does", 0.0,
+        min=0.0, unit='LENGTH', soft_max=100.0)
+
+
+KEYWORDS = tuple(DynamicsKeywords.__annotations__)
+
+
+class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(
+        name="Bone", description="Bone that follows; empty is the object itself", update=rewire, override=OVERRIDABLE)
+    chain: bpy.props.StringProperty(
+        name="Chain", description="Topmost bone of the chain that it was added with", options=set(), override=OVERRIDABLE)
+    mass: _number("Mass", "What hangs on the spring", 1.0, min=1e-3, soft_max=100.0, unit='MASS', update=None)
+    style: bpy.props.EnumProperty(
+        name="Style", description="Frequency, damping and response that go by a name", items=styles.ITEMS,
+        options={'SKIP_SAVE'}, get=styles.of, set=styles.put)
+    shape: bpy.props.EnumProperty(
+        name="Set By", description="In which numbers the motion is shown and set; it stays the same", items=SHAPES,
+        default='FREQUENCY', options=set(), override=OVERRIDABLE)
+    overshoot: _seen(
+        "Overshoot", "How far it goes beyond a step, as a part of the step", "overshoot", min=0.0, max=0.95,
+        subtype='FACTOR', precision=3)
+    settling: _seen(
+        "Settling", "How long it takes to come to rest, to a fiftieth of a step", "settling", min=filters.LEAST_SETTLING,
+        max=filters.GREATEST_SETTLING, soft_max=5.0, unit='TIME_ABSOLUTE', precision=3)
+    stiffness: _seen(
+        "Stiffness", "Of the spring, N/m", "stiffness", min=1e-6, soft_max=1000.0, precision=2)
+    resistance: _seen(
+        "Resistance", "Of the damper, N s/m", "resistance", min=0.0, soft_max=100.0, precision=2)
+    is_muted: bpy.props.BoolProperty(
+        name="Mute", description="Leave it to its animation", default=False, update=touch, options=ANIMATED,
+        override=OVERRIDABLE)
+
+
+class MOTUS_PG_dynamics(SystemSettings, bpy.types.PropertyGroup):
+    influence: bpy.props.FloatProperty(
+        name="Influence", description="How much all dynamics of the object act; 0 leaves it to its animation", default=1.0,
+        min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=touch)
+    entries: bpy.props.CollectionProperty(type=MOTUS_PG_dynamics_entry, name="Dynamics", override=EXTENDABLE)
+    active_entry: bpy.props.IntProperty(name="Active Entry", options=set())
+
+
+classes = (MOTUS_PG_dynamics_entry, MOTUS_PG_dynamics)

@@ -1,0 +1,31 @@
+"""The rows of an entry's settings: in the panels, and for the keywords in the redo panel."""
+
+from ..core.rows import Row, Rows, is_one_of
+from ..core.translations import OWN_SENSE
+
+
+def _has_channels(settings):
+    """Not of a bone that turns to where its tail has come."""
+    return settings.follow == 'OWN' or not getattr(settings, "name", "")
+
+
+FOLLOW = Rows(("follow", Row("channels", when=_has_channels, expand=True)), title="Follow")
+BY_FREQUENCY = Rows(("frequency", "damping", "response"), title="Motion")
+MOTION = Rows((
+    Row("frequency", when=is_one_of("shape", 'FREQUENCY')), Row("damping", when=is_one_of("shape", 'FREQUENCY')),
+    Row("overshoot", when=is_one_of("shape", 'OVERSHOOT')), Row("settling", when=is_one_of("shape", 'OVERSHOOT')),
+    Row("response", when=is_one_of("shape", 'FREQUENCY', 'OVERSHOOT')),
+    Row("mass", when=is_one_of("shape", 'SPRING')), Row("stiffness", when=is_one_of("shape", 'SPRING')),
+    Row("resistance", when=is_one_of("shape", 'SPRING'))), title="Motion")
+AMOUNT = Rows((Row("weight", text="Weight", text_ctxt=OWN_SENSE), "delay"), title="Amount")
+LOOP = Rows((Row("loop_start", when=lambda settings: settings.use_loop),
+             Row("loop_end", when=lambda settings: settings.use_loop)), title="Loop")
+JUMP = Rows(("jump",))
+ADDING = (
+    Rows(("style",), title="Style"),
+    Rows((*BY_FREQUENCY.rows,), title="Motion", when=lambda operator: operator.style == 'CUSTOM'),
+    FOLLOW,
+    Rows(("whole_chains", "chain_delay"), title="Bones"),
+    Rows((*AMOUNT.rows, "use_loop", *LOOP.rows, *JUMP.rows), title="Amount"),
+)
+"""For the operator that adds dynamics."""

@@ -1,0 +1,124 @@
+"""What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+
+from ..core import actions, dependencies, libraries, wiring
+from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..core.system import systems
+from ..core.translations import tr
+from . import setup
+from .groups import unit_reads
+
+
+def wanted(context, name, bones, whole_chains):
+    """{object: names of its bones, or [""] for itself} that shall follow."""
+    if name or bones:
+        obj = named(name) if name else _active(context)
+        names = [one.strip() for one in bones.split(",") if one.strip()]
+        for one in names:
+            check_bone(obj, one)
+        return {obj: _with_chains(obj, names, whole_chains) if names else [""]}
+    if context.mode == 'POSE':
+        found = {}
+        for bone in context.selected_pose_bones or ():
+            found.setdefault(bone.id_data, []).append(bone.name)
+        if not found:
+            raise Refused(tr("Select the bones that shall follow"))
+        return {rig: _with_chains(rig, names, whole_chains) for rig, names in found.items()}
+    if not context.selected_objects:
+        raise Refused(tr("Select what shall follow"))
+    return {obj: [""] for obj in context.selected_objects}
+
+
+def _active(context):
+    if context.object is None:
+        raise Refused(tr("Select what shall follow"))
+    return context.object
+
+
+def _with_chains(rig, names, whole_chains):
+    """The bones in the order of the pose, with all below them where whole chains are meant."""
+    chosen = set(names)
+    if whole_chains:
+        chosen.update(bone.name for name in names for bone in rig.pose.bones[name].children_recursive)
+    return [bone.name for bone in rig.pose.bones if bone.name in chosen]
+
+
+def chains(rig, names):
+    """{name: (topmost bone of its chain among the names, how many of them are above it)}."""
+    chosen, found = set(names), {}
+    for name in names:
+        above = [bone.name for bone in rig.pose.bones[name].parent_recursive if bone.name in chosen] if name else []
+        found[name] = above[-1] if above else name, len(above)
+    return found
+
+
+def owner_with(context, name):
+    """The object by name, else the active one, where something of it has dynamics."""
+    obj = named(name) if name else context.object
+    if obj is None or not obj.motus.dynamics.entries:
+        raise Refused(tr("Nothing here has dynamics"))
+    return obj
+
+
+def indices_for(context, owner, bones, is_whole):
+    """Indices of the entries that are meant: of bones by name, of the selected ones, or all of the object's."""
+    settings = owner.motus.dynamics
+    if bones:
+        names = [one.strip() for one in bones.split(",") if one.strip()]
+    elif context.mode == 'POSE' and not is_whole:
+        names = [bone.name for bone in context.selected_pose_bones or () if bone.id_data == owner]
+    else:
+        return list(range(len(settings.entries)))
+    found = [index for index in (setup.find(settings, name) for name in names) if index >= 0]
+    if not found:
+        raise Refused(tr("Nothing here has dynamics"))
+    return found
+
+
+def check_editable(owner):
+    """Refuse an object whose set-up must not be changed."""
+    check_local(owner)
+    check_unbaked(owner, owner.motus.dynamics)
+
+
+def check_free(owner, names):
+    """Refuse what Motus drives already by another system."""
+    for system in systems():
+        if system.name == "dynamics":
+            continue
+        if "" in names and any(thing == owner for thing, *_ in wiring.on_object(system, owner)):
+            raise Refused(tr("{object} is driven by {system} already: let a child of it follow").format(
+                object=owner.name, system=tr(system.label)))
+        for entry in system.entries(owner) if system.entries else ():
+            shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
+            if shared:
+                raise Refused(tr("{bone} is driven by {system} of {other} already").format(
+                    bone=min(shared), system=tr(system.label), other=entry.name))
+
+
+def check_no_loop(owner, names, follow):
+    """Refuse bones that would hang on something that moves with them."""
+    for name in names:
+        if name and follow == 'WORLD':
+            for obj, bone in unit_reads(owner, name):
+                if dependencies.depends(obj, bone, owner, [name]):
+                    raise Refused(tr("What {bone} hangs on moves with it").format(bone=name))
+
+
+def check_removable(owner, indices):
+    """Refuse to remove what an override has from its library."""
+    count = libraries.count_from_library(owner, "motus.dynamics.entries")
+    if any(index < count for index in indices):
+        raise Refused(tr("{object} has these dynamics from its library, so that they cannot be removed here: mute them").format(
+            object=owner.name))
+
+
+def has_own_animation(thing):
+    """Whether keys, the NLA or drivers set channels of the thing itself."""
+    obj = thing.id_data
+    prefix = "" if thing == obj else f"{thing.path_from_id()}."
+    beginnings = tuple(f"{prefix}{name}" for name in ("location", "rotation_", "scale", "delta_"))
+    animation = obj.animation_data
+    if animation is None:
+        return False
+    curves = [curve for player in actions.players(obj) for curve in actions.curves_of(player)] + list(animation.drivers)
+    return any(curve.data_path.startswith(beginnings) for curve in curves)

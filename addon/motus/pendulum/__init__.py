@@ -1,0 +1,40 @@
+"""Pendulums: single, double, and fans of them, on pivots that may be moved."""
+
+from ..core.system import System
+from . import drag, operators, overlay, panel, parts, presets, properties, solve, trail
+
+SYSTEM = System(
+    name="pendulum",
+    label="Pendulum",
+    settings=properties.MOTUS_PG_pendulum,
+    classes=(
+        # The group before the one that holds it.
+        properties.MOTUS_PG_pendulum_rod, properties.MOTUS_PG_pendulum,
+        *operators.classes, *drag.classes, *presets.classes, *panel.classes,
+    ),
+    inputs=solve.INPUTS,
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    outputs=solve.OUTPUTS,
+    channels=lambda settings: frozenset({"rotation"}),
+    members=parts.members,
+    member_data=parts.numbers,
+    is_relative=True,
+    same_bits=True,
+    owner_of=parts.pivot_of,
+    overlay=overlay.overlay,
+    add_menu=("motus.pendulum_add",),
+    object_menu=("motus.pendulum_add", "motus.pendulum_play", "motus.pendulum_drag", "motus.pendulum_remove"),
+)
+
+TRAILS = System(
+    name="pendulum_trail",
+    label="Pendulum Trails",
+    settings=properties.MOTUS_PG_pendulum_trail,
+    classes=(properties.MOTUS_PG_pendulum_trail, *panel.trail_classes),
+    inputs=trail.INPUTS,
+    solve=trail.make,
+    problems=trail.PROBLEMS,
+    makes_points=trail.POINTS,
+    unbakeable=trail.UNBAKEABLE.sentence,
+)

@@ -1,0 +1,213 @@
+"""Makes rods and bobs, parents them to the pivot, and takes them back: plain functions behind the operators."""
+
+import colorsys
+import math
+from typing import NamedTuple
+
+import bpy
+from mathutils import Matrix
+
+from ..core import actions, libraries, wiring
+from ..core.system import forget, registered
+from . import parts, trail
+
+PREFIX = "motus.pendulum."
+SIDES, RINGS, SEGMENTS = 16, 16, 32
+SATURATION, VALUE = 0.85, 0.8
+
+
+class Look(NamedTuple):
+    """Radii, m: of the rods, and of a bob of 1 kg. spacing: from one of the fan to the next, across the plane. hue: of the first."""
+
+    rod_radius: float = 0.012
+    bob_radius: float = 0.08
+    spacing: float = 0.006
+    hue: float = 0.0
+
+
+def system():
+    """The registered System: the package's __init__ imports this module, not the other way round."""
+    return registered["pendulum"]
+
+
+def new_pivot(context, name, place):
+    """A new pivot in the active collection."""
+    pivot = bpy.data.objects.new(name, None)
+    pivot.location = place
+    pivot.empty_display_type = 'SPHERE'
+    pivot.empty_display_size = 0.05
+    context.collection.objects.link(pivot)
+    return pivot
+
+
+def attach(context, owner, kind, count, keywords, look, bobs=(), has_made_pivot=False):
+    """Give a pivot its pendulum, or fan of `count`. keywords: settings. bobs: objects that stand there, instead of new ones."""
+    settings = owner.motus.pendulum
+    settings.kind, settings.count, settings.has_made_pivot = kind, count, has_made_pivot
+    for name, value in keywords.items():
+        setattr(settings, name, value)
+    collection = libraries.collection_for(context, owner)
+    shapes = _shapes(settings, look)
+    for index in range(count):
+        material = _material(owner.name, (look.hue + index / count) % 1.0)
+        _add(collection, owner, index, shapes, material, look, bobs)
+    wiring.attach(system(), owner)
+
+
+def angle_of(rod):
+    """Angle from hanging down of a vector in the pivot's space."""
+    return math.atan2(rod.x, -rod.z)
+
+
+def end_matrices(settings):
+    """Of the end of each rod of the first pendulum, in the pivot's space, at the start."""
+    matrix = Matrix()
+    found, above = [], 0.0
+    for length, angle in zip(parts.lengths(settings), (settings.angle1, settings.angle2)):
+        matrix = matrix @ Matrix.Rotation(above - angle, 4, 'Y') @ Matrix.Translation((0.0, 0.0, -length))
+        found.append(matrix)
+        above = angle
+    return found
+
+
+def _add(collection, owner, index, shapes, material, look, bobs):
+    settings = owner.motus.pendulum
+    each, ends = parts.rods_each(settings), end_matrices(settings)
+    parent = owner
+    for rod_index, (rod_mesh, bob_mesh) in enumerate(shapes):
+        number = index * each + rod_index
+        suffix = f"{index + 1}.{rod_index + 1}" if settings.count > 1 else str(rod_index + 1)
+        rod = _link(collection, f"{owner.name} Rod {suffix}", rod_mesh, parent, material)
+        if rod_index == 0:
+            rod.location.y = (index - 0.5 * (settings.count - 1)) * look.spacing
+        entry = settings.rods.add()
+        entry.name, entry.number = rod.name, number
+        if bobs:
+            _take(entry, bobs[rod_index], rod, owner.matrix_world @ ends[rod_index])
+        else:
+            entry.bob = _link(collection, f"{owner.name} Bob {suffix}", bob_mesh, rod, material)
+        entry.object = rod
+        parent = rod
+    parts.fit(owner)
+
+
+def _take(entry, bob, rod, end):
+    """Hang a bob that is there on a rod, so that it stands where it does while the rod's end is at `end` in the world."""
+    entry.bob, entry.is_placed = bob, True
+    entry.before, entry.rest = parts.values(bob.matrix_parent_inverse), parts.values(end.inverted_safe())
+    bob.parent = rod
+
+
+def _link(collection, name, mesh, parent, material):
+    obj = bpy.data.objects.new(name, mesh)
+    collection.objects.link(obj)
+    obj.parent = parent
+    # The meshes are shared by all of the fan.
+    slot, = obj.material_slots
+    slot.link, slot.material = 'OBJECT', material
+    return obj
+
+
+def _shapes(settings, look):
+    """(mesh of the rod, mesh of the bob) of each rod of one pendulum."""
+    masses = settings.mass1, settings.mass2
+    thickest = max(look.rod_radius, 1e-5)
+    return [(_rod(length, thickest), _ball(look.bob_radius * mass ** (1.0 / 3.0)))
+            for length, mass in zip(parts.lengths(settings), masses)]
+
+
+def _rod(length, radius):
+    """A round rod from the origin down to -length."""
+    ring = [(radius * math.cos(math.tau * i / SIDES), radius * math.sin(math.tau * i / SIDES)) for i in range(SIDES)]
+    vertices = [(x, y, z) for z in (0.0, -length) for x, y in ring]
+    sides = [(i, (i + 1) % SIDES, SIDES + (i + 1) % SIDES, SIDES + i) for i in range(SIDES)]
+    caps = [tuple(range(SIDES))[::-1], tuple(range(SIDES, 2 * SIDES))]
+    mesh = _mesh("Rod", vertices, [face[::-1] for face in sides] + [cap[::-1] for cap in caps])
+    mesh[parts.MADE_KEY] = length
+    for polygon in mesh.polygons[len(sides):]:
+        polygon.use_smooth = False
+    return mesh
+
+
+def _ball(radius):
+    """A sphere about the origin."""
+    vertices, faces = [(0.0, 0.0, radius)], []
+    for ring in range(1, RINGS):
+        turn = math.pi * ring / RINGS
+        vertices += [(radius * math.sin(turn) * math.cos(math.tau * i / SEGMENTS),
+                      radius * math.sin(turn) * math.sin(math.tau * i / SEGMENTS), radius * math.cos(turn))
+                     for i in range(SEGMENTS)]
+    vertices.append((0.0, 0.0, -radius))
+    last = len(vertices) - 1
+    for i in range(SEGMENTS):
+        following = (i + 1) % SEGMENTS
+        faces.append((0, 1 + i, 1 + following))
+        faces.append((last, last - SEGMENTS + following, last - SEGMENTS + i))
+        for ring in range(RINGS - 2):
+            above, below = 1 + ring * SEGMENTS, 1 + (ring + 1) * SEGMENTS
+            faces.append((above + i, below + i, below + following, above + following))
+    return _mesh("Bob", vertices, faces)
+
+
+def _mesh(name, vertices, faces):
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(vertices, [], faces)
+    mesh.polygons.foreach_set("use_smooth", [True] * len(faces))
+    mesh.materials.append(None)
+    mesh.update()
+    return mesh
+
+
+def _material(name, hue):
+    """A glossy colour."""
+    color = (*colorsys.hsv_to_rgb(hue, SATURATION, VALUE), 1.0)
+    material = bpy.data.materials.new(name)
+    material.diffuse_color = color
+    if not material.use_nodes:
+        material.use_nodes = True
+    shader = next(node for node in material.node_tree.nodes if node.type == 'BSDF_PRINCIPLED')
+    shader.inputs["Base Color"].default_value = color
+    shader.inputs["Roughness"].default_value = 0.25
+    shader.inputs["Metallic"].default_value = 0.35
+    return material
+
+
+def clear(owner, keeps_objects):
+    """Take the pendulum back: wiring, keys of its settings, what was made, and the settings themselves."""
+    settings = owner.motus.pendulum
+    entries = [(entry.object, entry.bob, entry.is_placed, parts.matrix(entry.before)) for entry in parts.own_rods(owner)]
+    made_pivot = settings.has_made_pivot
+    trail.remove(owner)
+    wiring.detach(system(), owner)
+    actions.remove(owner, (PREFIX,))
+    for rod, bob, is_placed, before in entries:
+        if bob and is_placed and bob.parent == rod:
+            bob.parent, bob.matrix_parent_inverse = None, before
+        forget(system(), rod)
+    forget(system(), owner)
+    if keeps_objects:
+        return
+    made = [obj for rod, bob, is_placed, _ in entries for obj in (rod, None if is_placed else bob) if obj]
+    _delete([*made, *([owner] if made_pivot else [])])
+
+
+def free(rod):
+    """Let a stray rod hang as it is placed."""
+    wiring.release(system(), rod)
+    forget(system(), rod)
+
+
+def _delete(objects):
+    """Remove objects, with those of their meshes and materials that nothing else uses; others' children stay where they stand."""
+    for obj in set(objects):
+        for child in obj.children:
+            if child not in objects:
+                place = child.matrix_world.copy()
+                child.parent = None
+                child.matrix_world = place
+    used = {data for obj in objects for data in (obj.data, *(slot.material for slot in obj.material_slots)) if data}
+    for obj in dict.fromkeys(objects):
+        bpy.data.objects.remove(obj)
+    for data in sorted(used, key=lambda one: isinstance(one, bpy.types.Material)):
+        if data.users == 0:
+            (bpy.data.materials if isinstance(data, bpy.types.Material) else bpy.data.meshes).remove(data)

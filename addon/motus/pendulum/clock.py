@@ -1,0 +1,56 @@
+"""The pendulum's own time: it runs while it is played, at a speed that may be keyed, from the start frame on."""
+
+import math
+from typing import NamedTuple
+
+from ..core.lazy import numpy as np
+from ..core.system import Problem
+from ..core.tracks.animation import Channel
+
+UNKNOWN = Problem(
+    "Playing or Speed is driven, or in NLA strips that are not known ahead: its present value counts for all the time", False)
+
+
+class Clock(NamedTuple):
+    """seconds: since the start. rate: seconds in a second, where that is always the same; else None."""
+
+    seconds: float
+    rate: float | None
+    problem: Problem | None = None
+
+
+def steady(settings):
+    """(start frame, rate) where nothing animates the settings."""
+    return settings.start_frame, settings.speed if settings.is_playing else 0.0
+
+
+def read(owner, settings, frame, fps):
+    """The Clock at a frame. owner: may be evaluated."""
+    start, frame = settings.start_frame, max(settings.start_frame, frame)
+    playing, speed = (Channel(owner, f"{settings.path_from_id()}.{name}", -1) for name in ("is_playing", "speed"))
+    if playing.reason or speed.reason:
+        return _steady(settings, frame, fps)._replace(problem=UNKNOWN)
+    if playing.is_constant and speed.is_constant:
+        return _steady(settings, frame, fps)
+    runs = _runs(playing, start, frame) if frame > start else []
+    return Clock(math.fsum(speed.integral(first, last) for first, last in runs) / fps, None)
+
+
+def _steady(settings, frame, fps):
+    start, rate = steady(settings)
+    return Clock((frame - start) / fps * rate, rate)
+
+
+def _runs(playing, first, last):
+    """(first, last) frames of the times between two frames in which a boolean Channel is on."""
+    edges = playing.bounds(first, last)
+    middles = 0.5 * (np.array(edges[:-1]) + np.array(edges[1:]))
+    runs = []
+    for begin, end, is_on in zip(edges, edges[1:], playing.values(middles)):
+        if not is_on:
+            continue
+        if runs and runs[-1][1] == begin:
+            runs[-1][1] = end
+        else:
+            runs.append([begin, end])
+    return runs

@@ -1,0 +1,185 @@
+"""The operator that drags the end bob of a paused pendulum: both rods follow, and the motion starts there, at rest."""
+
+import math
+
+import bpy
+from bpy_extras.view3d_utils import location_3d_to_region_2d
+from mathutils import Vector
+
+from ..core import native
+from ..core.drag import PointDrag
+from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.refusals import Refused, check_evaluated, check_finite, named
+from ..core.rows import Row, Rows, is_given
+from ..core.translations import tr
+from . import build, clock, parts, solve, targets
+
+NEAR = 30.0
+"""Pixels, at the interface's normal size."""
+KEPT = ("angle1", "angle2", "velocity1", "velocity2", "start_frame")
+
+
+class Held:
+    """The end bob of one pendulum of a pivot's, which pull() takes to a place."""
+
+    def __init__(self, context, pivot, number=0):
+        depsgraph = context.view_layer.depsgraph
+        self._settings, self._number = pivot.motus.pendulum, number
+        self._each = parts.rods_each(self._settings)
+        self._world = pivot.evaluated_get(depsgraph).matrix_world.copy()
+        self._frame = context.scene.frame_current_final
+        self._before = {name: getattr(self._settings, name) for name in KEPT}
+        self._angles = _angles(context, pivot, number)
+        self._offset = Vector((0.0, end_of(pivot, depsgraph, number, self._world).y, 0.0))
+        self.point = self._world @ (self._offset + _reach(self._settings, self._angles))
+
+    def pull(self, place):
+        """Take the bob to a place in the world, as far as the rods reach, in the plane of the swing."""
+        if place == self.point:
+            self.restore()
+            return
+        local = self._world.inverted_safe() @ place
+        goal = Vector((local.x, 0.0, local.z))
+        found = self._bent(goal) if self._each == 2 else (build.angle_of(goal),)
+        self._settings.angle1 = found[0]
+        if self._each == 2:
+            self._settings.angle2 = found[1] - self._number * self._settings.angle_step
+            self._settings.velocity2 = 0.0
+        self._settings.velocity1 = 0.0
+        self._settings.start_frame = max(self._frame, self._before["start_frame"])
+
+    def restore(self):
+        """Put the settings back."""
+        for name, value in self._before.items():
+            setattr(self._settings, name, value)
+
+    def _bent(self, goal):
+        lengths = parts.lengths(self._settings)
+        upper, lower = self._angles
+        # The elbow stays on its side of the line from the pivot to the end.
+        end, elbow = _reach(self._settings, self._angles), lengths[0] * _direction(upper)
+        side = 1.0 if end.cross(elbow).y >= 0.0 else -1.0
+        across = Vector((goal.z, 0.0, -goal.x)) * side
+        if across.length == 0.0:
+            across = elbow
+        pole = 0.5 * goal + across
+        found = native.module.solve_two_bone((0.0, 0.0, 0.0), tuple(goal), *lengths, tuple(pole))
+        joint, tip = Vector(found.elbow.tolist()), Vector(found.tip.tolist())
+        return build.angle_of(joint), build.angle_of(tip - joint)
+
+
+def _direction(angle):
+    return Vector((math.sin(angle), 0.0, -math.cos(angle)))
+
+
+def _reach(settings, angles):
+    """The end of the last rod, in the pivot's space."""
+    found = Vector()
+    for length, angle in zip(parts.lengths(settings), angles):
+        found = found + length * _direction(angle)
+    return found
+
+
+def _angles(context, pivot, number):
+    """Angles of one pendulum at the present frame."""
+    settings, scene = pivot.motus.pendulum, context.scene
+    swing = solve.swing_of(settings, scene)
+    seconds = clock_at(context, pivot).seconds
+    if not hasattr(swing, "at"):
+        raise Refused(tr(swing.sentence))
+    try:
+        return swing.at(seconds)[number][:swing.each]
+    except ValueError:
+        raise Refused(tr(solve.TOO_FAR.sentence)) from None
+
+
+def clock_at(context, pivot):
+    """The Clock of a pendulum at the present frame."""
+    render = context.scene.render
+    return clock.read(
+        pivot, pivot.motus.pendulum, context.scene.frame_current_final, render.fps / render.fps_base)
+
+
+def end_of(pivot, depsgraph, number, world):
+    """Where the rod of a pendulum hangs on the pivot, in its space."""
+    settings = pivot.motus.pendulum
+    rod = next((entry.object for entry in parts.own_rods(pivot) if entry.number == number * parts.rods_each(settings)), None)
+    return world.inverted_safe() @ rod.evaluated_get(depsgraph).matrix_world.translation if rod else Vector()
+
+
+def check_stands_still(context, pivot):
+    """Refuse a pendulum whose time runs."""
+    settings = pivot.motus.pendulum
+    if settings.is_playing and context.scene.frame_current_final > settings.start_frame:
+        raise Refused(tr("The pendulum is playing: pause it first, or go to its start"))
+
+
+class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
+    bl_idname = "motus.pendulum_drag"
+    bl_label = "Drag Pendulum"
+    bl_description = "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Where the end bob goes, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        options={'SKIP_SAVE'})
+    number: bpy.props.IntProperty(
+        name="Number", description="Of the pendulum in its fan, from 0 on; the others keep their distances from it",
+        default=0, min=0, options={'SKIP_SAVE'})
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows((Row("location", when=is_given("location")), Row("number", when=is_given("number")))),)
+
+    @classmethod
+    def check_offer(cls, context):
+        check_stands_still(context, targets.pivot_for(context, ""))
+
+    def run(self, context):
+        pivot = self._pivot(context)
+        if not self.is_given("location"):
+            raise Refused(tr("Say where to: location is missing"))
+        check_finite(self, ("location",))
+        if self.number >= pivot.motus.pendulum.count:
+            raise Refused(tr("The fan has {count} pendulums").format(count=pivot.motus.pendulum.count))
+        Held(context, pivot, self.number).pull(Vector(self.location))
+        context.view_layer.update()
+
+    def invoke(self, context, event):
+        if context.window is None or self.is_given("location"):
+            return self.execute(context)
+        try:
+            self.object = self._pivot(context).name
+            return self._begin(context, event)
+        except Refused as refusal:
+            return self.refuse(refusal)
+
+    def _pivot(self, context):
+        pivot = targets.pivot_for(context, self.object)
+        check_evaluated(pivot, context.view_layer)
+        check_stands_still(context, pivot)
+        return pivot
+
+    def _show_keys(self, context):
+        context.workspace.status_text_set(
+            tr("Press the left mouse button on the end bob and drag it; Esc or the right button cancels"))
+
+    def _hold(self, context, region, view, mouse):
+        pivot = named(self.object)
+        least, found = NEAR * context.preferences.system.ui_scale, None
+        for number in range(pivot.motus.pendulum.count):
+            held = Held(context, pivot, number)
+            seen = location_3d_to_region_2d(region, view, held.point)
+            if seen is not None and (seen - mouse).length < least:
+                least, found = (seen - mouse).length, (held, seen, number)
+        if found is None:
+            return None
+        self._held, seen, self.number = found
+        return self._held.point, seen
+
+    def _move(self, place):
+        self.location = place
+        self._held.pull(Vector(place))
+
+
+classes = (MOTUS_OT_pendulum_drag,)

@@ -1,0 +1,327 @@
+"""Operators that add pendulums, take them back, and let their time run or stand still."""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+from ..core import actions, libraries, wiring
+from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.refusals import Refused, check_finite, check_local, named
+from ..core.rows import Row, Rows, is_one_of
+from ..core.translations import tr
+from . import build, parts, rows, targets, trail
+from .properties import KEYWORDS, TRAIL_KEYWORDS, PendulumKeywords, TrailKeywords
+
+ADDED = (
+    ('SINGLE', "Single", "One rod with a bob"),
+    ('DOUBLE', "Double", "A second rod hangs on the first one's bob"),
+    ('FAN', "Fan", "Double pendulums whose lower angles differ a little from one to the next"),
+    ('CHAOS', "Demonstration", "A fan, beside it one pendulum alone, and a third one with quite other angles"),
+)
+TAKES = (
+    ('NEW', "New Pivot", "An empty at the 3D cursor"),
+    ('ACTIVE', "Active Object", "The pendulum hangs on the active object, which may be animated"),
+    ('PLACED', "Selected Objects",
+     "The active object is the pivot and the other selected ones, one or two, are the bobs: lengths and angles are theirs"),
+)
+PLAYS = (
+    ('TOGGLE', "Toggle", "Pause what plays, and play what is paused"),
+    ('PLAY', "Play", "Let the time run from here on"),
+    ('PAUSE', "Pause", "Let the time stand still from here on"),
+)
+OTHER_ANGLES = math.radians(-70.0), math.radians(-170.0)
+APART = 1.25
+"""Of the reach of both rods, between the edges of the demonstration's pendulums."""
+LARGEST_FAN = 500
+
+_has_look = is_one_of("take", 'NEW', 'ACTIVE')
+
+
+class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
+    bl_idname = "motus.pendulum_add"
+    bl_label = "Add Pendulum"
+    bl_description = "Hang a pendulum, a double pendulum or a fan of them on a pivot"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    kind: bpy.props.EnumProperty(name="Kind", description="What is added", items=ADDED, default='DOUBLE')
+    take: bpy.props.EnumProperty(
+        name="Pivot", description="What the pendulum hangs on", items=TAKES, default='NEW', options={'SKIP_SAVE'})
+    count: bpy.props.IntProperty(
+        name="Count", description="How many pendulums the fan has", default=20, soft_min=1, soft_max=100)
+    rod_radius: bpy.props.FloatProperty(
+        name="Rod Radius", description="Of the rods", default=build.Look().rod_radius, min=1e-4, soft_max=0.2,
+        subtype='DISTANCE')
+    bob_radius: bpy.props.FloatProperty(
+        name="Bob Radius", description="Of a bob of 1 kg; heavier ones are larger", default=build.Look().bob_radius,
+        min=1e-4, soft_max=1.0, subtype='DISTANCE')
+    spacing: bpy.props.FloatProperty(
+        name="Spacing", description="From one pendulum of the fan to the next, across the plane of the swing",
+        default=build.Look().spacing, subtype='DISTANCE')
+    hue: bpy.props.FloatProperty(
+        name="Hue", description="Of the first pendulum; a fan goes once around", default=build.Look().hue, min=0.0, max=1.0,
+        subtype='FACTOR')
+    use_trails: bpy.props.BoolProperty(
+        name="Trails", description="Show the ways that the end bobs have come; the demonstration always does", default=False)
+    object: object_keyword("Name of the object that is the pivot; empty goes by what is chosen as the pivot")
+    bobs: bpy.props.StringProperty(
+        name="Bobs", description="Names, with commas between, of one or two objects that are the bobs, from the pivot on",
+        options={'SKIP_SAVE'})
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Of a new pivot; the 3D cursor's, where it is not given", size=3, subtype='XYZ',
+        unit='LENGTH', options={'SKIP_SAVE'})
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (
+        Rows(("kind", "take", Row("count", when=is_one_of("kind", 'FAN', 'CHAOS'))), title="Add"),
+        *rows.ALL,
+        Rows((Row("rod_radius"), Row("bob_radius", when=_has_look), Row("spacing", when=is_one_of("kind", 'FAN', 'CHAOS')),
+              "hue", Row("use_trails", when=is_one_of("kind", 'SINGLE', 'DOUBLE', 'FAN'))), title="Look"),
+    )
+
+    def run(self, context):
+        pivots = self._add(context)
+        for pivot in pivots if self.use_trails or self.kind == 'CHAOS' else ():
+            trail.add(libraries.collection_for(context, pivot), pivot, {})
+        for obj in context.selected_objects:
+            obj.select_set(False)
+        context.view_layer.objects.active = pivots[0]
+        for pivot in pivots:
+            pivot.select_set(True)
+        self.object = pivots[0].name if self.object else ""
+        self._report(context, pivots)
+
+    def _add(self, context):
+        keywords = self._checked()
+        bobs = []
+        if self.bobs or self.take == 'PLACED':
+            pivot, bobs = targets.placed_objects(context, self.object, self.bobs)
+        elif self.object or self.take == 'ACTIVE':
+            pivot = named(self.object) if self.object else context.object
+            if pivot is None:
+                raise Refused(tr("Select the object that shall be the pivot"))
+        else:
+            return self._add_new(context, keywords)
+        if self.kind == 'CHAOS':
+            raise Refused(tr("The demonstration has pivots of its own"))
+        targets.check_free(pivot)
+        kind = self.kind
+        if bobs:
+            targets.check_bobs(bobs)
+            context.view_layer.update()
+            kind = 'SINGLE' if len(bobs) == 1 else 'DOUBLE'
+            keywords |= targets.measured(pivot, bobs)
+        count = self.count if kind == 'FAN' else 1
+        build.attach(context, pivot, _rods_of(kind), count, keywords, self._look(), bobs)
+        return [pivot]
+
+    def _add_new(self, context, keywords):
+        place = Vector(self.location) if self.is_given("location") else context.scene.cursor.location.copy()
+        if self.kind != 'CHAOS':
+            count = self.count if self.kind == 'FAN' else 1
+            return [self._hang(context, tr("Pendulum"), place, self.kind, count, keywords)]
+        along = Vector((APART * 2.0 * (self.length1 + self.length2), 0.0, 0.0))
+        other = dict(zip(("angle1", "angle2"), OTHER_ANGLES))
+        return [
+            self._hang(context, tr("Fan"), place, 'DOUBLE', self.count, keywords),
+            self._hang(context, tr("Alone"), place + along, 'DOUBLE', 1, keywords),
+            self._hang(context, tr("Other Angles"), place + 2.0 * along, 'DOUBLE', 1, keywords | other, 0.6)]
+
+    def _hang(self, context, name, place, kind, count, keywords, hue=0.0):
+        pivot = build.new_pivot(context, name, place)
+        look = self._look()
+        look = look._replace(hue=(look.hue + hue) % 1.0)
+        build.attach(context, pivot, _rods_of(kind), count, keywords, look, has_made_pivot=True)
+        return pivot
+
+    def _look(self):
+        return build.Look(self.rod_radius, self.bob_radius, self.spacing, self.hue)
+
+    def _checked(self):
+        """The keywords that were given, where they can work."""
+        keywords = self.given(KEYWORDS)
+        check_finite(self, (*KEYWORDS, "rod_radius", "bob_radius", "spacing", "hue", "location"))
+        positive = ("length1", "length2", "mass1", "mass2", "most_velocity", "most_acceleration")
+        for name in positive:
+            if not getattr(self, name) > 0.0:
+                raise Refused(tr("{keyword} must be greater than 0").format(keyword=name))
+        for name in ("gravity", "damping"):
+            if getattr(self, name) < 0.0:
+                raise Refused(tr("{keyword} must not be less than 0").format(keyword=name))
+        if not 1 <= self.count <= LARGEST_FAN:
+            raise Refused(tr("A fan has 1 to {count} pendulums").format(count=LARGEST_FAN))
+        return keywords
+
+    def _report(self, context, pivots):
+        context.view_layer.update()
+        depsgraph = context.view_layer.depsgraph
+        for pivot in pivots:
+            if not pivot.evaluated_get(depsgraph).is_evaluated:
+                continue
+            problem = wiring.problem(build.system(), pivot, depsgraph)
+            if problem:
+                self.report({'WARNING'}, tr(problem.sentence))
+
+
+def _rods_of(kind):
+    return 'SINGLE' if kind == 'SINGLE' else 'DOUBLE'
+
+
+class MOTUS_OT_pendulum_remove(Operator, bpy.types.Operator):
+    bl_idname = "motus.pendulum_remove"
+    bl_label = "Remove Pendulum"
+    bl_description = "Take the pendulum off its pivot, with the rods and bobs that were made for it"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the selected ones")
+    keep_objects: bpy.props.BoolProperty(
+        name="Keep Objects", description="Keep the pivot, rods and bobs that were made, at rest", default=False)
+
+    modes = OBJECT_MODE
+    redo = (Rows(("keep_objects",)),)
+
+    @classmethod
+    def check_offer(cls, context):
+        _check_any(targets.set_up(context))
+
+    def run(self, context):
+        if self.object:
+            obj = named(self.object)
+            found = [parts.pivot_of(obj) or (obj if parts.is_stray(obj) else None)]
+        else:
+            found = targets.set_up(context)
+        found = [one for one in found if one]
+        _check_any(found)
+        for one in found:
+            targets.check_editable(one)
+        names = [one.name for one in found]
+        for one in found:
+            if parts.is_stray(one):
+                build.free(one)
+            else:
+                build.clear(one, self.keep_objects)
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(names)))
+
+
+def _check_any(found):
+    if not found:
+        raise Refused(tr("Nothing here is part of a pendulum"))
+
+
+class MOTUS_OT_pendulum_play(Operator, bpy.types.Operator):
+    bl_idname = "motus.pendulum_play"
+    bl_label = "Play or Pause Pendulum"
+    bl_description = "Key whether the pendulum's time runs from the present frame on"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+    play: bpy.props.EnumProperty(name="Play", description="What is keyed", items=PLAYS, default='TOGGLE')
+
+    modes = OBJECT_MODE
+    redo = (Rows((Row("play", expand=True),)),)
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.pivot_for(context, "")
+
+    def run(self, context):
+        pivot = targets.pivot_for(context, self.object)
+        check_local(pivot)
+        settings, frame = pivot.motus.pendulum, context.scene.frame_current_final
+        is_playing = not settings.is_playing if self.play == 'TOGGLE' else self.play == 'PLAY'
+        path = "motus.pendulum.is_playing"
+        actions.make_local(pivot)
+        if actions.find(pivot, path) is None and frame > settings.start_frame:
+            pivot.keyframe_insert(path, frame=settings.start_frame, group="Pendulum")
+        settings.is_playing = is_playing
+        if actions.find(pivot, path) is not None:
+            pivot.keyframe_insert(path, frame=frame, group="Pendulum")
+        context.view_layer.update()
+
+
+class MOTUS_OT_pendulum_trail_add(Operator, TrailKeywords, bpy.types.Operator):
+    bl_idname = "motus.pendulum_trail_add"
+    bl_label = "Add Trails"
+    bl_description = "Show the ways that the end bobs of a pendulum have come, as tubes in the bobs' colours"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (rows.TRAIL,)
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.pivot_for(context, "")
+
+    def run(self, context):
+        pivot = targets.pivot_for(context, self.object)
+        check_finite(self, TRAIL_KEYWORDS)
+        if not self.seconds > 0.0:
+            raise Refused(tr("{keyword} must be greater than 0").format(keyword="seconds"))
+        trail.add(libraries.collection_for(context, pivot), pivot, self.given(TRAIL_KEYWORDS))
+
+
+class MOTUS_OT_pendulum_trail_remove(Operator, bpy.types.Operator):
+    bl_idname = "motus.pendulum_trail_remove"
+    bl_label = "Remove Trails"
+    bl_description = "Take the trails of a pendulum away"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+
+    modes = OBJECT_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        _check_trail(targets.pivot_for(context, ""))
+
+    def run(self, context):
+        pivot = targets.pivot_for(context, self.object)
+        _check_trail(pivot)
+        trail.remove(pivot)
+
+
+def _check_trail(pivot):
+    if pivot.motus.pendulum.trail is None:
+        raise Refused(tr("{object} has no trails").format(object=pivot.name))
+
+
+class MOTUS_OT_pendulum_refresh(Operator, bpy.types.Operator):
+    bl_idname = "motus.pendulum_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the pendulum again"
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+
+    modes = OBJECT_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.pivot_for(context, "")
+
+    def run(self, context):
+        pivot = targets.pivot_for(context, self.object)
+        parts.fit(pivot)
+        wiring.refresh(build.system(), pivot)
+        if pivot.motus.pendulum.trail:
+            wiring.refresh(trail.system(), pivot.motus.pendulum.trail)
+
+
+class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):
+    bl_idname = "motus.pendulum_select_pivot"
+    bl_label = "Select Pivot"
+    bl_description = "Select the object whose settings drive this one"
+
+    modes = OBJECT_MODE
+
+    def run(self, context):
+        pivot = parts.pivot_of(context.object) if context.object else None
+        if pivot is None:
+            raise Refused(tr("Nothing here is part of a pendulum"))
+        for obj in context.selected_objects:
+            obj.select_set(False)
+        pivot.select_set(True)
+        context.view_layer.objects.active = pivot
+
+
+classes = (MOTUS_OT_pendulum_add, MOTUS_OT_pendulum_remove, MOTUS_OT_pendulum_play, MOTUS_OT_pendulum_trail_add,
+           MOTUS_OT_pendulum_trail_remove, MOTUS_OT_pendulum_refresh, MOTUS_OT_pendulum_select_pivot)

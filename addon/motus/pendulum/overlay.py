@@ -1,0 +1,38 @@
+"""What the viewport shows of a pendulum: the way of its end from the start on, in the pivot's plane."""
+
+from ..core.lazy import numpy as np
+from ..core.overlay import Batch, Overlay
+from . import clock, parts, solve
+
+SECONDS = 4.0  # of the pendulum's time, before and after the present one
+STEPS = 480
+COLOR = (0.98, 0.80, 0.25, 0.9)
+
+
+def _batches(context, obj):
+    """The way that the end bob of the first pendulum takes around the present frame."""
+    pivot = parts.pivot_of(obj)
+    if pivot is None:
+        return []
+    depsgraph = context.evaluated_depsgraph_get()
+    evaluated = pivot.evaluated_get(depsgraph)
+    settings, scene = evaluated.motus.pendulum, context.scene
+    swing = solve.swing_of(settings, scene)
+    if settings.use_pivot_motion or not hasattr(swing, "at"):
+        return []
+    fps = scene.render.fps / scene.render.fps_base
+    now = clock.read(evaluated, settings, scene.frame_current_final, fps).seconds
+    try:
+        angles = swing.way(np.linspace(max(0.0, now - SECONDS), now + SECONDS, STEPS))[:, :swing.each]
+    except ValueError:
+        return []
+    lengths = np.array(parts.lengths(settings))
+    points = np.zeros((STEPS, 3))
+    points[:, 0] = np.sin(angles) @ lengths
+    points[:, 2] = -np.cos(angles) @ lengths
+    world = np.array(evaluated.matrix_world)
+    points = points @ world[:3, :3].T + world[:3, 3]
+    return [Batch('LINE_STRIP', points.astype(np.float32), COLOR, 1.5)]
+
+
+overlay = Overlay(_batches)

@@ -1,0 +1,142 @@
+"""The panel of a pendulum: in the sidebar's tab and in the object's constraint properties, on pivot, rods and bobs."""
+
+import math
+
+from ..core import native, panels, tracks, ui, wiring
+from ..core.system import Problem
+from . import parts, pivot_motion, presets, rows, solve, trail
+from .build import system
+
+
+STRAY = Problem("A copy of a rod, or one without its pivot: it hangs on another pendulum", blocking=False)
+
+
+def _pivot(context):
+    return parts.pivot_of(context.object)
+
+
+def draw_main(layout, context):
+    """What is wrong, and the pendulum; on a rod or bob whose it is."""
+    pivot = _pivot(context)
+    if pivot is None:
+        ui.draw_message(layout, STRAY.sentence, 'INFO')
+        layout.operator("motus.pendulum_remove", text="Remove", icon='X').object = context.object.name
+        return
+    if pivot != context.object:
+        box = layout.box().column()
+        box.label(text=pivot.name, icon='LINKED', translate=False)
+        box.operator("motus.pendulum_select_pivot", icon='RESTRICT_SELECT_OFF')
+    ui.draw_problem(layout, context, system(), pivot)
+    rows.SWING.draw(ui.split(layout), pivot.motus.pendulum)
+
+
+def draw_forces(layout, context):
+    """What acts on the bobs."""
+    pivot = _pivot(context)
+    settings = pivot.motus.pendulum
+    rows.FORCES.draw(ui.split(layout), settings)
+    if settings.use_pivot_motion:
+        tracks.draw(layout, pivot_motion.track(pivot, context.scene), datablock=pivot.name)
+
+
+def draw_time(layout, context):
+    """When and how fast it swings."""
+    rows.TIME.draw(ui.split(layout), _pivot(context).motus.pendulum)
+
+
+def draw_trail(layout, context):
+    """The ways of the end bobs."""
+    pivot = _pivot(context)
+    obj = pivot.motus.pendulum.trail
+    if obj is None:
+        layout.operator("motus.pendulum_trail_add", icon='ADD').object = pivot.name
+        return
+    ui.draw_problem(layout, context, trail.system(), obj)
+    rows.TRAIL.draw(ui.split(layout), obj.motus.pendulum_trail)
+    layout.operator("motus.pendulum_trail_remove", icon='X').object = pivot.name
+
+
+def draw_readouts(layout, context):
+    """Where it is."""
+    pivot, depsgraph = _pivot(context), context.view_layer.depsgraph
+    settings = pivot.motus.pendulum
+    values = {name: wiring.output(system(), pivot, name, depsgraph) for name in ("angle1", "angle2", "seconds")}
+    if None in values.values():
+        return
+    found = [ui.Readout(text="Angle", value=_degrees(values["angle1"]))]
+    if settings.kind != 'SINGLE':
+        found.append(ui.Readout(text="Lower Angle", value=_degrees(values["angle2"])))
+    found.append(ui.Readout(text="Time", value=f"{values['seconds']:.3f} s"))
+    period = _period(settings, context.scene)
+    if period is not None:
+        found.append(ui.Readout(text="Period", value=f"{period:.4f} s"))
+    ui.draw_readouts(layout, found)
+
+
+def _degrees(angle):
+    return f"{math.degrees(angle):.2f}°"
+
+
+def _period(settings, scene):
+    """Of a single pendulum without damping; None where there is none."""
+    if settings.kind != 'SINGLE' or settings.damping > 0.0 or not settings.length1 > 0.0:
+        return None
+    gravity = max(solve.gravity_of(settings, scene), 0.0)
+    period = native.module.pendulum_period(settings.angle1, settings.velocity1, settings.length1, gravity)
+    return period if math.isfinite(period) else None
+
+
+def draw_actions(layout, context):
+    """Playing, dragging, baking, removing."""
+    pivot = _pivot(context)
+    column = layout.column(align=True)
+    is_playing = pivot.motus.pendulum.is_playing
+    column.operator("motus.pendulum_play", text="Pause" if is_playing else "Play", icon='PAUSE' if is_playing else 'PLAY')
+    column.operator("motus.pendulum_drag", icon='VIEW_PAN')
+    ui.draw_bake(column, system())
+    column.operator("motus.pendulum_remove", text="Remove", icon='X').object = context.object.name
+
+
+def draw_add(layout, context):
+    """A pendulum on the object, or of the selected ones."""
+    column = layout.column(align=True)
+    column.operator("motus.pendulum_add", icon='ADD').take = 'ACTIVE'
+    if len(context.selected_objects) in {2, 3}:
+        column.operator("motus.pendulum_add", text="Pendulum of the Selected", icon='ADD').take = 'PLACED'
+
+
+def _has_settings(obj):
+    return parts.pivot_of(obj) is not None
+
+
+PANEL = panels.SystemPanel(
+    name="pendulum", prefix="MOTUS_PT_pendulum", label="Pendulum",
+    editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
+    suits=lambda obj: True,
+    is_used=lambda obj: _has_settings(obj) or parts.is_stray(obj),
+    has_settings=_has_settings,
+    draw=draw_main,
+    parts=(
+        panels.Part("forces", "Forces", draw_forces, is_open=True),
+        panels.Part("time", "Time", draw_time, is_open=True),
+        panels.Part("trail", "Trails", draw_trail),
+    ),
+    readouts=draw_readouts, actions=draw_actions, refresh="motus.pendulum_refresh", presets=presets.PANEL,
+    draw_add=draw_add)
+
+
+def draw_own_trail(layout, context):
+    """On the trail itself: what is wrong, and its settings."""
+    ui.draw_problem(layout, context, trail.system(), context.object)
+    rows.TRAIL.draw(ui.split(layout), context.object.motus.pendulum_trail)
+
+
+TRAIL_PANEL = panels.SystemPanel(
+    name="pendulum_trail", prefix="MOTUS_PT_pendulum_trail_object", label="Pendulum Trails",
+    editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
+    suits=trail.is_trail, is_used=trail.is_trail, draw=draw_own_trail,
+    actions=lambda layout, context: layout.operator("motus.pendulum_trail_remove", icon='X'),
+    refresh="motus.pendulum_refresh")
+
+classes = panels.classes(PANEL)
+trail_classes = panels.classes(TRAIL_PANEL)

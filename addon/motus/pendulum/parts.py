@@ -1,0 +1,103 @@
+"""What a pendulum is made of: the pivot, rods and bobs, found from any of them, and fitted to the lengths."""
+
+from mathutils import Matrix
+
+from ..core import wiring
+from ..core.system import registered
+
+MADE_KEY = "motus_pendulum"
+"""Custom property of a mesh that was made for rods: their length."""
+
+
+def rods_each(settings):
+    """How many rods a pendulum has."""
+    return 1 if settings.kind == 'SINGLE' else 2
+
+
+def members(owner):
+    """The rods that exist and have no other leader: the copy of a pivot lists the first one's."""
+    return [entry.object for entry in own_rods(owner)]
+
+
+def numbers(owner):
+    """Number of each member: of its pendulum in the fan times the rods each, and of the rod in it."""
+    return [entry.number for entry in own_rods(owner)]
+
+
+def own_rods(owner):
+    """The entries of the rods that are members."""
+    return [entry for entry in owner.motus.pendulum.rods
+            if entry.object and entry.object.motus.pendulum.leader in {None, owner}]
+
+
+def pivot_of(obj):
+    """The pivot of the pendulum that an object is part of, whether that is active or not; None without."""
+    if has_pendulum(obj):
+        return obj
+    of_trail = obj.motus.pendulum_trail.pivot if obj.is_property_set("motus") else None
+    rod = obj if _leader(obj) else obj.parent
+    leader = of_trail or (_leader(rod) if rod else None)
+    if leader is None or not has_pendulum(leader):
+        return None
+    listed = obj == leader.motus.pendulum.trail or any(obj in (entry.object, entry.bob) for entry in leader.motus.pendulum.rods)
+    return leader if listed else None
+
+
+def is_stray(obj):
+    """Whether an object is a rod of no pendulum that lists it: the copy of a rod, or one whose pivot is gone."""
+    if pivot_of(obj) is not None or not obj.is_property_set("motus"):
+        return False
+    return _leader(obj) is not None or wiring.has_sinks(registered["pendulum"], obj)
+
+
+def has_pendulum(obj):
+    """Whether an object is the pivot of a pendulum."""
+    # To ask an object for its settings gives it some.
+    return obj.is_property_set("motus") and obj.motus.pendulum.is_active
+
+
+def _leader(obj):
+    return obj.motus.pendulum.leader if obj.is_property_set("motus") else None
+
+
+def lengths(settings):
+    """Of the rods of one pendulum."""
+    return (settings.length1, settings.length2)[:rods_each(settings)]
+
+
+def fit(owner):
+    """Let rods and bobs have the settings' lengths; what is another file's stays."""
+    settings = owner.motus.pendulum
+    each = rods_each(settings)
+    for entry in own_rods(owner):
+        length = lengths(settings)[entry.number % each]
+        if not length > 0.0:
+            continue
+        rod = entry.object
+        if not rod.library:
+            _fit_mesh(rod.data, length)
+            if entry.number % each:
+                rod.matrix_parent_inverse = Matrix.Translation((0.0, 0.0, -settings.length1))
+        if entry.bob and entry.bob.parent == rod and not entry.bob.library:
+            entry.bob.matrix_parent_inverse = Matrix.Translation((0.0, 0.0, -length)) @ matrix(entry.rest)
+
+
+def _fit_mesh(mesh, length):
+    # None where the artist has given the rod another shape.
+    made = mesh.get(MADE_KEY) if mesh else None
+    if not isinstance(made, float) or not made > 0.0 or made == length or mesh.library:
+        return
+    for vertex in mesh.vertices:
+        vertex.co.z *= length / made
+    mesh[MADE_KEY] = length
+    mesh.update_tag()
+
+
+def matrix(values):
+    """A matrix from its 16 values, row after row."""
+    return Matrix([values[row:row + 4] for row in range(0, 16, 4)])
+
+
+def values(of_matrix):
+    """The 16 values of a matrix."""
+    return [value for row in of_matrix for value in row]

@@ -1,0 +1,50 @@
+"""The pivot's accelerations, in the plane of the swing, where its own motion is to be felt."""
+
+from ..core import native, tracks
+from ..core.lazy import numpy as np
+from ..core.system import Problem
+
+MOST = 20_000  # frames of the pivot's motion that are felt
+
+UNKNOWN = Problem("The pivot's motion is not known ahead, and is not felt: record it, or key it", False)
+NOT_STEADY = Problem("The pivot's motion is felt only while the pendulum plays all the time at one speed above 0", False)
+
+
+def track(owner, scene):
+    """The Track of the pivot."""
+    return tracks.world_track(owner, scene)
+
+
+def felt(owner, scene, rate):
+    """(keywords of the native pendulums, Problem or None): none of a pivot that rests, or whose motion is not known.
+
+    owner: evaluated. rate: of the pendulum's time; None where it is not always the same.
+    """
+    if rate is None or not rate > 0.0:
+        return {}, NOT_STEADY
+    moved = track(owner, scene)
+    if not moved.is_known:
+        return {}, UNKNOWN
+    if moved.is_constant:
+        return {}, None
+    start = owner.motus.pendulum.start_frame
+    count = min(max(int(scene.frame_end - start) + 1, 2), MOST)
+    step = rate * scene.render.fps_base / scene.render.fps
+    found = tracks.kept(moved, ("pendulum", start, count, step), lambda: _sampled(moved, start, count, step))
+    if found is None:
+        return {}, UNKNOWN
+    return {"pivot_step": step, "pivot_accelerations": found}, None
+
+
+def _sampled(moved, start, count, step):
+    matrices = moved.values(start + np.arange(count))
+    if not np.isfinite(matrices).all():
+        return None
+    places = matrices[:, :3, 3]
+    level = native.module.pivot_accelerations(step, np.ascontiguousarray(places[:, :2]))
+    upward = native.module.pivot_accelerations(step, np.ascontiguousarray(places[:, 1:]))
+    in_space = np.column_stack((level, upward[:, 1]))
+    found = np.zeros((count, 2))
+    for column, axis in ((0, matrices[:, :3, 0]), (1, matrices[:, :3, 2])):
+        found[:, column] = (in_space * axis).sum(axis=1) / np.maximum(np.sqrt((axis * axis).sum(axis=1)), 1e-30)
+    return found

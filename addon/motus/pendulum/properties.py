@@ -1,0 +1,147 @@
+"""Settings of pendulums: Object.motus.pendulum of the pivot."""
+
+import math
+
+import bpy
+
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from . import parts
+
+KINDS = (
+    ('SINGLE', "Single", "One rod with a bob"),
+    ('DOUBLE', "Double", "A second rod hangs on the first one's bob"),
+)
+
+
+def _fit(settings, context):
+    if isinstance(settings, SystemSettings):
+        parts.fit(settings.id_data)
+    touch(settings, context)
+
+
+def _number(name, description, default, options=frozenset(), **more):
+    more.setdefault("update", touch)
+    return bpy.props.FloatProperty(
+        name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, **more)
+
+
+def _switch(name, description, default, options=frozenset(), update=touch):
+    return bpy.props.BoolProperty(
+        name=name, description=description, default=default, options=set(options), update=update, override=OVERRIDABLE)
+
+
+class PendulumKeywords:
+    """What both the settings and the operator have: the names are the keywords of scripts.
+
+    Most have no keys: the whole motion follows from them, and would be another one on every frame.
+    """
+
+    length1: _number(
+        "Length", "Of the upper rod, before the pivot's scale. No keys: the whole motion follows from it", 1.0,
+        soft_min=0.1, soft_max=10.0, subtype='DISTANCE', update=_fit)
+    length2: _number(
+        "Lower Length", "Of the lower rod, before the pivot's scale. No keys: the whole motion follows from it", 1.0,
+        soft_min=0.1, soft_max=10.0, subtype='DISTANCE', update=_fit)
+    mass1: _number(
+        "Mass", "Of the upper bob; counts beside the lower one's. No keys: the whole motion follows from it", 1.0,
+        soft_min=0.1, soft_max=10.0, unit='MASS')
+    mass2: _number(
+        "Lower Mass", "Of the lower bob. No keys: the whole motion follows from it", 1.0, soft_min=0.1, soft_max=10.0,
+        unit='MASS')
+    angle1: _number(
+        "Angle", "Of the upper rod from hanging down, when the motion starts. No keys: the whole motion follows from it",
+        math.radians(120.0), soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
+    angle2: _number(
+        "Lower Angle", "Of the lower rod from hanging down, when the motion starts. No keys: the whole motion follows from it",
+        math.radians(90.0), soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
+    angle_step: _number(
+        "Angle Step", "By how much the lower angle differs from one pendulum of the fan to the next",
+        math.radians(0.5), soft_min=-0.1, soft_max=0.1, step=5, subtype='ANGLE')
+    velocity1: _number(
+        "Velocity", "By how much the upper rod turns in a second, when the motion starts", 0.0, soft_min=-20.0,
+        soft_max=20.0, subtype='ANGLE')
+    velocity2: _number(
+        "Lower Velocity", "By how much the lower rod turns in a second, when the motion starts", 0.0, soft_min=-20.0,
+        soft_max=20.0, subtype='ANGLE')
+    use_scene_gravity: _switch(
+        "Scene Gravity", "Take the strength of the scene's gravity", True)
+    gravity: _number(
+        "Gravity", "Acceleration along the pivot's -Z axis. No keys: the whole motion follows from it", 9.81, soft_min=0.0,
+        soft_max=30.0, unit='ACCELERATION')
+    damping: _number(
+        "Damping", "Share of the velocity that is lost in a second. No keys: the whole motion follows from it", 0.0,
+        soft_min=0.0, soft_max=2.0)
+    use_limits: _switch("Limits", "Keep velocities and accelerations below limits that no real pendulum has", False)
+    most_velocity: _number(
+        "Velocity Limit", "Largest turn in a second", 10.0, soft_min=0.1, soft_max=50.0, subtype='ANGLE')
+    most_acceleration: _number(
+        "Acceleration Limit", "Largest change of the velocity in a second", 100.0, soft_min=1.0, soft_max=1000.0,
+        subtype='ANGLE')
+    use_pivot_motion: _switch(
+        "Driven Pivot", "Let the pivot's own motion swing the pendulum, rather than carry it along alone", False,
+        update=rewire)
+    start_frame: _number("Start", "Frame at which the motion starts; before it the pendulum waits", 1.0, step=100)
+    speed: _number(
+        "Speed", "Of the pendulum's time; may be keyed, and negative, which runs backwards", 1.0, ANIMATED, soft_min=0.0,
+        soft_max=4.0)
+    is_playing: _switch("Playing", "The pendulum's time runs; keyed off it stands still", True, ANIMATED)
+    influence: _number(
+        "Influence", "How much the pendulum turns its rods; 0 lets them hang as they are placed", 1.0, ANIMATED, min=0.0,
+        max=1.0, subtype='FACTOR')
+
+
+KEYWORDS = tuple(PendulumKeywords.__annotations__)
+
+
+class MOTUS_PG_pendulum_rod(bpy.types.PropertyGroup):
+    object: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Object", description="Rod that the pendulum turns", update=rewire, override=OVERRIDABLE)
+    bob: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Bob", description="What hangs at the end of the rod", override=OVERRIDABLE)
+    is_placed: bpy.props.BoolProperty(
+        name="Placed", description="The bob was there before, and is given back", options=set(), override=OVERRIDABLE)
+    number: bpy.props.IntProperty(
+        name="Number", description="Of the pendulums in the fan, and of the rod in its pendulum", min=0, options=set(),
+        override=OVERRIDABLE)
+    rest: bpy.props.FloatVectorProperty(
+        name="Rest", description="Transform of the bob at the end of its rod", size=16, options=set(), override=OVERRIDABLE,
+        default=(1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1))
+    before: bpy.props.FloatVectorProperty(
+        name="Before", description="What a placed bob's parent inverse was", size=16, options=set(), override=OVERRIDABLE)
+
+
+class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGroup):
+    kind: bpy.props.EnumProperty(
+        name="Kind", description="How many rods there are", items=KINDS, options=set(), override=OVERRIDABLE)
+    count: bpy.props.IntProperty(
+        name="Count", description="How many pendulums swing about the pivot", default=1, min=1, options=set(),
+        override=OVERRIDABLE)
+    rods: bpy.props.CollectionProperty(type=MOTUS_PG_pendulum_rod, name="Rods", override=EXTENDABLE)
+    trail: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE)
+    has_made_pivot: bpy.props.BoolProperty(
+        name="Made", description="Motus has made the pivot, and removes it with the pendulum", options=set(),
+        override=OVERRIDABLE)
+
+
+class TrailKeywords:
+    """What both the settings of a trail and the operator have."""
+
+    seconds: _number(
+        "Length", "How far back the trail goes, in seconds of the pendulum's time", 2.0, ANIMATED, soft_min=0.1,
+        soft_max=20.0)
+    fade: _number(
+        "Fade", "How much the trail vanishes towards its end", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
+    thickness: _number(
+        "Thickness", "Radius of the trail, before the pivot's scale", 0.02, ANIMATED, min=0.0, soft_max=0.2,
+        subtype='DISTANCE')
+
+
+TRAIL_KEYWORDS = tuple(TrailKeywords.__annotations__)
+
+
+class MOTUS_PG_pendulum_trail(SystemSettings, TrailKeywords, bpy.types.PropertyGroup):
+    pivot: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Pivot", description="Whose pendulum it shows", update=rewire, override=OVERRIDABLE)
+    influence: _number(
+        "Influence", "Whether the trail is there: it is not at 0", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

@@ -1,0 +1,132 @@
+"""Pendulums: what their solver reads, and the look-up in the native tables."""
+
+import functools
+import math
+from typing import Callable, NamedTuple
+
+from ..core import deleted, native
+from ..core.refusals import INFINITE
+from ..core.stored import Damaged
+from ..core.system import OwnMatrix, Problem, Setting
+from . import clock, parts, pivot_motion
+
+NO_RODS = Problem("There are no rods: they are another pivot's, or were deleted", False)
+PIVOT_DELETED = Problem("The pivot is in no collection any more: the rods hang as they are placed")
+NOT_FINITE = Problem("A setting is not a finite number")
+NO_LENGTH = Problem("The lengths must be greater than 0")
+NO_MASS = Problem("The masses must be greater than 0")
+NO_LIMIT = Problem("The limits must be greater than 0")
+TOO_FAR = Problem(
+    "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping")
+PROBLEMS = (NO_RODS, PIVOT_DELETED, NOT_FINITE, NO_LENGTH, NO_MASS, NO_LIMIT, TOO_FAR, clock.UNKNOWN, pivot_motion.UNKNOWN,
+            pivot_motion.NOT_STEADY)
+
+NUMBERS = (
+    "length1", "length2", "mass1", "mass2", "angle1", "angle2", "angle_step", "velocity1", "velocity2", "gravity",
+    "damping", "most_velocity", "most_acceleration", "start_frame", "speed", "influence")
+INPUTS = (OwnMatrix("pivot", when="use_pivot_motion"), Setting("influence"))
+
+OUTPUTS = ("angle1", "angle2", "velocity1", "velocity2", "seconds")
+
+
+class Swing(NamedTuple):
+    """A pendulum, or the fan, that can be asked for its states.
+
+    at(seconds, **pivot): rows of [angle1, velocity1] or [angle1, angle2, velocity1, velocity2], one a pendulum.
+    way(times, number=0, **pivot): array of such rows of one pendulum, one a time.
+    """
+
+    each: int
+    at: Callable
+    way: Callable
+    count: int = 1
+
+
+def solve(context, pivot, influence):
+    """Turns of the rods at the context's frame, on top of their own. Never raises for a user's error."""
+    settings = context.settings
+    if deleted.is_deleted(context.owner):
+        return PIVOT_DELETED
+    scene = context.depsgraph.scene
+    swing = context.kept("swing", gravity_of(settings, scene), lambda: swing_of(settings, scene))
+    if isinstance(swing, Problem):
+        return swing
+    if context.is_still:
+        start, rate = context.kept("clock", None, lambda: clock.steady(settings))
+        now = clock.Clock((context.frame - start) / context.fps * rate if context.frame > start else 0.0, rate)
+    else:
+        now = clock.read(context.owner, settings, context.frame, context.fps)
+    problem, felt = now.problem, {}
+    if pivot is not None:
+        felt, problem = pivot_motion.felt(context.owner, scene, now.rate)
+    if not abs(now.seconds) < INFINITE:
+        return NOT_FINITE
+    try:
+        rows = swing.at(now.seconds, **felt)
+    except ValueError:
+        return TOO_FAR
+    first = rows[0]
+    context.outputs[:] = (first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds)
+    if len(context.member_data) == 0:
+        return NO_RODS
+    turns = [_turn(rows, number, swing, influence) for number in context.member_data.tolist()]
+    if len(turns) == 1:  # NumPy takes longer for a list of lists
+        context.rotations[0, 0], context.rotations[0, 2] = turns[0]
+    else:
+        context.rotations[:, 0::2] = turns
+    return problem
+
+
+def _turn(rows, number, swing, influence):
+    """(w, y) of the quaternion that turns a rod, which hangs on the one above it."""
+    fan, rod = divmod(int(number), swing.each)
+    if not 0 <= fan < swing.count:
+        raise Damaged("no such rod")
+    angle = rows[fan][rod] - (rows[fan][0] if rod else 0.0)
+    # About the pivot's Y axis a positive turn swings to -X. Of the math module: NumPy's sine is not always the same.
+    half = -0.5 * influence * angle
+    return math.cos(half), math.sin(half)
+
+
+def gravity_of(settings, scene):
+    """Acceleration along the pivot's -Z axis, m/s^2."""
+    if settings.use_scene_gravity:
+        return scene.gravity.length if scene.use_gravity else 0.0
+    return settings.gravity
+
+
+def swing_of(settings, scene):
+    """The Swing that the settings say, or the Problem with them."""
+    if not all(abs(getattr(settings, name)) < INFINITE for name in NUMBERS):
+        return NOT_FINITE
+    if not all(length > 0.0 for length in parts.lengths(settings)):
+        return NO_LENGTH
+    gravity, damping = max(gravity_of(settings, scene), 0.0), max(settings.damping, 0.0)
+    if settings.kind == 'SINGLE':
+        way = functools.partial(
+            native.module.single_pendulum, theta=settings.angle1, omega=settings.velocity1, length=settings.length1,
+            gravity=gravity, damping=damping)
+        return Swing(1, lambda seconds, **felt: [way(seconds, **felt).tolist()], lambda times, number=0, **felt: way(times, **felt))
+    if not (settings.mass1 > 0.0 and settings.mass2 > 0.0):
+        return NO_MASS
+    constants = {
+        "mass1": settings.mass1, "mass2": settings.mass2, "length1": settings.length1, "length2": settings.length2,
+        "gravity": gravity, "damping": damping}
+    if settings.use_limits:
+        for name in ("most_velocity", "most_acceleration"):
+            if not getattr(settings, name) > 0.0:
+                return NO_LIMIT
+            constants[name] = getattr(settings, name)
+    starts = [(settings.angle1, settings.angle2 + index * settings.angle_step, settings.velocity1, settings.velocity2)
+              for index in range(settings.count)]
+
+    def way(times, number=0, **felt):
+        return native.module.double_pendulum(times, *starts[number], **constants, **felt)
+
+    return Swing(2, functools.partial(_fan, starts=starts, constants=constants), way, settings.count)
+
+
+def _fan(seconds, starts, constants, **felt):
+    if len(starts) == 1 or felt:
+        return [native.module.double_pendulum(seconds, *start, **constants, **felt).tolist() for start in starts]
+    return native.module.double_pendulums(seconds, starts, **constants).tolist()

@@ -1,0 +1,93 @@
+"""Which pendulum an operator works on, and which objects one can be made of. Refusals are sentences."""
+
+from mathutils import Vector
+
+from ..core.refusals import Refused, check_local, check_unbaked, named
+from ..core.translations import tr
+from . import build, parts
+
+FLAT = 1e-3
+"""How far bobs may lie beside the plane of the swing, as a share of the lengths."""
+
+
+def pivot_for(context, name):
+    """The pivot of the pendulum that an object of this name, or the active one, is part of; it can be changed."""
+    obj = named(name) if name else context.object
+    pivot = obj and parts.pivot_of(obj)
+    if pivot is None:
+        raise Refused(tr("Nothing here is part of a pendulum"))
+    check_editable(pivot)
+    return pivot
+
+
+def check_editable(obj):
+    """Refuse an object whose set-up must not be changed."""
+    check_local(obj)
+    check_unbaked(obj, obj.motus.pendulum)
+
+
+def check_free(obj):
+    """Refuse an object that cannot be a pivot."""
+    check_local(obj)
+    if obj.motus.bake.is_baked:
+        check_unbaked(obj, obj.motus.pendulum)
+    if obj.motus.pendulum.is_active:
+        raise Refused(tr("{object} has a pendulum: remove that first").format(object=obj.name))
+    if parts.pivot_of(obj):
+        raise Refused(tr("{object} is part of a pendulum").format(object=obj.name))
+
+
+def placed_objects(context, pivot_name, bob_names):
+    """(pivot, bobs from the pivot on) by names, else the active object and the others that are selected."""
+    pivot = named(pivot_name) if pivot_name else context.object
+    if pivot is None:
+        raise Refused(tr("Select the bobs, and the pivot as the active object"))
+    if bob_names:
+        bobs = [named(name.strip()) for name in bob_names.split(",") if name.strip()]
+    else:
+        bobs = [obj for obj in context.selected_objects if obj != pivot]
+        bobs.sort(key=lambda bob: ((_place(bob) - _place(pivot)).length, bob.name))
+    if not 1 <= len(set(bobs)) == len(bobs) <= 2 or pivot in bobs:
+        raise Refused(tr("A pendulum has one bob or two beside its pivot: select or name those"))
+    return pivot, bobs
+
+
+def check_bobs(bobs):
+    """Refuse objects that cannot be hung on rods."""
+    for bob in bobs:
+        check_local(bob)
+        if bob.parent:
+            raise Refused(tr("{object} has a parent: clear that first").format(object=bob.name))
+        if parts.pivot_of(bob):
+            raise Refused(tr("{object} is part of a pendulum").format(object=bob.name))
+
+
+def measured(pivot, bobs):
+    """Lengths and angles of placed objects, as keywords."""
+    place, found, scale = Vector(), {}, 0.0
+    inverse = pivot.matrix_world.inverted_safe()
+    for number, bob in enumerate(bobs, 1):
+        rod = inverse @ _place(bob) - place
+        scale = max(scale, rod.length)
+        if rod.length == 0.0:
+            raise Refused(tr("{object} lies on what it shall hang on").format(object=bob.name))
+        if abs(rod.y) > FLAT * scale:
+            raise Refused(tr("{object} lies beside the plane of the pivot's X and Z axes: turn the pivot").format(
+                object=bob.name))
+        flat = Vector((rod.x, 0.0, rod.z))
+        found |= {f"length{number}": flat.length, f"angle{number}": build.angle_of(flat)}
+        place = place + flat
+    return found
+
+
+def _place(obj):
+    return obj.matrix_world.translation
+
+
+def set_up(context):
+    """Pivots of the pendulums that are selected, and stray rods."""
+    objects = context.selected_objects or [obj for obj in [context.object] if obj]
+    found = [parts.pivot_of(obj) or (obj if parts.is_stray(obj) else None) for obj in objects]
+    return list(dict.fromkeys(one for one in found if one))
+
+

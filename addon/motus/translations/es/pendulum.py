@@ -1,0 +1,216 @@
+"""Spanish: pendulums."""
+
+INTERFACE = {
+    "A copy of a rod, or one without its pivot: it hangs on another pendulum":
+        "Una copia de una varilla, o una sin su pivote: depende de otro péndulo",
+    "A fan has 1 to {count} pendulums": "Un abanico tiene de 1 a {count} péndulos",
+    "A fan, beside it one pendulum alone, and a third one with quite other angles":
+        "Un abanico, a su lado un péndulo solo, y un tercero con ángulos muy distintos",
+    "A pendulum has one bob or two beside its pivot: select or name those":
+        "Un péndulo tiene una o dos lentejas además de su pivote: selecciónalas o nómbralas",
+    "A second rod hangs on the first one's bob": "Una segunda varilla cuelga de la lenteja de la primera",
+    "Acceleration Limit": "Límite de aceleración",
+    "Acceleration along the pivot's -Z axis. No keys: the whole motion follows from it":
+        "Aceleración según el eje -Z del pivote. Sin claves: todo el movimiento depende de ella",
+    "Active Object": "Objeto activo",
+    "Alone": "Solo",
+    "An empty at the 3D cursor": "Un vacío en el cursor 3D",
+    "Angle Step": "Paso de ángulo",
+    "Before": "Antes",
+    "Bob": "Lenteja",
+    "Bob Radius": "Radio de lenteja",
+    "Bobs": "Lentejas",
+    "By how much the lower angle differs from one pendulum of the fan to the next":
+        "Cuánto difiere el ángulo inferior de un péndulo del abanico al siguiente",
+    "By how much the lower rod turns in a second, when the motion starts":
+        "Cuánto gira la varilla inferior en un segundo, al empezar el movimiento",
+    "By how much the upper rod turns in a second, when the motion starts":
+        "Cuánto gira la varilla superior en un segundo, al empezar el movimiento",
+    "Count": "Número",
+    "Demonstration": "Demostración",
+    "Double": "Doble",
+    "Double pendulums whose lower angles differ a little from one to the next":
+        "Péndulos dobles cuyos ángulos inferiores difieren un poco de uno al siguiente",
+    "Driven Pivot": "Pivote impulsor",
+    "Fan": "Abanico",
+    "Forces": "Fuerzas",
+    "Frame at which the motion starts; before it the pendulum waits":
+        "Fotograma en que empieza el movimiento; antes el péndulo espera",
+    "From one pendulum of the fan to the next, across the plane of the swing":
+        "De un péndulo del abanico al siguiente, a través del plano de la oscilación",
+    "Hang a pendulum, a double pendulum or a fan of them on a pivot":
+        "Cuelga de un pivote un péndulo, un péndulo doble o un abanico de ellos",
+    "How many pendulums swing about the pivot": "Cuántos péndulos oscilan alrededor del pivote",
+    "How many pendulums the fan has": "Cuántos péndulos tiene el abanico",
+    "How many rods there are": "Cuántas varillas hay",
+    "How much the pendulum turns its rods; 0 lets them hang as they are placed":
+        "Cuánto gira el péndulo sus varillas; con 0 cuelgan como están puestas",
+    "Hue": "Tono",
+    "Keep Objects": "Conservar objetos",
+    "Keep the pivot, rods and bobs that were made, at rest":
+        "Conserva el pivote, las varillas y las lentejas que se crearon, en reposo",
+    "Keep velocities and accelerations below limits that no real pendulum has":
+        "Mantiene velocidades y aceleraciones bajo límites que ningún péndulo real tiene",
+    "Key whether the pendulum's time runs from the present frame on":
+        "Pone una clave que dice si el tiempo del péndulo corre desde el fotograma actual",
+    "Largest change of the velocity in a second": "Mayor cambio de la velocidad en un segundo",
+    "Largest turn in a second": "Mayor giro en un segundo",
+    "Let the pivot's own motion swing the pendulum, rather than carry it along alone":
+        "Deja que el movimiento del pivote impulse el péndulo, en vez de solo llevarlo consigo",
+    "Let the time run from here on": "El tiempo corre desde aquí",
+    "Let the time stand still from here on": "El tiempo se detiene desde aquí",
+    "Look": "Aspecto",
+    "Made": "Creado",
+    "Mass": "Masa",
+    "Motus has made the pivot, and removes it with the pendulum":
+        "Motus ha creado el pivote, y lo quita con el péndulo",
+    "Name of the object that is the pivot; empty goes by what is chosen as the pivot":
+        "Nombre del objeto que es el pivote; vacío atiende a lo elegido como pivote",
+    "Name of the pivot, or of a rod or bob; empty takes the active one":
+        "Nombre del pivote, o de una varilla o lenteja; vacío toma el activo",
+    "Name of the pivot, or of a rod or bob; empty takes the selected ones":
+        "Nombre del pivote, o de una varilla o lenteja; vacío toma los seleccionados",
+    "Names, with commas between, of one or two objects that are the bobs, from the pivot on":
+        "Nombres, separados por comas, de uno o dos objetos que son las lentejas, desde el pivote",
+    "New Pivot": "Pivote nuevo",
+    "Nothing here is part of a pendulum": "Nada aquí es parte de un péndulo",
+    "Of a bob of 1 kg; heavier ones are larger": "De una lenteja de 1 kg; las más pesadas son mayores",
+    "Of a new pivot; the 3D cursor's, where it is not given": "De un pivote nuevo; la del cursor 3D, si no se da",
+    "Of the first pendulum; a fan goes once around": "Del primer péndulo; un abanico da una vuelta entera",
+    "Of the lower bob. No keys: the whole motion follows from it":
+        "De la lenteja inferior. Sin claves: todo el movimiento depende de ella",
+    "Of the lower rod from hanging down, when the motion starts. No keys: the whole motion follows from it":
+        "De la varilla inferior desde la vertical, al empezar el movimiento. Sin claves: todo el movimiento depende de él",
+    "Of the lower rod, before the pivot's scale. No keys: the whole motion follows from it":
+        "De la varilla inferior, sin la escala del pivote. Sin claves: todo el movimiento depende de ella",
+    "Of the pendulum in its fan, from 0 on; the others keep their distances from it":
+        "Del péndulo en su abanico, desde 0; los demás conservan sus distancias a él",
+    "Of the pendulum's time; may be keyed, and negative, which runs backwards":
+        "Del tiempo del péndulo; admite claves, y valores negativos, que van hacia atrás",
+    "Of the pendulums in the fan, and of the rod in its pendulum":
+        "De los péndulos del abanico, y de la varilla en su péndulo",
+    "Of the rods": "De las varillas",
+    "Of the upper bob; counts beside the lower one's. No keys: the whole motion follows from it":
+        "De la lenteja superior; cuenta junto a la de la inferior. Sin claves: todo el movimiento depende de ella",
+    "Of the upper rod from hanging down, when the motion starts. No keys: the whole motion follows from it":
+        "De la varilla superior desde la vertical, al empezar el movimiento. Sin claves: todo el movimiento depende de él",
+    "Of the upper rod, before the pivot's scale. No keys: the whole motion follows from it":
+        "De la varilla superior, sin la escala del pivote. Sin claves: todo el movimiento depende de ella",
+    "One rod with a bob": "Una varilla con una lenteja",
+    "Other Angles": "Otros ángulos",
+    "Pause": "Pausa",
+    "Pause what plays, and play what is paused": "Pausa lo que corre, y reanuda lo pausado",
+    "Pendulum Trails": "Estelas de péndulo",
+    "Pendulum Presets": "Ajustes de péndulo",
+    "Period": "Periodo",
+    "Pivot": "Pivote",
+    "Placed": "Puesta",
+    "Play": "Reproducir",
+    "Playing": "En marcha",
+    "Playing or Speed is driven, or in NLA strips that are not known ahead: its present value counts for all the time":
+        "En marcha o Velocidad tiene un controlador, o franjas NLA que no se conocen de antemano: su valor actual vale "
+        "para todo el tiempo",
+    "Press the left mouse button on the end bob and drag it; Esc or the right button cancels":
+        "Pulsa el botón izquierdo sobre la lenteja del extremo y arrástrala; Esc o el botón derecho cancela",
+    "Rest": "Reposo",
+    "Rod Radius": "Radio de varilla",
+    "Rod that the pendulum turns": "Varilla que el péndulo gira",
+    "Rods": "Varillas",
+    "Scene Gravity": "Gravedad de la escena",
+    "Select the bobs, and the pivot as the active object":
+        "Selecciona las lentejas, y el pivote como objeto activo",
+    "Select the object that shall be the pivot": "Selecciona el objeto que será el pivote",
+    "Selected Objects": "Objetos seleccionados",
+    "Share of the velocity that is lost in a second. No keys: the whole motion follows from it":
+        "Parte de la velocidad que se pierde en un segundo. Sin claves: todo el movimiento depende de ella",
+    "Single": "Simple",
+    "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest":
+        "Lleva a otro lugar la lenteja del extremo de un péndulo en pausa; el movimiento parte de ahí, en reposo",
+    "Take the pendulum off its pivot, with the rods and bobs that were made for it":
+        "Quita el péndulo de su pivote, con las varillas y lentejas que se crearon para él",
+    "Take the strength of the scene's gravity": "Toma la intensidad de la gravedad de la escena",
+    "The active object is the pivot and the other selected ones, one or two, are the bobs: lengths and angles are theirs":
+        "El objeto activo es el pivote y los otros seleccionados, uno o dos, son las lentejas: de ellos son longitudes y ángulos",
+    "The bob was there before, and is given back": "La lenteja existía antes, y se devuelve",
+    "The demonstration has pivots of its own": "La demostración tiene sus propios pivotes",
+    "The fan has {count} pendulums": "El abanico tiene {count} péndulos",
+    "The lengths must be greater than 0": "Las longitudes deben ser mayores que 0",
+    "The limits must be greater than 0": "Los límites deben ser mayores que 0",
+    "The masses must be greater than 0": "Las masas deben ser mayores que 0",
+    "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping":
+        "El movimiento no se conoce tan lejos de su inicio: empiézalo más tarde, o hazlo más lento, o sin amortiguación",
+    "The pendulum hangs on the active object, which may be animated":
+        "El péndulo cuelga del objeto activo, que puede estar animado",
+    "The pendulum is playing: pause it first, or go to its start":
+        "El péndulo está en marcha: ponlo antes en pausa, o ve a su inicio",
+    "The pendulum's time runs; keyed off it stands still":
+        "El tiempo del péndulo corre; con una clave que lo apaga se detiene",
+    "The pivot is in no collection any more: the rods hang as they are placed":
+        "El pivote ya no está en ninguna colección: las varillas cuelgan como están puestas",
+    "The pivot's motion is felt only while the pendulum plays all the time at one speed above 0":
+        "El movimiento del pivote solo se nota si el péndulo está siempre en marcha a una misma velocidad mayor que 0",
+    "The pivot's motion is not known ahead, and is not felt: record it, or key it":
+        "El movimiento del pivote no se conoce de antemano, y no se nota: grábalo, o ponle claves",
+    "There are no rods: they are another pivot's, or were deleted":
+        "No hay varillas: son de otro pivote, o se borraron",
+    "Time": "Tiempo",
+    "Toggle": "Alternar",
+    "Transform of the bob at the end of its rod": "Transformación de la lenteja en el extremo de su varilla",
+    "Velocity": "Velocidad angular",
+    "Velocity Limit": "Límite de velocidad",
+    "What a placed bob's parent inverse was": "Cuál era la inversa del padre de una lenteja puesta",
+    "What hangs at the end of the rod": "Lo que cuelga del extremo de la varilla",
+    "What is added": "Qué se añade",
+    "What is keyed": "A qué se pone clave",
+    "What the pendulum hangs on": "De qué cuelga el péndulo",
+    "Where the end bob goes, in the world": "Adónde va la lenteja del extremo, en el mundo",
+    "Wire the pendulum again": "Conecta el péndulo de nuevo",
+    "A setting of the trail is not a finite number": "Un ajuste de la estela no es un número finito",
+    "A trail is computed from the pendulum on each frame: there is nothing to bake":
+        "Una estela se calcula a partir del péndulo en cada fotograma: no hay nada que procesar",
+    "Double pendulums that start half a degree apart and soon go ways of their own, one of them alone, and one with other "
+    "angles":
+        "Péndulos dobles que empiezan a medio grado unos de otros y pronto van cada uno por su lado, uno de ellos solo, y uno "
+        "con otros ángulos",
+    "Fade": "Desvanecimiento",
+    "Fan of Chaos": "Abanico del caos",
+    "How far back the trail goes, in seconds of the pendulum's time":
+        "Hasta dónde llega la estela hacia atrás, en segundos del tiempo del péndulo",
+    "How much the trail vanishes towards its end": "Cuánto se desvanece la estela hacia su final",
+    "Object that shows the ways of the end bobs": "Objeto que muestra los caminos de las lentejas de los extremos",
+    "Radius of the trail, before the pivot's scale": "Radio de la estela, sin la escala del pivote",
+    "Show the ways that the end bobs have come; the demonstration always does":
+        "Muestra los caminos que han recorrido las lentejas de los extremos; la demostración siempre lo hace",
+    "Show the ways that the end bobs of a pendulum have come, as tubes in the bobs' colours":
+        "Muestra los caminos que han recorrido las lentejas de los extremos de un péndulo, como tubos de sus colores",
+    "Take the trails of a pendulum away": "Quita las estelas de un péndulo",
+    "The pendulum of this trail is gone": "El péndulo de esta estela ya no está",
+    "Thickness": "Grosor",
+    "Trail": "Estela",
+    "Trails": "Estelas",
+    "Whether the trail is there: it is not at 0": "Si la estela está: con 0 no está",
+    "Whose pendulum it shows": "De quién es el péndulo que muestra",
+    "{object} has no trails": "{object} no tiene estelas",
+    "{keyword} must be greater than 0": "{keyword} debe ser mayor que 0",
+    "{keyword} must not be less than 0": "{keyword} no debe ser menor que 0",
+    "{object} has a parent: clear that first": "{object} tiene un padre: quítalo antes",
+    "{object} has a pendulum: remove that first": "{object} tiene un péndulo: quítalo antes",
+    "{object} is part of a pendulum": "{object} es parte de un péndulo",
+    "{object} lies beside the plane of the pivot's X and Z axes: turn the pivot":
+        "{object} está fuera del plano de los ejes X y Z del pivote: gira el pivote",
+    "{object} lies on what it shall hang on": "{object} está sobre aquello de lo que ha de colgar",
+}
+
+OPERATORS = {
+    "Add Pendulum": "Añadir péndulo",
+    "Add Trails": "Añadir estelas",
+    "Remove Trails": "Quitar estelas",
+    "Add Pendulum Preset": "Añadir ajuste de péndulo",
+    "Drag Pendulum": "Arrastrar péndulo",
+    "Pause": "Pausa",
+    "Pendulum of the Selected": "Péndulo de los seleccionados",
+    "Play": "Reproducir",
+    "Play or Pause Pendulum": "Reproducir o pausar péndulo",
+    "Remove Pendulum": "Quitar péndulo",
+    "Select Pivot": "Seleccionar pivote",
+}

@@ -1,0 +1,70 @@
+"""What dynamics cost a frame: objects, each with its own, and a rig of 200 bones in ten chains. Run by ./motus bench.
+
+Each row is the cost that they add to a frame of the same keyed things without any; the scenes take turns, as in typical_bench.py.
+"""
+
+import sys
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+
+import support  # noqa: E402  (found by the line above)
+import typical_bench  # noqa: E402
+
+OBJECTS = 10
+CHAINS, BONES = 10, 20
+BOUNDS = {"one object": 0.030, f"{OBJECTS} objects": 0.300, f"{CHAINS * BONES} bones": 4.000}  # ms
+
+
+def new_objects(count):
+    """Empties that keys move."""
+    found = []
+    for index in range(count):
+        obj = typical_bench.new_object("Ball")
+        for frame, place in ((1, 0.0), (20, 3.0), (40, 0.0)):
+            obj.location = (place, 2.0 * index, 0.0)
+            obj.keyframe_insert("location", frame=frame)
+        found.append(obj)
+    return found
+
+
+def new_rig():
+    """A rig whose root is moved by keys, and chains on it."""
+    from dynamics import dynamics_cases
+
+    return [dynamics_cases.rope(BONES, CHAINS)]
+
+
+def follow(objects):
+    for obj in objects:
+        bpy.ops.motus.dynamics_add(object=obj.name, channels={'LOCATION'}, style='BOUNCY')
+
+
+def trail(rigs):
+    for rig in rigs:
+        names = ",".join(f"Tail {chain} 0" for chain in range(CHAINS))
+        bpy.ops.motus.dynamics_add(object=rig.name, bones=names, whole_chains=True, chain_delay=0.02, style='FLOPPY')
+
+
+SCENES = {
+    "one object": (lambda: new_objects(1), follow),
+    f"{OBJECTS} objects": (lambda: new_objects(OBJECTS), follow),
+    f"{CHAINS * BONES} bones": (new_rig, trail),
+}
+
+
+def report():
+    print(f"| Cost added to a frame by dynamics, ms, Blender {bpy.app.version_string}: the median of rounds, the least, the bound")
+    for name, (make, add) in SCENES.items():
+        rounds = typical_bench.costs(make, add) / 1e3
+        extra = rounds[:, 1] - rounds[:, 0]
+        print(f"| {name:24} {np.median(extra):9.4f} {extra.min():9.4f} {BOUNDS[name]:9.3f}")
+
+
+if __name__ == "__main__":
+    support.enable()
+    report()

@@ -1,0 +1,59 @@
+"""Dynamics as an artist sees them: the sidebar with the graph, which follows the numbers, and what has to be recorded."""
+
+import bpy
+import numpy as np
+from dynamics import dynamics_cases as cases
+import support
+from window import window_support
+
+
+def build():
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    ball = cases.moved()
+    bpy.context.view_layer.objects.active = ball
+    ball.select_set(True)
+    bpy.ops.motus.dynamics_add(style='BOUNCY')
+    return ball
+
+
+def _pixels(path):
+    """The picture's numbers; where the graph's line is, its colour: orange."""
+    width, height, values = window_support.pixels(path)
+    picture = np.array(values).reshape(height, width, 4)
+    return picture, (picture[..., 0] > 0.7) & (picture[..., 2] < 0.45) & (picture[..., 1] < 0.7)
+
+
+def test_the_graph_follows_the_numbers():
+    ball = build()
+    drawn = yield from window_support.open_tab("Motus")
+    assert "MOTUS_PT_dynamics" in drawn and "MOTUS_PT_dynamics_motion" in drawn, drawn
+    seen = {}
+    for style in ('BOUNCY', 'JELLY', 'CRITICAL'):
+        ball.motus.dynamics.entries[0].style = style
+        yield
+        path = yield from window_support.picture(f"dynamics_{style.lower()}")
+        _, line = _pixels(path)
+        assert line.sum() > 100, (style, line.sum())
+        seen[style] = line
+    assert (seen['BOUNCY'] != seen['JELLY']).sum() > 100
+    assert (seen['BOUNCY'] != seen['CRITICAL']).sum() > 100
+    shown = support.addon("core.graph")._shown
+    assert "dynamics" in shown
+
+
+def test_what_has_to_be_recorded_is_said():
+    ball = build()
+    carrier = cases.link("Carrier")
+    carrier.constraints.new('COPY_LOCATION').target = ball
+    child = cases.link("Child", parent=carrier)
+    bpy.ops.motus.dynamics_add(object="Child")
+    bpy.context.view_layer.objects.active = child
+    drawn = yield from window_support.open_tab("Motus")
+    assert "MOTUS_PT_dynamics_input" in drawn, drawn
+    yield from window_support.picture("dynamics_needs_recording")
+    bpy.ops.motus.track_record(datablock="Carrier", transform='WORLD', frame_start=1, frame_end=20)
+    yield
+    yield from window_support.picture("dynamics_recorded")
+    source = support.addon("dynamics.panel").input_of(child, child.motus.dynamics.entries[0], bpy.context.scene)
+    assert source.is_known and "1-20" in source.unknown[0][0].sentence

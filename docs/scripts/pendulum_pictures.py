@@ -1,0 +1,104 @@
+"""The pictures of the Pendulums page, made through the add-on's own operators."""
+
+import math
+
+import bpy
+import numpy as np
+from mathutils import Vector
+
+import stage
+
+SKY = (0.80, 0.85, 0.92)
+STEPS = ("1  add", "2  set", "3  pause", "4  drag", "5  play")
+STEP_WIDTH = 3.6
+TRAIL = (0.85, 0.20, 0.05, 1.0)
+
+
+def render_all(folder):
+    """Render every picture into `folder`; returns the files."""
+    folder.mkdir(exist_ok=True)
+    return [_render_double(folder / "pendulum_double.png"), _render_steps(folder / "pendulum_steps.png"),
+            _render_fan(folder / "pendulum_fan.png")]
+
+
+def _scene():
+    scene = stage.new_scene(SKY, 0.6)
+    wall = stage.add_floor(stage.glossy_material("Wall", (0.62, 0.66, 0.72, 1.0), 0.95))
+    wall.rotation_euler.x, wall.location.y = math.radians(90.0), 0.6
+    stage.add_sun((math.radians(50), math.radians(-18), math.radians(-25)), 2.2, softness=5.0)
+    return scene
+
+
+def _add(x, **keywords):
+    bpy.ops.motus.pendulum_add(location=(x, 0.0, 0.0), rod_radius=0.022, bob_radius=0.11, **keywords)
+    return bpy.context.object
+
+
+def _places(pivot, frames):
+    """Where the end bob of the first pendulum is on frames."""
+    settings, found = pivot.motus.pendulum, []
+    bob = settings.rods[1 if settings.kind == 'DOUBLE' else 0].bob
+    for frame in frames:
+        whole = math.floor(frame)
+        bpy.context.scene.frame_set(whole, subframe=frame - whole)
+        found.append(bob.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation.copy())
+    return found
+
+
+def _trail(pivot, frames, material):
+    stage.add_tube([place + Vector((0.0, 0.2, 0.0)) for place in _places(pivot, frames)], 0.018, material)
+
+
+def _render_double(file):
+    """One pendulum at several times: a copy for each, that stands still there."""
+    scene = _scene()
+    count, shade = 7, np.linspace(0.75, 0.0, 7)
+    for index in range(count):
+        pivot = _add(0.0, kind='DOUBLE', start_frame=1.0 - 6.0 * index, hue=0.58)
+        for entry in pivot.motus.pendulum.rods:
+            for obj in (entry.object, entry.bob):
+                light = float(shade[index])
+                color = (light + 0.02, 0.75 * light + 0.10, 0.45 * light + 0.45, 1.0)
+                obj.material_slots[0].material = stage.glossy_material(f"Shade {index}", color, 0.4)
+        pivot.location.y = 0.3 - 0.06 * index
+    _trail(pivot, np.arange(1.0 - 6.0 * (count - 1), 1.01, 0.25), stage.glossy_material("Trail", TRAIL, 0.6))
+    stage.add_camera(scene, (0.0, -12.0, -0.3), (0.0, 0.0, -0.55), width=7.6)
+    return stage.render(scene, file, (1280, 560), samples=48)
+
+
+def _render_steps(file):
+    """The five steps, one beside the other, each as it stands on the first frame."""
+    scene = _scene()
+    red = stage.glossy_material("Trail", TRAIL, 0.6)
+    start = {"angle1": math.radians(60.0), "angle2": math.radians(20.0)}
+    keywords = (
+        {"angle1": math.radians(15.0), "angle2": math.radians(15.0)}, start, start | {"start_frame": -11.0}, start,
+        start)
+    for column, (label, given) in enumerate(zip(STEPS, keywords)):
+        x = (column - 2) * STEP_WIDTH
+        pivot = _add(x, kind='DOUBLE', hue=0.12 * column, **given)
+        if column == 2:
+            _trail(pivot, np.arange(-11.0, 1.01, 0.25), red)
+        if column in {3, 4}:
+            before = _places(pivot, (1,))[0]
+            bpy.ops.motus.pendulum_drag(object=pivot.name, location=(x - 1.25, 0.0, -0.75))
+            after = _places(pivot, (1,))[0]
+            if column == 3:
+                stage.add_tube([before + Vector((0.0, -0.3, 0.0)), after + Vector((0.0, -0.3, 0.0))], 0.02, red)
+            else:
+                pivot.motus.pendulum.start_frame = -11.0
+                _trail(pivot, np.arange(-11.0, 1.01, 0.25), red)
+        stage.add_text(label, Vector((x, 0.0, -2.75)), 0.30)
+    stage.add_camera(scene, (0.0, -16.0, -0.6), (0.0, 0.0, -1.0), width=5.05 * STEP_WIDTH)
+    return stage.render(scene, file, (1280, 330), samples=48)
+
+
+def _render_fan(file):
+    """The fan at three times."""
+    scene = _scene()
+    for column, seconds in enumerate((1.0, 4.0, 7.0)):
+        x = (column - 1) * 4.8
+        _add(x, kind='FAN', count=20, start_frame=1.0 - seconds * scene.render.fps)
+        stage.add_text(f"{seconds:.0f} s", Vector((x, -0.3, -2.75)), 0.34)
+    stage.add_camera(scene, (0.0, -16.0, -0.2), (0.0, 0.0, -0.3), width=14.6)
+    return stage.render(scene, file, (1280, 470), samples=48)

@@ -1,0 +1,48 @@
+// Bones that turn so that their tails point to given places: chains that trail behind what they hang on.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "motus/bones/rig.hpp"
+
+namespace motus::bones {
+
+/// Bones of one rig that point their tails to places, checked once. Each turns about its own head, which the
+/// bones above it have moved by then, and keeps its length.
+class TailPlan {
+  public:
+    /// parents: index of each bone's parent, -1 for none, in any order. bones: those that turn, in any order.
+    /// Throws std::invalid_argument, naming the argument, where an index is none of a bone's, a bone is there
+    /// twice, or parents hang on each other.
+    TailPlan(std::span<const int> parents, std::span<const int> bones);
+
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    [[nodiscard]] std::span<const int> parents() const noexcept { return parents_; }
+
+    /// targets: places in world space, one for each of the bones. weights: the share of each turn, 0 to 1.
+    /// rotations: of each bone, on top of its own (rotation of PoseBone.matrix_basis * result), w >= 0;
+    /// exactly none where the tail points there already, the place is the bone's own head, or a number is not
+    /// finite. world: the rig's matrix_world. Of poses those of the topmost bones' parents are read,
+    /// RigView::lengths is not. Throws std::invalid_argument where a span has another size.
+    void solve(const RigView& rig, const glm::dmat4& world, std::span<const glm::dvec3> targets,
+               std::span<const double> weights, std::span<glm::dquat> rotations) const;
+
+  private:
+    /// A bone that turns, or that one which turns carries another one by.
+    struct Link {
+        std::size_t bone = 0;
+        std::optional<std::size_t> row;
+        std::optional<std::size_t> above;  ///< the link of its parent, where that is one
+    };
+
+    std::vector<int> parents_;
+    std::vector<Link> links_;  ///< parents first
+    std::size_t size_;
+};
+
+}  // namespace motus::bones
