@@ -135,7 +135,8 @@ struct Kernel {
     /// time - (delay + (j + 1) / rate) of flakes j = streamed, streamed + 1, ... of the stream.
     void (*ages)(double time, double delay, double rate, std::uint64_t streamed, std::size_t count,
                  double* out);
-    /// What is added to a random lifetime, in [-1, 1); count <= block_size.
+    /// What is added to a random lifetime, in [-1, 1). count <= block_size, and both arrays go on to the next
+    /// multiple of 16.
     void (*lives)(Key key, std::uint32_t high, const std::uint32_t* lows, std::size_t count, float* out);
     /// scratch: scratch_size numbers.
     void (*fill)(const Kind& kind, const Run& run, float* scratch);

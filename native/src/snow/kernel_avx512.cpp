@@ -1,7 +1,11 @@
 // Compiled for this instruction set, whatever else is not: see CMakeLists.txt.
+#include <cstring>
+
 #include "kernel.hpp"
 
 #if defined(__x86_64__)
+#include <immintrin.h>
+
 namespace motus::snow {
 namespace {
 

@@ -1,4 +1,9 @@
+#include <cstring>
+
 #include "kernel.hpp"
+#if defined(__x86_64__)
+#include <immintrin.h>
+#endif
 
 namespace motus::snow {
 namespace {

@@ -202,10 +202,10 @@ class Block {
             count_ += length;
             first = until;
         }
-        if (random_lifetime_ && !(ages_[0] < lifetime_ - lifetime_range)) keep_living();
-        if (count_ == 0) return;
-        std::fill_n(ages_.data() + count_, padding, ages_[count_ - 1]);
-        std::fill_n(lows_.data() + count_, padding, lows_[count_ - 1]);
+        pad();
+        if (!random_lifetime_ || ages_[0] < lifetime_ - lifetime_range) return;
+        keep_living();
+        if (count_ > 0) pad();
     }
 
     [[nodiscard]] std::size_t count() const noexcept { return count_; }
@@ -215,6 +215,11 @@ class Block {
     [[nodiscard]] std::uint32_t high() const noexcept { return high_; }
 
   private:
+    void pad() {
+        std::fill_n(ages_.data() + count_, padding, ages_[count_ - 1]);
+        std::fill_n(lows_.data() + count_, padding, lows_[count_ - 1]);
+    }
+
     void keep_living() {
         Unfilled<float, block_size> draws;
         kernel_.lives(kind_.key, high_, lows_.data(), count_, draws.data());

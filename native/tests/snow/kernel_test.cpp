@@ -126,10 +126,13 @@ TEST_CASE("all instruction sets give the same bits", "[snow]") {
         for (const Kernel* kernel : kernels()) {
             CAPTURE(round, kernel->name);
             CHECK(are_same(sample.filled(*kernel), wanted));
-            std::vector<float> lives(block_size), other(block_size);
+            std::vector<float> lives(block_size);
             kernel->lives(sample.kind.key, 3, sample.lows.data(), sample.run.count, lives.data());
-            base_kernel.lives(sample.kind.key, 3, sample.lows.data(), sample.run.count, other.data());
-            CHECK(are_same(lives, other));
+            for (std::size_t i = 0; i < sample.run.count; ++i) {
+                const Words words =
+                    philox({sample.lows[i], 3, static_cast<std::uint32_t>(Stream::life), 0}, sample.kind.key);
+                CHECK(lives[i] == 2.0F * fraction(words.a) - 1.0F);
+            }
             std::vector<double> ages(block_size);
             kernel->ages(1000.0, 0.25, 31.0, 12345678901U, block_size, ages.data());
             for (std::size_t i = 0; i < block_size; ++i)
