@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "floats.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::snow {
@@ -28,10 +29,6 @@ namespace {
     for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) rows[at++] = static_cast<float>(matrix[column][row]);
     return rows;
-}
-
-[[nodiscard]] std::array<float, 3> floats_of(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
 }
 
 /// The angle in whole turns, by its half's sine and cosine, neither below 0. The system's arc tangent differs

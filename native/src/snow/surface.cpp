@@ -6,14 +6,11 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "floats.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::snow {
 namespace {
-
-[[nodiscard]] std::array<float, 3> floats_of(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
 
 /// Each facet keeps a share of the draws that fall on it and leaves the rest to one other facet, so that all
 /// get what their weight is. Vose, "A linear algorithm for generating random numbers with a given

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <glm/geometric.hpp>
 
+#include "floats.hpp"
 #include "motus/core/numeric.hpp"
 #include "motus/core/sine.hpp"
 
@@ -11,10 +12,6 @@ namespace motus::snow {
 namespace {
 
 constexpr double whole_turn = 6.283185307179586;
-
-[[nodiscard]] std::array<float, 3> floats_of(const glm::dvec3& v) {
-    return {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z)};
-}
 
 }  // namespace
 
