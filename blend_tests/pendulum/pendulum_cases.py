@@ -48,6 +48,15 @@ class PendulumTestCase(support.SceneTestCase):
         self.assertEqual(bpy.ops.motus.pendulum_add(**keywords), {'FINISHED'})
         return bpy.context.object
 
+    def copy_alone(self, obj):
+        """A duplicate of the object, by Blender's operator, without what hangs on it."""
+        for one in bpy.context.selected_objects:
+            one.select_set(False)
+        obj.select_set(True)
+        bpy.context.view_layer.objects.active = obj
+        bpy.ops.object.duplicate()
+        return bpy.context.object
+
     def link(self, name, location=(0.0, 0.0, 0.0), data=None):
         obj = bpy.data.objects.new(name, data)
         obj.location = location

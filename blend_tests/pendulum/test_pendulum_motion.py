@@ -126,6 +126,26 @@ class Motion(PendulumTestCase):
         bpy.ops.motus.track_record(datablock="Carrier", frame_start=1, frame_end=10)
         self.assertEqual(self.sentence(carrier), "")
 
+    def test_a_pivot_that_is_driven_and_has_dynamics(self):
+        carrier = self.link("Carrier")
+        for frame, x in ((1, 0.0), (13, 4.0)):
+            carrier.location.x = x
+            carrier.keyframe_insert("location", frame=frame)
+        go_to(1)
+        bpy.ops.motus.dynamics_add(object="Carrier")
+        self.add(kind='DOUBLE', object="Carrier")
+        self.assertIn("motus_pendulum_out", carrier)
+        # What the dynamics wait for must not wait for the matrix that they make.
+        carrier.motus.pendulum.use_pivot_motion = True
+        self.assertNotIn("motus_pendulum_out", carrier)
+        go_to(20)
+        expected = world(self.bobs(carrier)[1]).tobytes()
+        go_to(40)
+        go_to(20)
+        self.assertEqual(world(self.bobs(carrier)[1]).tobytes(), expected)
+        carrier.motus.pendulum.use_pivot_motion = False
+        self.assertIn("motus_pendulum_out", carrier)
+
     def test_scene_gravity(self):
         pivot = self.add(kind='SINGLE', angle1=1.0)
         go_to(20)

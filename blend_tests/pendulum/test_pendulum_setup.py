@@ -70,6 +70,7 @@ class Add(PendulumTestCase):
             self.assertEqual(world(obj).tobytes(), matrix.tobytes())
             self.assertIsNone(obj.parent)
         self.assertEqual(set(bpy.data.objects), {pivot, first, second})
+        self.assertEqual(len(bpy.data.meshes), 0)
 
     def test_by_names(self):
         self.link("Hook")
@@ -90,10 +91,12 @@ class Add(PendulumTestCase):
                 ({"object": "Nobody"}, "There is no object Nobody"), ({"take": 'ACTIVE'}, "Select the object"),
                 ({"take": 'PLACED'}, "Select the bobs")):
             self.assertRefused(add, sentence, **keywords)
-        pivot, ball = self.link("Hook"), self.link("Ball", (0.0, 1.0, -1.0))
+        pivot, ball, _ = self.link("Hook"), self.link("Ball", (0.0, 1.0, -1.0)), self.link("Other")
         self.assertRefused(add, "beside the plane", object="Hook", bobs="Ball")
         self.assertRefused(add, "one bob or two", object="Hook", bobs="Hook")
         self.assertRefused(add, "one bob or two", object="Hook", bobs="Ball,Ball")
+        for kind, bobs in (('FAN', "Ball"), ('DOUBLE', "Ball"), ('SINGLE', "Ball,Other")):
+            self.assertRefused(add, "a double one two, and a fan none", object="Hook", bobs=bobs, kind=kind)
         self.assertRefused(add, "pivots of its own", object="Hook", kind='CHAOS')
         ball.location = (0.0, 0.0, 0.0)
         self.assertRefused(add, "lies on what", object="Hook", bobs="Ball")
@@ -185,6 +188,13 @@ class BadInput(PendulumTestCase):
             self.assertIn("not known so far from its start", self.sentence(pivot), keywords)
             self.assertTrue(np.isfinite(world(self.bobs(pivot)[0])).all())
 
+    def test_numbers_too_extreme_from_the_start(self):
+        for keywords in ({"damping": 1e9}, {"mass1": 1e30, "length1": 1e-6, "damping": 1e9}):
+            pivot = self.add(kind='DOUBLE', use_trails=True, **keywords)
+            go_to(30)
+            self.assertIn("too large or too small", self.sentence(pivot), keywords)
+            go_to(1)
+
     def test_a_deleted_pivot(self):
         pivot = self.add(kind='SINGLE', angle1=1.0)
         rod, = self.rods(pivot)
@@ -234,5 +244,28 @@ class BadInput(PendulumTestCase):
         go_to(1)
         self.assertGreater(np.linalg.norm(place(self.bobs(pivot)[0]) - moved), 0.1)
         self.assertRefused(bpy.ops.motus.pendulum_remove, "linked from another file", object=pivot.name)
+
+    def test_overridden_and_opened_again(self):
+        collection = bpy.data.collections.new("Pendulums")
+        bpy.context.scene.collection.children.link(collection)
+        bpy.context.view_layer.active_layer_collection = bpy.context.view_layer.layer_collection.children["Pendulums"]
+        pivot = self.add(kind='DOUBLE', location=(0.0, 0.0, 0.0))
+        go_to(30)
+        expected = [world(bob).tobytes() for bob in self.bobs(pivot)]
+        library, path = (str(self.folder / name) for name in ("library.blend", "user.blend"))
+        bpy.ops.wm.save_as_mainfile(filepath=library)
+        support.empty_scene()
+        with bpy.data.libraries.load(library, link=True) as (_, target):
+            target.collections = ["Pendulums"]
+        scene = bpy.context.scene
+        scene.collection.children.link(target.collections[0])
+        target.collections[0].override_hierarchy_create(scene, bpy.context.view_layer)
+        for _ in range(2):
+            bpy.ops.wm.save_as_mainfile(filepath=path)
+            bpy.ops.wm.open_mainfile(filepath=path)
+            pivot = next(obj for obj in bpy.data.objects if obj.motus.pendulum.is_active and not obj.library)
+            go_to(30)
+            self.assertEqual(self.sentence(pivot), "")
+            self.assertEqual([world(bob).tobytes() for bob in self.bobs(pivot)], expected)
 
 

@@ -3,6 +3,8 @@
 import math
 
 import bpy
+import support
+from mathutils import Vector
 
 from pendulum.pendulum_cases import PendulumTestCase, go_to, native, place, reach
 
@@ -102,6 +104,17 @@ class Drag(PendulumTestCase):
         first, second, *_ = native().double_pendulum(
             1.0, settings.angle1, settings.angle2, gravity=bpy.context.scene.gravity.length)
         self.assertPlace(lower, reach((1.0, first), (1.0, second)) + (1.0, 0.0, 2.0), 5e-6)
+
+    def test_it_says_that_the_earlier_motion_is_replaced(self):
+        pivot = self.add(kind='DOUBLE', location=(0.0, 0.0, 0.0))
+        held = support.addon("pendulum.drag").Held
+        for frame, expected in ((1, False), (25, True)):
+            go_to(frame)
+            dragged = held(bpy.context, pivot)
+            dragged.pull(Vector((1.0, 0.0, -1.0)))
+            self.assertEqual(dragged.has_new_start, expected)
+            dragged.restore()
+        self.assertFalse(dragged.has_new_start)
 
     def test_the_elbow_stays_on_its_side(self):
         for angle1, angle2 in ((0.5, -0.5), (-0.5, 0.5)):

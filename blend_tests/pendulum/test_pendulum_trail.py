@@ -74,6 +74,24 @@ class Trail(PendulumTestCase):
         bpy.ops.motus.pendulum_remove(object=pivot.name)
         self.assertEqual({name: len(getattr(bpy.data, name)) for name in before}, before)
 
+    def test_a_copy_of_the_pivot_leaves_the_trail(self):
+        pivot = self.add(kind='DOUBLE', use_trails=True)
+        first = pivot.motus.pendulum.trail
+        for keywords in ({}, {"keep_objects": True}):
+            copy = self.copy_alone(pivot)
+            self.assertRefused(bpy.ops.motus.pendulum_trail_remove, "has no trails", object=copy.name)
+            bpy.ops.motus.pendulum_remove(object=copy.name, **keywords)
+            self.assertEqual(pivot.motus.pendulum.trail, first)
+        copy = self.copy_alone(pivot)
+        bpy.ops.motus.pendulum_trail_add(object=copy.name)
+        self.assertNotEqual(copy.motus.pendulum.trail, first)
+        self.assertEqual(first.motus.pendulum_trail.pivot, pivot)
+        bpy.ops.motus.pendulum_trail_remove(object=copy.name)
+        go_to(30)
+        self.assertGreater(len(self.tubes(pivot)[0]), 0)
+        bpy.ops.motus.pendulum_trail_remove(object=first.name)
+        self.assertIsNone(pivot.motus.pendulum.trail)
+
     def test_bad_input(self):
         pivot = self.add(kind='SINGLE', use_trails=True)
         self.assertRefused(bpy.ops.motus.pendulum_trail_add, "seconds must be greater", object=pivot.name, seconds=0.0)

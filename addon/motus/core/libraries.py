@@ -12,6 +12,17 @@ def count_from_library(owner, path):
         return 0
 
 
+def is_free_or_of(obj, named, owner):
+    """Whether an object that names another one as its owner, or None, may be this owner's.
+
+    Of such a pointer Blender saves no override: after loading, the override of an object names the library's owner.
+    """
+    if named is None or named == owner:
+        return True
+    reference = owner.override_library and owner.override_library.reference
+    return named == reference and not obj.library
+
+
 def collection_for(context, obj):
     """Where to put a new object beside another one: the first of its collections that can be changed, else the scene's."""
     own = (one for one in obj.users_collection if not one.library and not one.override_library)

@@ -1,5 +1,6 @@
 """Who follows: the owner of the settings and its wagons, and what of them is driven."""
 
+from ..core import libraries
 from ..core.lazy import numpy as np
 
 
@@ -21,7 +22,7 @@ def offsets(owner):
 
 def _wagons(owner):
     return [wagon for wagon in owner.motus.path.wagons
-            if wagon.object and wagon.object.motus.path.leader in {None, owner}]
+            if wagon.object and libraries.is_free_or_of(wagon.object, wagon.object.motus.path.leader, owner)]
 
 
 def index_of(leader, wagon):

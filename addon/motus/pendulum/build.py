@@ -47,7 +47,7 @@ def attach(context, owner, kind, count, keywords, look, bobs=(), has_made_pivot=
     for name, value in keywords.items():
         setattr(settings, name, value)
     collection = libraries.collection_for(context, owner)
-    shapes = _shapes(settings, look)
+    shapes = _shapes(settings, look, has_balls=not bobs)
     for index in range(count):
         material = _material(owner.name, (look.hue + index / count) % 1.0)
         _add(collection, owner, index, shapes, material, look, bobs)
@@ -108,11 +108,11 @@ def _link(collection, name, mesh, parent, material):
     return obj
 
 
-def _shapes(settings, look):
-    """(mesh of the rod, mesh of the bob) of each rod of one pendulum."""
+def _shapes(settings, look, has_balls):
+    """(mesh of the rod, mesh of the bob or None) of each rod of one pendulum."""
     masses = settings.mass1, settings.mass2
     thickest = max(look.rod_radius, 1e-5)
-    return [(_rod(length, thickest), _ball(look.bob_radius * mass ** (1.0 / 3.0)))
+    return [(_rod(length, thickest), _ball(look.bob_radius * mass ** (1.0 / 3.0)) if has_balls else None)
             for length, mass in zip(parts.lengths(settings), masses)]
 
 

@@ -48,6 +48,11 @@ class Held:
         self._settings.velocity1 = 0.0
         self._settings.start_frame = max(self._frame, self._before["start_frame"])
 
+    @property
+    def has_new_start(self):
+        """Whether the motion starts later than before, so that what was before is replaced."""
+        return self._settings.start_frame > self._before["start_frame"]
+
     def restore(self):
         """Put the settings back."""
         for name, value in self._before.items():
@@ -90,7 +95,7 @@ def _angles(context, pivot, number):
     try:
         return swing.at(seconds)[number][:swing.each]
     except ValueError:
-        raise Refused(tr(solve.TOO_FAR.sentence)) from None
+        raise Refused(tr(solve.unknown(seconds).sentence)) from None
 
 
 def clock_at(context, pivot):
@@ -117,7 +122,7 @@ def check_stands_still(context, pivot):
 class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
     bl_idname = "motus.pendulum_drag"
     bl_label = "Drag Pendulum"
-    bl_description = "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest"
+    bl_description = "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest, and replaces the earlier one"
 
     object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
     location: bpy.props.FloatVectorProperty(
@@ -142,8 +147,10 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
         check_finite(self, ("location",))
         if self.number >= pivot.motus.pendulum.count:
             raise Refused(tr("The fan has {count} pendulums").format(count=pivot.motus.pendulum.count))
-        Held(context, pivot, self.number).pull(Vector(self.location))
+        self._held = Held(context, pivot, self.number)
+        self._held.pull(Vector(self.location))
         context.view_layer.update()
+        self._finish(context)
 
     def invoke(self, context, event):
         if context.window is None or self.is_given("location"):
@@ -180,6 +187,11 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
     def _move(self, place):
         self.location = place
         self._held.pull(Vector(place))
+
+    def _finish(self, context):
+        if self._held.has_new_start:
+            self.report({'INFO'}, tr("The motion starts at frame {frame} now: the earlier motion is replaced").format(
+                frame=f"{context.scene.frame_current_final:g}"))
 
 
 classes = (MOTUS_OT_pendulum_drag,)

@@ -110,11 +110,19 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
         if bobs:
             targets.check_bobs(bobs)
             context.view_layer.update()
-            kind = 'SINGLE' if len(bobs) == 1 else 'DOUBLE'
+            kind = self._kind_of(bobs)
             keywords |= targets.measured(pivot, bobs)
         count = self.count if kind == 'FAN' else 1
         build.attach(context, pivot, _rods_of(kind), count, keywords, self._look(), bobs)
         return [pivot]
+
+    def _kind_of(self, bobs):
+        """Single or double, by how many bobs there are."""
+        kind = 'SINGLE' if len(bobs) == 1 else 'DOUBLE'
+        # Of selected bobs the kind is not asked for: an earlier call may have left it.
+        if self.bobs and self.is_given("kind") and self.kind != kind:
+            raise Refused(tr("A single pendulum has one placed bob, a double one two, and a fan none"))
+        return kind
 
     def _add_new(self, context, keywords):
         place = Vector(self.location) if self.is_given("location") else context.scene.cursor.location.copy()
@@ -281,7 +289,7 @@ class MOTUS_OT_pendulum_trail_remove(Operator, bpy.types.Operator):
 
 
 def _check_trail(pivot):
-    if pivot.motus.pendulum.trail is None:
+    if parts.own_trail(pivot) is None:
         raise Refused(tr("{object} has no trails").format(object=pivot.name))
 
 
@@ -302,8 +310,9 @@ class MOTUS_OT_pendulum_refresh(Operator, bpy.types.Operator):
         pivot = targets.pivot_for(context, self.object)
         parts.fit(pivot)
         wiring.refresh(build.system(), pivot)
-        if pivot.motus.pendulum.trail:
-            wiring.refresh(trail.system(), pivot.motus.pendulum.trail)
+        own_trail = parts.own_trail(pivot)
+        if own_trail:
+            wiring.refresh(trail.system(), own_trail)
 
 
 class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):

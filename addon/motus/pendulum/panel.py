@@ -47,7 +47,7 @@ def draw_time(layout, context):
 def draw_trail(layout, context):
     """The ways of the end bobs."""
     pivot = _pivot(context)
-    obj = pivot.motus.pendulum.trail
+    obj = parts.own_trail(pivot)
     if obj is None:
         layout.operator("motus.pendulum_trail_add", icon='ADD').object = pivot.name
         return

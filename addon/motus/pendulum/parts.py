@@ -2,7 +2,7 @@
 
 from mathutils import Matrix
 
-from ..core import wiring
+from ..core import libraries, wiring
 from ..core.system import registered
 
 MADE_KEY = "motus_pendulum"
@@ -27,7 +27,14 @@ def numbers(owner):
 def own_rods(owner):
     """The entries of the rods that are members."""
     return [entry for entry in owner.motus.pendulum.rods
-            if entry.object and entry.object.motus.pendulum.leader in {None, owner}]
+            if entry.object and libraries.is_free_or_of(entry.object, entry.object.motus.pendulum.leader, owner)]
+
+
+def own_trail(owner):
+    """The trail of a pendulum; None without. The copy of a pivot names the first one's."""
+    trail = owner.motus.pendulum.trail
+    is_own = trail and libraries.is_free_or_of(trail, trail.motus.pendulum_trail.pivot, owner)
+    return trail if is_own else None
 
 
 def pivot_of(obj):
@@ -39,7 +46,7 @@ def pivot_of(obj):
     leader = of_trail or (_leader(rod) if rod else None)
     if leader is None or not has_pendulum(leader):
         return None
-    listed = obj == leader.motus.pendulum.trail or any(obj in (entry.object, entry.bob) for entry in leader.motus.pendulum.rods)
+    listed = obj == own_trail(leader) or any(obj in (entry.object, entry.bob) for entry in leader.motus.pendulum.rods)
     return leader if listed else None
 
 

@@ -18,8 +18,12 @@ NO_MASS = Problem("The masses must be greater than 0")
 NO_LIMIT = Problem("The limits must be greater than 0")
 TOO_FAR = Problem(
     "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping")
+TOO_EXTREME = Problem(
+    "A length, mass, angle, velocity, gravity or damping is too large or too small for the motion to be computed")
+NEAR = 60.0
+"""Seconds from the start within which only extreme numbers let the motion be unknown."""
 PROBLEMS = (NO_RODS, PIVOT_DELETED, NOT_FINITE, NO_LENGTH, NO_MASS, NO_LIMIT, TOO_FAR, clock.UNKNOWN, pivot_motion.UNKNOWN,
-            pivot_motion.NOT_STEADY)
+            pivot_motion.NOT_STEADY, TOO_EXTREME)
 
 NUMBERS = (
     "length1", "length2", "mass1", "mass2", "angle1", "angle2", "angle_step", "velocity1", "velocity2", "gravity",
@@ -64,7 +68,7 @@ def solve(context, pivot, influence):
     try:
         rows = swing.at(now.seconds, **felt)
     except ValueError:
-        return TOO_FAR
+        return unknown(now.seconds)
     first = rows[0]
     context.outputs[:] = (first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds)
     if len(context.member_data) == 0:
@@ -86,6 +90,11 @@ def _turn(rows, number, swing, influence):
     # About the pivot's Y axis a positive turn swings to -X. Of the math module: NumPy's sine is not always the same.
     half = -0.5 * influence * angle
     return math.cos(half), math.sin(half)
+
+
+def unknown(seconds):
+    """The Problem of a motion that the library does not know at a time."""
+    return TOO_EXTREME if abs(seconds) < NEAR else TOO_FAR
 
 
 def gravity_of(settings, scene):

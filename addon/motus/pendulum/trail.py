@@ -61,7 +61,7 @@ def make(context, matrix, swing, seconds, fade, thickness):
     try:
         ways = [found.way(times, number, **felt)[:, :found.each] for number in range(found.count)]
     except ValueError:
-        return solve.TOO_FAR
+        return solve.unknown(now.seconds)
     _fill(context.points(len(times) * found.count), pivot, ways, np.abs(now.seconds - times) / seconds, (swing, fade, thickness))
     return None
 
@@ -126,11 +126,10 @@ def is_trail(obj):
 
 def add(collection, pivot, keywords):
     """Give a pendulum a trail, or the trail that it has other settings."""
-    settings = pivot.motus.pendulum
-    obj = settings.trail
+    obj = parts.own_trail(pivot)
     if obj is None:
         name = f"{pivot.name} Trail"
-        obj = settings.trail = bpy.data.objects.new(name, bpy.data.meshes.new(name))
+        obj = pivot.motus.pendulum.trail = bpy.data.objects.new(name, bpy.data.meshes.new(name))
         collection.objects.link(obj)
         obj.parent = pivot
     found = obj.motus.pendulum_trail
@@ -143,7 +142,7 @@ def add(collection, pivot, keywords):
 
 def remove(pivot):
     """Take the trail of a pendulum away."""
-    obj, pivot.motus.pendulum.trail = pivot.motus.pendulum.trail, None
+    obj, pivot.motus.pendulum.trail = parts.own_trail(pivot), None
     if obj is None or obj.library:
         return
     if wiring.is_attached(system(), obj):

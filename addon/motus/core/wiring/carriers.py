@@ -5,7 +5,7 @@ import hashlib
 import bpy
 
 from .. import capabilities, copies
-from ..system import of_owner
+from ..system import OwnMatrix, input_variables, of_owner
 from . import drivers, outbox, proxy_sink, rows
 
 VERSION = 2
@@ -51,8 +51,16 @@ def make_hub(system, owner, group):
 
 
 def has_outlet(system, owner):
-    """Whether the owner is to have an outlet: see outbox.create_outlet."""
-    return bool(system.outputs) and not copies.has_animated_settings(owner)
+    """Whether the owner is to have an outlet: see outbox.create_outlet.
+
+    To Blender the outlet is one with the owner's settings, for which the solvers of its other systems wait, and by those its
+    matrix does: an owner whose solver waits for its own matrix has none.
+    """
+    return bool(system.outputs) and not copies.has_animated_settings(owner) and not _waits_for_itself(system, owner)
+
+
+def _waits_for_itself(system, owner):
+    return any(variable for declared, variable in input_variables(system, owner) if isinstance(declared, OwnMatrix))
 
 
 def wait_for_keys(system, owner):

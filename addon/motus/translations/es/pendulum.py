@@ -6,6 +6,8 @@ INTERFACE = {
     "A fan has 1 to {count} pendulums": "Un abanico tiene de 1 a {count} péndulos",
     "A fan, beside it one pendulum alone, and a third one with quite other angles":
         "Un abanico, a su lado un péndulo solo, y un tercero con ángulos muy distintos",
+    "A length, mass, angle, velocity, gravity or damping is too large or too small for the motion to be computed":
+        "Una longitud, masa, ángulo, velocidad, gravedad o amortiguación es demasiado grande o pequeña para calcular el movimiento",
     "A pendulum has one bob or two beside its pivot: select or name those":
         "Un péndulo tiene una o dos lentejas además de su pivote: selecciónalas o nómbralas",
     "A second rod hangs on the first one's bob": "Una segunda varilla cuelga de la lenteja de la primera",
@@ -14,6 +16,8 @@ INTERFACE = {
         "Aceleración según el eje -Z del pivote. Sin claves: todo el movimiento depende de ella",
     "Active Object": "Objeto activo",
     "Alone": "Solo",
+    "A single pendulum has one placed bob, a double one two, and a fan none":
+        "Un péndulo simple tiene una lenteja colocada, uno doble dos, y un abanico ninguna",
     "An empty at the 3D cursor": "Un vacío en el cursor 3D",
     "Angle Step": "Paso de ángulo",
     "Before": "Antes",
@@ -124,8 +128,8 @@ INTERFACE = {
     "Share of the velocity that is lost in a second. No keys: the whole motion follows from it":
         "Parte de la velocidad que se pierde en un segundo. Sin claves: todo el movimiento depende de ella",
     "Single": "Simple",
-    "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest":
-        "Lleva a otro lugar la lenteja del extremo de un péndulo en pausa; el movimiento parte de ahí, en reposo",
+    "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest, and replaces the earlier one":
+        "Lleva a otro lugar la lenteja del extremo de un péndulo en pausa; el movimiento parte de ahí, en reposo, y sustituye al anterior",
     "Take the pendulum off its pivot, with the rods and bobs that were made for it":
         "Quita el péndulo de su pivote, con las varillas y lentejas que se crearon para él",
     "Take the strength of the scene's gravity": "Toma la intensidad de la gravedad de la escena",
@@ -139,6 +143,8 @@ INTERFACE = {
     "The masses must be greater than 0": "Las masas deben ser mayores que 0",
     "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping":
         "El movimiento no se conoce tan lejos de su inicio: empiézalo más tarde, o hazlo más lento, o sin amortiguación",
+    "The motion starts at frame {frame} now: the earlier motion is replaced":
+        "El movimiento empieza ahora en el fotograma {frame}: sustituye al movimiento anterior",
     "The pendulum hangs on the active object, which may be animated":
         "El péndulo cuelga del objeto activo, que puede estar animado",
     "The pendulum is playing: pause it first, or go to its start":
