@@ -201,7 +201,7 @@ class BadInput(PendulumTestCase):
         bpy.data.objects.remove(pivot)
         go_to(10)
         self.assertTrue(np.isfinite(world(rod)).all())
-        bpy.ops.motus.pendulum_remove(object=rod.name)
+        bpy.ops.motus.pendulum_remove(object=rod.name, keep_objects=True)
         self.assertFalse(rod.constraints)
         other = self.add(kind='SINGLE', angle1=1.0)
         rod, name = self.rods(other)[0], other.name
@@ -209,6 +209,38 @@ class BadInput(PendulumTestCase):
             collection.objects.unlink(other)
         go_to(11)
         self.assertIn("in no collection", self.sentence(bpy.data.objects[name]))
+
+    def test_what_is_left_without_the_pivot_is_removed(self):
+        counted = "objects", "meshes", "materials", "actions"
+        hat = self.link("Hat")
+        other = self.add(kind='DOUBLE', use_trails=True)
+        before = {name: len(getattr(bpy.data, name)) for name in counted}
+        for part in ("Rod 2", "Bob 1", "Trail"):
+            pivot = self.add(kind='DOUBLE', use_trails=True, location=(0.0, 0.0, 0.0))
+            name, lower = pivot.name, self.bobs(pivot)[1]
+            hat.parent = lower
+            bpy.data.objects.remove(pivot)
+            go_to(2)
+            bpy.ops.motus.pendulum_remove(object=f"{name} {part}")
+            self.assertEqual({name: len(getattr(bpy.data, name)) for name in counted}, before)
+            self.assertIsNone(hat.parent)
+        pivot = self.add(kind='DOUBLE', use_trails=True)
+        rods, bobs = self.rods(pivot), self.bobs(pivot)
+        bpy.data.objects.remove(pivot)
+        for obj in bpy.data.objects:
+            obj.select_set(obj in rods or obj in bobs)
+        bpy.ops.motus.pendulum_remove(keep_objects=True)
+        self.assertFalse(any(obj.constraints or obj.is_property_set("motus") for obj in (*rods, *bobs)))
+        self.assertEqual(len(bpy.data.objects), before["objects"] + 4)
+        self.assertEqual(self.sentence(other), "")
+        self.assertIsNotNone(other.motus.pendulum.trail)
+
+    def test_a_copy_of_a_rod_is_freed_and_stays(self):
+        pivot = self.add(kind='DOUBLE')
+        copy = self.copy_alone(self.rods(pivot)[0])
+        bpy.ops.motus.pendulum_remove(object=copy.name)
+        self.assertFalse(copy.constraints)
+        self.assertEqual(len([rod for rod in self.rods(pivot) if rod.constraints]), 2)
 
     def test_deleted_rods_and_bobs(self):
         pivot = self.add(kind='DOUBLE', angle1=1.0, angle2=1.0, location=(0.0, 0.0, 0.0))

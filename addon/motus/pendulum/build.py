@@ -146,7 +146,9 @@ def _ball(radius):
         for ring in range(RINGS - 2):
             above, below = 1 + ring * SEGMENTS, 1 + (ring + 1) * SEGMENTS
             faces.append((above + i, below + i, below + following, above + following))
-    return _mesh("Bob", vertices, faces)
+    mesh = _mesh("Bob", vertices, faces)
+    mesh[parts.MADE_KEY] = 0.0
+    return mesh
 
 
 def _mesh(name, vertices, faces):
@@ -191,10 +193,18 @@ def clear(owner, keeps_objects):
     _delete([*made, *([owner] if made_pivot else [])])
 
 
-def free(rod):
-    """Let a stray rod hang as it is placed."""
-    wiring.release(system(), rod)
-    forget(system(), rod)
+def free(rod, keeps_objects):
+    """Let the copy of a rod hang as it is placed; of a pendulum whose pivot is gone, take all back that is left."""
+    rods = wiring.abandoned(system(), rod)
+    bobs, trails = parts.left_with(rods)
+    for obj in trails:
+        trail.discard(obj)
+    freed = rods or [rod]
+    wiring.release(system(), *freed)
+    for obj in freed:
+        forget(system(), obj)
+    if not keeps_objects:
+        _delete([*rods, *bobs])
 
 
 def _delete(objects):

@@ -194,8 +194,7 @@ class MOTUS_OT_pendulum_remove(Operator, bpy.types.Operator):
 
     def run(self, context):
         if self.object:
-            obj = named(self.object)
-            found = [parts.pivot_of(obj) or (obj if parts.is_stray(obj) else None)]
+            found = [targets.removable(named(self.object))]
         else:
             found = targets.set_up(context)
         found = [one for one in found if one]
@@ -204,8 +203,10 @@ class MOTUS_OT_pendulum_remove(Operator, bpy.types.Operator):
             targets.check_editable(one)
         names = [one.name for one in found]
         for one in found:
-            if parts.is_stray(one):
-                build.free(one)
+            if parts.is_stray_trail(one):
+                trail.discard(one)
+            elif parts.is_stray(one):
+                build.free(one, self.keep_objects)
             else:
                 build.clear(one, self.keep_objects)
         self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(names)))

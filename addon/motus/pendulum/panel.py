@@ -134,7 +134,7 @@ def draw_own_trail(layout, context):
 TRAIL_PANEL = panels.SystemPanel(
     name="pendulum_trail", prefix="MOTUS_PT_pendulum_trail_object", label="Pendulum Trails",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
-    suits=trail.is_trail, is_used=trail.is_trail, draw=draw_own_trail,
+    suits=parts.is_trail, is_used=parts.is_trail, draw=draw_own_trail,
     actions=lambda layout, context: layout.operator("motus.pendulum_trail_remove", icon='X'),
     refresh="motus.pendulum_refresh")
 

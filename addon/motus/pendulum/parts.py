@@ -1,12 +1,13 @@
 """What a pendulum is made of: the pivot, rods and bobs, found from any of them, and fitted to the lengths."""
 
+import bpy
 from mathutils import Matrix
 
 from ..core import libraries, wiring
 from ..core.system import registered
 
 MADE_KEY = "motus_pendulum"
-"""Custom property of a mesh that was made for rods: their length."""
+"""Custom property of a mesh that was made for rods: their length; 0 for one that was made for bobs."""
 
 
 def rods_each(settings):
@@ -55,6 +56,37 @@ def is_stray(obj):
     if pivot_of(obj) is not None or not obj.is_property_set("motus"):
         return False
     return _leader(obj) is not None or wiring.has_sinks(registered["pendulum"], obj)
+
+
+def is_trail(obj):
+    """Whether an object is a trail."""
+    # To ask an object for its settings gives it some.
+    return obj.is_property_set("motus") and obj.motus.pendulum_trail.is_active
+
+
+def is_stray_trail(obj):
+    """Whether an object is a trail whose pivot is gone."""
+    return is_trail(obj) and obj.motus.pendulum_trail.pivot is None
+
+
+def stray_rod_of(obj):
+    """The rod of no pendulum that an object is, or is the bob or trail of; None without. One rod stands for all of a pendulum."""
+    rod = obj.motus.pendulum_trail.rod if is_stray_trail(obj) else obj.parent if _is_made_bob(obj) else obj
+    if rod is None or not is_stray(rod):
+        return None
+    return min(wiring.abandoned(registered["pendulum"], rod), key=lambda one: one.name, default=rod)
+
+
+def left_with(rods):
+    """(made bobs, trails) that are left of a pendulum whose pivot is gone."""
+    bobs = [child for rod in rods for child in rod.children if _is_made_bob(child) and not child.library]
+    trails = [obj for obj in bpy.data.objects
+              if is_stray_trail(obj) and obj.motus.pendulum_trail.rod in rods and not obj.library]
+    return bobs, trails
+
+
+def _is_made_bob(obj):
+    return isinstance(obj.data, bpy.types.Mesh) and obj.data.get(MADE_KEY) == 0.0
 
 
 def has_pendulum(obj):

@@ -143,5 +143,8 @@ TRAIL_KEYWORDS = tuple(TrailKeywords.__annotations__)
 class MOTUS_PG_pendulum_trail(SystemSettings, TrailKeywords, bpy.types.PropertyGroup):
     pivot: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Pivot", description="Whose pendulum it shows", update=rewire, override=OVERRIDABLE)
+    rod: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Rod", description="A rod of the pendulum, by which it is found if the pivot is gone",
+        override=OVERRIDABLE)
     influence: _number(
         "Influence", "Whether the trail is there: it is not at 0", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

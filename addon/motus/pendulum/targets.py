@@ -84,10 +84,15 @@ def _place(obj):
     return obj.matrix_world.translation
 
 
+def removable(obj):
+    """What stands for the pendulum that an object is part of, or was: its pivot, a stray rod, or a stray trail; None without."""
+    return parts.pivot_of(obj) or parts.stray_rod_of(obj) or (obj if parts.is_stray_trail(obj) else None)
+
+
 def set_up(context):
-    """Pivots of the pendulums that are selected, and stray rods."""
+    """What can be removed of what is selected."""
     objects = context.selected_objects or [obj for obj in [context.object] if obj]
-    found = [parts.pivot_of(obj) or (obj if parts.is_stray(obj) else None) for obj in objects]
+    found = [removable(obj) for obj in objects]
     return list(dict.fromkeys(one for one in found if one))
 
 

@@ -118,12 +118,6 @@ def system():
     return registered["pendulum_trail"]
 
 
-def is_trail(obj):
-    """Whether an object is a trail."""
-    # To ask an object for its settings gives it some.
-    return obj.is_property_set("motus") and obj.motus.pendulum_trail.is_active
-
-
 def add(collection, pivot, keywords):
     """Give a pendulum a trail, or the trail that it has other settings."""
     obj = parts.own_trail(pivot)
@@ -134,6 +128,7 @@ def add(collection, pivot, keywords):
         obj.parent = pivot
     found = obj.motus.pendulum_trail
     found.pivot = pivot
+    found.rod = next(iter(parts.members(pivot)), None)
     for name, value in keywords.items():
         setattr(found, name, value)
     wiring.attach(system(), obj)
@@ -143,8 +138,12 @@ def add(collection, pivot, keywords):
 def remove(pivot):
     """Take the trail of a pendulum away."""
     obj, pivot.motus.pendulum.trail = parts.own_trail(pivot), None
-    if obj is None or obj.library:
-        return
+    if obj and not obj.library:
+        discard(obj)
+
+
+def discard(obj):
+    """Remove a trail that no pendulum names."""
     if wiring.is_attached(system(), obj):
         # With a modifier whose hub is gone Blender 5 does not count the material's user down.
         wiring.set_points_material(system(), obj, None)

@@ -101,13 +101,27 @@ def _as_wired(system, owner):
             yield thing, names[index]
 
 
-def release(system, obj):
-    """Free one object of all sinks of the system, whoever drives it. An owner of its own is detached instead."""
-    found = list(on_object(system, obj))
-    # One of an older version that was joined into the object has left the driver of its solver there.
-    drivers.remove_under(obj, f'["{outbox.out_key(system)}')
+def abandoned(system, obj):
+    """Objects with sinks of the same hub as this one, itself among them, if the hub's owner is gone; else none."""
+    hubs = {carrier for _, _, carrier, _ in on_object(system, obj) if _is_abandoned(system, carrier)}
+    return [other for other in bpy.data.objects if hubs and not other.library
+            and any(carrier in hubs for _, _, carrier, _ in on_object(system, other))]
+
+
+def _is_abandoned(system, carrier):
+    return (isinstance(carrier, bpy.types.Mesh) and carrier.get(outbox.OWNER_KEY) is None and not carrier.library
+            and not outbox.is_shared(system, carrier))
+
+
+def release(system, *objects):
+    """Free objects of all sinks of the system, whoever drives them. An owner of its own is detached instead."""
+    found = [one for obj in objects for one in on_object(system, obj)]
+    for obj in objects:
+        # One of an older version that was joined into the object has left the driver of its solver there.
+        drivers.remove_under(obj, f'["{outbox.out_key(system)}')
     remove([(thing, constraint) for thing, constraint, _, _ in found])
-    of_owner(system, obj).leader = None
+    for obj in objects:
+        of_owner(system, obj).leader = None
     for mesh in {carrier for _, _, carrier, _ in found}:
         if isinstance(mesh, bpy.types.Mesh) and mesh.get(outbox.OWNER_KEY) is None and not _is_read(system, mesh):
             bpy.data.meshes.remove(mesh)

@@ -171,6 +171,7 @@ INTERFACE = {
     "What the pendulum hangs on": "De qué cuelga el péndulo",
     "Where the end bob goes, in the world": "Adónde va la lenteja del extremo, en el mundo",
     "Wire the pendulum again": "Conecta el péndulo de nuevo",
+    "A rod of the pendulum, by which it is found if the pivot is gone": "Una varilla del péndulo, por la que se la encuentra si falta el pivote",
     "A setting of the trail is not a finite number": "Un ajuste de la estela no es un número finito",
     "A trail is computed from the pendulum on each frame: there is nothing to bake":
         "Una estela se calcula a partir del péndulo en cada fotograma: no hay nada que procesar",
