@@ -35,10 +35,15 @@ class OfADatablock:
         return found
 
 
+def _collections():
+    """The file's collections of datablocks, each of one type: one of all of them (5.2) is not among them."""
+    return [prop for prop in bpy.data.bl_rna.properties if prop.type == 'COLLECTION' and prop.fixed_type.identifier != 'ID']
+
+
 def everything():
     """All datablocks of the file, and the node trees that lie within others."""
-    for collection in bpy.data.bl_rna.properties:
-        for datablock in getattr(bpy.data, collection.identifier) if collection.type == 'COLLECTION' else ():
+    for collection in _collections():
+        for datablock in getattr(bpy.data, collection.identifier):
             yield datablock
             tree = getattr(datablock, "node_tree", None)
             if tree is not None and tree.is_embedded_data:
@@ -47,8 +52,8 @@ def everything():
 
 def collection_of(datablock):
     """Name of the file's collection that a datablock stands in."""
-    for prop in bpy.data.bl_rna.properties:
-        if prop.type == 'COLLECTION' and isinstance(datablock, getattr(bpy.types, prop.fixed_type.identifier)):
+    for prop in _collections():
+        if isinstance(datablock, getattr(bpy.types, prop.fixed_type.identifier)):
             return prop.identifier
     raise ValueError(f"{datablock!r} stands in no collection")
 
@@ -69,8 +74,8 @@ def named_by(datablock, path):
     """A datablock that can be found by its name, and the path from there: node trees lie within others."""
     if not isinstance(datablock, bpy.types.NodeTree) or not datablock.is_embedded_data:
         return datablock, path
-    for prop in bpy.data.bl_rna.properties:
-        for one in getattr(bpy.data, prop.identifier) if prop.type == 'COLLECTION' else ():
+    for prop in _collections():
+        for one in getattr(bpy.data, prop.identifier):
             if getattr(one, "node_tree", None) == datablock:
                 return one, f"node_tree.{path}"
     return datablock, path

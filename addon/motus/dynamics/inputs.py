@@ -73,6 +73,17 @@ def times_of(entry, found, scene, frame):
     return sampling.times(found, sampling.span_of(extent_of(found), scene, frame), scene)
 
 
+FAR = 40.0  # s: how much farther than a frame inputs are read, at first; then twice as far, and so on
+
+
+def reach(scene, frame):
+    """Up to which frame inputs are read for one: the same for many."""
+    found = scene.frame_start + FAR * scene.render.fps / scene.render.fps_base
+    while found < frame:
+        found = scene.frame_start + 2.0 * (found - scene.frame_start)
+    return found
+
+
 def seconds_of(frames, scene):
     """Times in seconds."""
     return frames * (scene.render.fps_base / scene.render.fps)

@@ -18,6 +18,7 @@ class Part(NamedTuple):
     """What one entry does to one member: native tracks, None for what does not follow.
 
     row: of the member. delay: s. in_world: whether locations are those in world space. place: index of the entry.
+    swings_through: whether the input jumps, which a loop cannot leave out.
     """
 
     row: int
@@ -25,6 +26,7 @@ class Part(NamedTuple):
     delay: float
     is_object: bool
     in_world: bool
+    swings_through: bool
     locations: Any
     rotations: Any
     scales: Any
@@ -53,12 +55,13 @@ class Part(NamedTuple):
 
 
 class Tails(NamedTuple):
-    """Tails that go the same way of filtering: the native track of all their places. members: (bones' rows, entries' places)."""
+    """Tails that go the same way of filtering: the native track of all their places. rows: of bones; places: of entries."""
 
     track: Any
     delay: float
     rows: Any
     places: Any
+    swings_through: bool
 
 
 def _shares(turns, weight):
@@ -86,6 +89,7 @@ def part_of(thing, entry, row, place, scene, frame):
     turns = _closed(samples.rotations) if is_loop and 'ROTATION' in channels else samples.rotations
     return Part(
         row, place, entry.delay, is_object, is_object and inputs.follows_parent(thing, entry),
+        is_loop and len(samples.resets) > 0,
         module.Track(follower, samples.seconds, samples.locations, resets, is_loop) if 'LOCATION' in channels else None,
         module.RotationTrack(follower, samples.seconds, turns, resets, is_loop) if 'ROTATION' in channels else None,
         module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None)
@@ -117,10 +121,10 @@ def tails_of(bones, entries, rows, places, scene, frame):
             known[loop] = frames, source.tails(frames)
         frames, tails = known[loop]
         names = [bones[index].name for index in members]
-        resets = [] if loop else inputs.sampling.resets(frames, tails[bones[0].name], jump)
+        jumps = inputs.sampling.resets(frames, tails[bones[0].name], jump)
         track = native.module.Track(
             filters.second_order(numbers), inputs.seconds_of(frames, scene),
-            np.concatenate([tails[name] for name in names], axis=1), resets, loop is not None)
+            np.concatenate([tails[name] for name in names], axis=1), [] if loop else jumps, loop is not None)
         found.append(Tails(track, delay, np.array([rows[index] for index in members]),
-                           np.array([places[index] for index in members])))
+                           np.array([places[index] for index in members]), loop is not None and len(jumps) > 0))
     return found

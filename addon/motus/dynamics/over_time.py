@@ -2,9 +2,11 @@
 
 import functools
 
+from ..core import tracks
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.animation import Channel
+from ..core.tracks.question import answered
 from ..core.tracks.reason import Reason
 from ..core.tracks.strips import together
 from . import inputs, motion, setup
@@ -46,10 +48,8 @@ class OverTime:
         weight = 0.0 if entry.is_muted else self._owner.motus.dynamics.influence * entry.weight
         if weight <= 0.0 or count == 0:
             return matrices
-        try:
-            part = motion.part_of(self._owner, entry, 0, self._index, self._scene, float(np.max(times)))
-        except (ValueError, motion.OpenLoop):
-            part = None
+        reach = inputs.reach(self._scene, float(np.max(times)))
+        part = answered((hash(self._owner), hash(self._scene), "dynamics", reach), lambda: self._part(reach))
         if part is None:
             return matrices
         matrices = np.broadcast_to(matrices, (count, 4, 4)).copy()
@@ -63,6 +63,12 @@ class OverTime:
             matrices[:, :3, 3] += moves if part.in_world else self._in_world(times, moves)
         return matrices
 
+    def _part(self, reach):
+        try:
+            return motion.part_of(self._owner, self._entry, 0, self._index, self._scene, reach)
+        except (ValueError, motion.OpenLoop):
+            return None
+
     def _in_world(self, times, moves):
         """Moves (n, 3) in the space of the object's own location, in world space."""
         if self._owner.parent is None:
@@ -70,11 +76,6 @@ class OverTime:
         carried = inputs.carrier(self._owner, self._scene).values(times)
         space = rotations.chained(carried, inputs.transforms.parent_offset(self._owner))[:, :3, :3]
         return rotations.chained(space, moves[:, :, None])[:, :, 0]
-
-    @property
-    def _tracks(self):
-        more = [inputs.carrier(self._owner, self._scene)] if self._owner.parent else []
-        return [*self._input.tracks, *more]
 
     def bounds(self, first, last):
         """As Channel.bounds(): at each frame."""
@@ -89,12 +90,12 @@ class OverTime:
 
     @property
     def stamp(self):
-        """As Channel.stamp."""
+        """As Channel.stamp, of what no parent brings: whoever asks for the object asks for its parents too."""
         entry, render = self._entry, self._scene.render
         return together((
             render.fps, render.fps_base, self._scene.frame_start, self._owner.motus.dynamics.influence, entry.is_muted,
             *(tuple(sorted(value)) if isinstance(value, set) else value for value in (getattr(entry, name) for name in KEYWORDS)),
-            *(track.stamp for track in self._tracks)))
+            tracks.own_track(self._owner).stamp))
 
 
 def _between_scales(matrices, turns):

@@ -1,27 +1,30 @@
 """Dynamics: what a group's solver reads of Blender, and the calls of the native module."""
 
 import functools
+import math
 from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ..core import copies, native, rigs, stored
+from ..core import copies, native, rigs, stored, wiring
 from ..core.lazy import numpy as np
-from ..core.system import Problem
+from ..core.system import Problem, registered
 from ..core.tracks import strips, transforms, world_track
-from . import motion
+from . import inputs, motion
 from .groups import LOOPED, PLAN, Unit
 
 NEEDS_RECORDING = Problem("Some of what is followed is not known ahead: record it", blocking=False)
 LOOP_IS_OPEN = Problem("A rotation does not come back to where its loop began", blocking=False)
 BAD_NUMBERS = Problem("Some numbers are none that a motion can be made of", blocking=False)
+JUMPS_LOOPED = Problem("Where the motion loops, jumps of what it follows are swung through", blocking=False)
+CONSTRAINED = Problem(
+    "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics", blocking=False)
 LOOPED_BONES = Problem("Some bones move with what they follow, and are left out", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
-PROBLEMS = (NEEDS_RECORDING, LOOP_IS_OPEN, BAD_NUMBERS, LOOPED_BONES, BONES_CHANGED)
+PROBLEMS = (NEEDS_RECORDING, LOOP_IS_OPEN, BAD_NUMBERS, JUMPS_LOOPED, CONSTRAINED, LOOPED_BONES, BONES_CHANGED)
 
 _FORM = {"fingerprint": int, "units": [(str, [str])]}
 """Of what groups.py notes."""
-FAR = 40.0  # s: how much farther than a frame the motion is made, at first; then twice as far, and so on
 
 
 class Made(NamedTuple):
@@ -114,9 +117,7 @@ def _stamp(owner, copy, scene):
 def _make(context, copy, stamp, scene):
     owner, settings = context.owner, context.settings
     listed = {entry.name: index for index, entry in enumerate(settings.entries)}
-    reach = scene.frame_start + FAR * context.fps
-    while reach < context.frame:
-        reach = scene.frame_start + 2.0 * (reach - scene.frame_start)
+    reach = inputs.reach(scene, context.frame)
     parts, tails, members, problems, row = [], [], [], [], 0
     for kind, names in stored.parse(context.data.get(PLAN), _FORM)["units"]:
         places = [listed[name] for name in names]
@@ -124,7 +125,11 @@ def _make(context, copy, stamp, scene):
         things = [owner.pose.bones[name] if name else owner for name in names]
         rows = range(row, row + len(names))
         row += len(names)
+        if any(_are_constrained(thing) for thing in things):
+            problems.append(CONSTRAINED)
         try:
+            if not all(math.isfinite(number) for entry in entries for number in (entry.delay, entry.jump, entry.weight)):
+                raise ValueError
             source = Unit("", kind, entries, things).input(scene)
             if not source.is_known:
                 problems += [NEEDS_RECORDING] if not all(entry.is_muted for entry in entries) else []
@@ -135,9 +140,12 @@ def _make(context, copy, stamp, scene):
                 if made:
                     tails += made
                     members += zip(names, rows)
+                    problems += [JUMPS_LOOPED] if any(one.swings_through for one in made) else []
             else:
                 part = motion.part_of(things[0], entries[0], rows[0], places[0], scene, reach)
-                parts += [part] if part else []
+                if part:
+                    parts.append(part)
+                    problems += [JUMPS_LOOPED] if part.swings_through else []
         except motion.OpenLoop:
             problems.append(LOOP_IS_OPEN)
         except ValueError:
@@ -147,6 +155,12 @@ def _make(context, copy, stamp, scene):
     is_still = copy is not None and not copy.has_animated_settings(owner)
     return Made(stamp, reach, parts, tails, tuple(members), next(iter(problems), None),
                 _weights(settings) if is_still else None)
+
+
+def _are_constrained(thing):
+    """Whether constraints that are not of dynamics act on an evaluated Object or PoseBone."""
+    return any(not one.mute and one.influence > 0.0 and not wiring.is_sink(registered["dynamics"], one)
+               for one in thing.constraints)
 
 
 def _weights(settings):

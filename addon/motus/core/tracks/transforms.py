@@ -11,6 +11,7 @@ from .. import actions, copies, wiring
 from ..lazy import numpy as np
 from . import keys, rotations, solved, strips
 from .animation import Channel, is_driven
+from .question import answered
 from .reason import Reason
 
 ROTATIONS = {'QUATERNION': ("rotation_quaternion", 4), 'AXIS_ANGLE': ("rotation_axis_angle", 4)}
@@ -220,33 +221,46 @@ class World:
     @functools.cached_property
     def reason(self):
         """As Channel.reason."""
-        return next((link.reason for link in reversed(self._links) if link.reason), None)
+        return answered((self, "reason"), lambda: next(filter(None, (
+            self._of(link, "reason", lambda link=link: link.reason) for link in reversed(self._links))), None))
 
     @property
     def solvers(self):
         """Names of the systems that are asked for it."""
         return [link.solved.label for link in self._links if link.solved]
 
+    def _of(self, link, *question_and_answer):
+        """What is asked of a link, which things that hang on the same one ask too."""
+        *question, answer = question_and_answer
+        return answered((link.key, *question), answer)
+
     def values(self, times):
         """(n, 4, 4) in rows."""
+        marks = times.tobytes()
+        return answered((self, "values", marks), lambda: self._values(times, marks))
+
+    def _values(self, times, marks):
         found = None
         for link in self._links:
-            found = link.matrices(times, found)
+            found = self._of(link, "values", marks, lambda link=link, above=found: link.matrices(times, above))
         return found
 
     def bounds(self, first, last):
         """As Channel.bounds()."""
-        return keys.union([link.bounds(first, last) for link in self._links])
+        return answered((self, "bounds", first, last), lambda: keys.union([
+            self._of(link, "bounds", first, last, lambda link=link: link.bounds(first, last)) for link in self._links]))
 
     @property
     def extent(self):
         """As Channel.extent."""
-        return keys.united(link.extent for link in self._links)
+        return answered((self, "extent"), lambda: keys.united([
+            self._of(link, "extent", lambda link=link: link.extent) for link in self._links]))
 
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return strips.together(link.stamp for link in self._links)
+        return answered((self, "stamp"), lambda: strips.together([
+            self._of(link, "stamp", lambda link=link: link.stamp) for link in self._links]))
 
     @property
     def present(self):
@@ -261,6 +275,7 @@ class _Link:
 
     def __init__(self, obj, bone, scene, beneath):
         self._object, self._bone, self._scene, self._beneath = obj, bone, scene, beneath
+        self.key = hash(obj), bone and bone.name, hash(scene), beneath and beneath.name
         self._own = Own(obj)
         self._bones = _chain(bone) if bone else []
         self._posed = [Own(one) for one in self._bones]

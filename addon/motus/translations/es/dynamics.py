@@ -118,6 +118,10 @@ INTERFACE = {
     "Some of what is followed is not known ahead: record it": "Parte de lo que se sigue no se conoce de antemano: grábalo",
     "A rotation does not come back to where its loop began": "Una rotación no vuelve adonde empezó su bucle",
     "Some numbers are none that a motion can be made of": "Con algunos números no se puede hacer un movimiento",
+    "Where the motion loops, jumps of what it follows are swung through":
+        "Donde el movimiento se repite, los saltos de lo que sigue se recorren oscilando",
+    "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics":
+        "Sus propias restricciones no se siguen y pueden anularlo: déjelas en un vacío, y la dinámica en un hijo de este",
     "Some bones move with what they follow, and are left out": "Algunos huesos se mueven con lo que siguen y quedan fuera",
     "Hopping Creature": "Criatura saltarina",
     "A creature whose body, tail and antennae swing along with the few keys that make it hop":
