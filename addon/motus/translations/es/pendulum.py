@@ -117,6 +117,7 @@ INTERFACE = {
     "Press the left mouse button on the end bob and drag it; Esc or the right button cancels":
         "Pulsa el botón izquierdo sobre la lenteja del extremo y arrástrala; Esc o el botón derecho cancela",
     "Rest": "Reposo",
+    "Rod": "Varilla",
     "Rod Radius": "Radio de varilla",
     "Rod that the pendulum turns": "Varilla que el péndulo gira",
     "Rods": "Varillas",
