@@ -19,6 +19,14 @@ def wire(system, owner, name="entries"):
         wiring.attach(system, owner)
 
 
+def active(obj, name):
+    """The chosen entry of a system's list on an object, or None. name: of the system."""
+    settings = obj and getattr(obj.motus, name)
+    if not settings or not settings.is_active or not 0 <= settings.active_entry < len(settings.entries):
+        return None
+    return settings.entries[settings.active_entry]
+
+
 @contextmanager
 def unwired(settings):
     """Changes within do not wire the owner again, each by itself."""

@@ -1,9 +1,17 @@
 """Presets of an entry's settings."""
 
 from ..core import presets
+from ..core.entries import active
+from ..core.presets import Preset
+from . import filters, styles
 
 ENTRY = "bpy.context.object.motus.dynamics.entries[bpy.context.object.motus.dynamics.active_entry]"
 OF_A_STYLE = "frequency", "damping", "response", "mass", "shape"
 """What belongs to one thing or one shot is not part of a style."""
 
-classes = OPERATOR, PANEL = presets.classes("dynamics", "Dynamics", (f"{ENTRY}.{name}" for name in OF_A_STYLE))
+BROUGHT = [Preset(identifier, label, told, dict(zip(filters.NUMBERS, numbers)))
+           for identifier, label, told, numbers in styles.STYLES]
+
+classes = OPERATOR, PANEL, _ = presets.classes(
+    "dynamics", "Dynamics", (f"{ENTRY}.{name}" for name in OF_A_STYLE), BROUGHT,
+    lambda context: active(context.object, "dynamics"))

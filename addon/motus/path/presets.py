@@ -1,10 +1,34 @@
 """Presets of a follower's settings."""
 
+import math
+
 from ..core import presets
+from ..core.presets import Preset
 from .properties import KEYWORDS
 
 # What belongs to one shot is not part of a style.
 OF_THE_SHOT = {"spline", "start_frame", "offset", "distance_factor", "influence"}
 
-classes = OPERATOR, PANEL = presets.classes(
-    "path", "Follow Path", (f"bpy.context.object.motus.path.{name}" for name in KEYWORDS if name not in OF_THE_SHOT))
+BROUGHT = (
+    Preset('AIRCRAFT', "Aircraft", "Even speed, and the bank that its curves ask for", {
+        "timing": 'SPEED', "speed": 12.0, "orientation": 'BANKING', "bank_limit": math.radians(70.0),
+        "bank_smoothing": 2.0}),
+    Preset('BIRD', "Bird", "Leans gently, and its body trails behind the turn", {
+        "timing": 'SPEED', "speed": 6.0, "orientation": 'BANKING', "bank_strength": 0.6, "bank_limit": math.radians(45.0),
+        "bank_smoothing": 1.0, "lag_rate": 4.0, "lag_by": 'CURVATURE'}),
+    Preset('CAR', "Car", "Starts and stops gently, upright", {"ease_in": 0.15, "ease_out": 0.2}),
+    Preset('COASTER', "Roller Coaster", "Up points to the middle of each bend, loops included", {
+        "timing": 'SPEED', "speed": 8.0, "orientation": 'CURVATURE', "bank_smoothing": 3.0}),
+    Preset('CAMERA', "Camera Move", "Soft at both ends, never rolling", {"ease_in": 0.3, "ease_out": 0.3}),
+    Preset('BEAD', "Bead on a String", "Turned as little as possible along the way", {"orientation": 'MINIMAL'}),
+)
+
+
+def _settings(context):
+    settings = context.object and context.object.motus.path
+    return settings if settings and settings.is_active else None
+
+
+classes = OPERATOR, PANEL, _ = presets.classes(
+    "path", "Follow Path", (f"bpy.context.object.motus.path.{name}" for name in KEYWORDS if name not in OF_THE_SHOT),
+    BROUGHT, _settings)

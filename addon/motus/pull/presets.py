@@ -1,9 +1,22 @@
 """Presets of the brush."""
 
 from ..core import presets
+from ..core.presets import Preset
 from .properties import KEYWORDS
 
 OF_THE_OBJECT = {"vertex_group"}
 NAMES = (*(name for name in KEYWORDS if name not in OF_THE_OBJECT), "use_pressure_strength", "use_pressure_size")
 
-classes = OPERATOR, PANEL = presets.classes("pull", "Pull Brush", (f"bpy.context.scene.motus.pull.{name}" for name in NAMES))
+# Radius and strength suit the object: no preset sets them.
+BROUGHT = (
+    Preset('SOFT', "Soft", "Rounded bumps and dents", {}),
+    Preset('HILL', "Hill", "A wide bell, straight up", {"falloff": 'GAUSSIAN', "direction": 'Z'}),
+    Preset('PLATEAU', "Plateau", "Moves all within the radius alike", {"falloff": 'CONSTANT', "direction": 'Z'}),
+    Preset('THORN', "Thorn", "A sharp tip on a wide foot", {"falloff": 'SHARP'}),
+    Preset('SKIN', "Skin", "Along the surface, so that lips and fingers stay apart", {"distance": 'SURFACE'}),
+    Preset('FACE', "Face", "Along the surface, on both sides of X", {"distance": 'SURFACE', "mirror": {'X'}}),
+)
+
+classes = OPERATOR, PANEL, _ = presets.classes(
+    "pull", "Pull Brush", (f"bpy.context.scene.motus.pull.{name}" for name in NAMES), BROUGHT,
+    lambda context: context.scene.motus.pull)

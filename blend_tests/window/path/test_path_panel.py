@@ -87,6 +87,11 @@ def test_a_train_on_a_closed_curve():
     drawn = yield from window_support.open_tab("Motus")
     assert any("train" in name for name in drawn), drawn
     yield from window_support.picture("path_train")
+    with window_support.override():
+        bpy.ops.wm.call_panel(name="MOTUS_PT_path_presets")
+    yield from window_support.picture("path_presets")
+    window_support.press('ESC', *window_support.centre())
+    yield
     bpy.ops.object.select_all(action='DESELECT')
     ring.select_set(True)
     bpy.context.view_layer.objects.active = ring

@@ -1,6 +1,25 @@
 """Spanish: what all systems share, Follow Path and the demos."""
 
 INTERFACE = {
+    "Aircraft": "Avión",
+    "Even speed, and the bank that its curves ask for":
+        "Velocidad constante y el alabeo que piden sus curvas",
+    "Bird": "Pájaro",
+    "Leans gently, and its body trails behind the turn": "Se inclina un poco y su cuerpo gira con retraso",
+    "Car": "Coche",
+    "Starts and stops gently, upright": "Arranca y para con suavidad, derecho",
+    "Roller Coaster": "Montaña rusa",
+    "Up points to the middle of each bend, loops included":
+        "Arriba apunta al centro de cada curva, también en los rizos",
+    "Camera Move": "Movimiento de cámara",
+    "Soft at both ends, never rolling": "Suave en ambos extremos, sin girar sobre sí",
+    "Bead on a String": "Cuenta en un hilo",
+    "Turned as little as possible along the way": "Gira lo menos posible por el camino",
+    "Preset": "Preajuste",
+    "Which one": "Cuál",
+    "Give the settings the values of a preset that comes with Motus":
+        "Dar a los ajustes los valores de un preajuste que trae Motus",
+    "There are no settings here for this preset": "Aquí no hay ajustes para este preajuste",
     # Machinery
     "Active": "Activo",
     "This system drives the object": "Este sistema mueve el objeto",
@@ -394,6 +413,7 @@ OWN_SENSE = {
 }
 
 OPERATORS = {
+    "Use Follow Path Preset": "Usar preajuste de seguir trayectoria",
     "Add Follow Path Preset": "Agregar preajuste de seguir trayectoria",
     "Add Pin": "Agregar ancla",
     "Add Wagons": "Agregar vagones",

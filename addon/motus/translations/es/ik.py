@@ -1,6 +1,16 @@
 """Spanish: inverse kinematics."""
 
 INTERFACE = {
+    "Limb": "Extremidad",
+    "Slows down a little before it is straight, so that the knee does not snap":
+        "Frena un poco antes de estar recta, para que la rodilla no salte",
+    "Exact": "Exacta",
+    "Reaches as far as its bones are long": "Alcanza tanto como miden sus huesos",
+    "Cartoon": "Dibujos animados",
+    "Lengthens to whatever it reaches for": "Se alarga hasta lo que quiere alcanzar",
+    "Lengthens by half of what is missing": "Se alarga la mitad de lo que falta",
+    "Jointed": "Articulada",
+    "Keeps the limits that the bones have": "Respeta los límites que tienen los huesos",
     "0 is the target, 1 the first of the further targets, and between them the way from one to the other":
         "0 es el objetivo, 1 el primero de los demás objetivos, y entre ellos el camino de uno a otro",
     "A joint limit is in the way: {length} are left": "Lo impide un límite de articulación: faltan {length}",
@@ -313,6 +323,7 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Use Inverse Kinematics Preset": "Usar preajuste de cinemática inversa",
     "Add Inverse Kinematics Preset": "Agregar preajuste de cinemática inversa",
     "Add Target": "Agregar objetivo",
     "Add with a Pole": "Agregar con polo",

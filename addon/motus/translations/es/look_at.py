@@ -1,6 +1,15 @@
 """Spanish: look at."""
 
 INTERFACE = {
+    "Person": "Persona",
+    "Eyes first, then the head, and a little of the back":
+        "Primero los ojos, luego la cabeza y un poco la espalda",
+    "Glance": "Vistazo",
+    "The eyes nearly alone": "Casi solo los ojos",
+    "Owl": "Búho",
+    "The head alone, nearly all the way round": "Solo la cabeza, casi la vuelta entera",
+    "Snake": "Serpiente",
+    "The whole body turns along": "Gira con todo el cuerpo",
     "Look At Presets": "Preajustes de mirar a",
     "Automatic": "Automático",
     "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone":
@@ -99,6 +108,7 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Use Look At Preset": "Usar preajuste de mirar a",
     "Add Look At Preset": "Agregar preajuste de mirar a",
     "Look At": "Mirar a",
     "Remove Look At": "Quitar mirar a",

@@ -1,6 +1,16 @@
 """Spanish: pendulums."""
 
 INTERFACE = {
+    "Wild": "Salvaje",
+    "Tumbles over itself, and never the same way twice": "Da vueltas sobre sí mismo y nunca dos veces igual",
+    "Clock": "Reloj",
+    "Beats a second to each side": "Un segundo a cada lado",
+    "Hanging Lamp": "Lámpara colgante",
+    "Swings out and comes to rest": "Se balancea hasta quedar quieta",
+    "Wrecking Ball": "Bola de demolición",
+    "A heavy ball on a long arm": "Una bola pesada en un brazo largo",
+    "On the Moon": "En la Luna",
+    "A sixth of the weight": "Un sexto del peso",
     "A copy of a rod, or one without its pivot: it hangs on another pendulum":
         "Una copia de una varilla, o una sin su pivote: depende de otro péndulo",
     "A fan has 1 to {count} pendulums": "Un abanico tiene de 1 a {count} péndulos",
@@ -213,6 +223,7 @@ OPERATORS = {
     "Add Pendulum": "Añadir péndulo",
     "Add Trails": "Añadir estelas",
     "Remove Trails": "Quitar estelas",
+    "Use Pendulum Preset": "Usar preajuste de péndulo",
     "Add Pendulum Preset": "Añadir ajuste de péndulo",
     "Drag Pendulum": "Arrastrar péndulo",
     "Pause": "Pausa",

@@ -1,6 +1,17 @@
 """Spanish: Pick & Pull."""
 
 INTERFACE = {
+    "Soft": "Suave",
+    "Rounded bumps and dents": "Bultos y hoyos redondeados",
+    "Hill": "Colina",
+    "A wide bell, straight up": "Una campana ancha, hacia arriba",
+    "Plateau": "Meseta",
+    "Moves all within the radius alike": "Mueve por igual todo lo que hay en el radio",
+    "Thorn": "Espina",
+    "A sharp tip on a wide foot": "Una punta afilada sobre una base ancha",
+    "Skin": "Piel",
+    "Face": "Cara",
+    "Along the surface, on both sides of X": "Por la superficie, a ambos lados de X",
     "Pick & Pull": "Coger y tirar",
     "A bell": "Una campana",
     "A cone": "Un cono",
@@ -217,5 +228,6 @@ OPERATORS = {
     "Pick & Pull": "Coger y tirar",
     "Grid Mesh": "Malla de cuadrícula",
     "Adjust Pull": "Ajustar el pincel",
+    "Use Pull Brush Preset": "Usar preajuste del pincel",
     "Add Pull Brush Preset": "Guardar ajustes del pincel",
 }
