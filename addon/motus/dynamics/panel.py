@@ -17,6 +17,7 @@ def draw_main(layout, context):
     """The list of what follows, what is wrong, and of the active entry what it follows and how."""
     owner = context.object
     settings = owner.motus.dynamics
+    ui.split(layout).prop(settings, "influence", text="Influence of All", slider=True)
     _, remove, _ = ui.draw_list(layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry",
                                 "motus.dynamics_add", "motus.dynamics_remove", rows=2)
     entry = active_entry(owner)
@@ -26,7 +27,6 @@ def draw_main(layout, context):
         column = ui.split(layout)
         rows.FOLLOW.draw(column, entry)
         rows.AMOUNT.draw(column, entry)
-    ui.split(layout).prop(settings, "influence", slider=True)
 
 
 def draw_motion(layout, context):

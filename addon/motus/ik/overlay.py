@@ -102,4 +102,4 @@ def _lines(points, color, width):
 overlay = Overlay(_batches, (
     Switch("show_reach", "Reach", "Draw how far a chain reaches, and how near"),
     Switch("show_pole", "Pole", "Draw the line from the middle of a chain to its pole"),
-    Switch("show_residual", "Residual", "Draw what is left between the end of a chain and its target")))
+    Switch("show_residual", "What Is Missing", "Draw what is left between the end of a chain and its target")))

@@ -14,6 +14,7 @@ def draw_main(layout, context):
     if entry is None:
         return
     settings = rig.motus.ik
+    ui.split(layout).prop(settings, "influence", text="Rig Influence", slider=True)
     _, remove, _ = ui.draw_list(
         layout, "MOTUS_UL_ik_entries", settings, "entries", "active_entry", "motus.ik_add", "motus.ik_remove")
     remove.object, remove.bone = rig.name, entry.name
@@ -25,7 +26,6 @@ def draw_main(layout, context):
     column = ui.split(layout)
     column.prop_search(entry, "name", rig.data, "bones", text="Bone")
     rows.CHAIN.draw(column, entry)
-    column.prop(settings, "influence", slider=True)
 
 
 def draw_actions(layout, context):
@@ -93,7 +93,7 @@ def draw_readouts(layout, context):
     found = [
         ui.Readout(text="Reach", value=ui.length(context, report.reach)),
         ui.Readout(text="Distance", value=ui.length(context, report.distance)),
-        ui.Readout(text="Residual", value=ui.length(context, report.residual))]
+        ui.Readout(text="Falls Short By", value=ui.length(context, report.residual))]
     if entry.rotation_weight > 0.0:
         found.append(ui.Readout(text="Angle Left", value=status.angle(report.angle)))
     ui.draw_readouts(layout, found)

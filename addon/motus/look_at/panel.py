@@ -28,6 +28,7 @@ def draw_main(layout, context):
     rig = context.object
     settings = rig.motus.look_at
     entry = active_entry(rig)
+    ui.split(layout).prop(settings, "influence", text="Rig Influence", slider=True)
     _, remove, _ = ui.draw_list(layout, "MOTUS_UL_look_at_entries", settings, "entries", "active_entry",
                                 "motus.look_at_add", "motus.look_at_remove", rows=2)
     remove.object, remove.bone = rig.name, entry.name if entry else ""
@@ -35,7 +36,6 @@ def draw_main(layout, context):
     if entry:
         _draw_fault(layout, context, rig, entry)
         _draw_entry(layout, entry)
-    ui.split(layout).prop(settings, "influence", slider=True)
 
 
 def _draw_entry(layout, entry):
@@ -75,7 +75,7 @@ def draw_readouts(layout, context):
     ui.draw_readouts(layout, (
         ui.Readout(text="Target Left" if told["yaw"] >= 0.0 else "Target Right", value=_degrees(told["yaw"])),
         ui.Readout(text="Target Up" if told["pitch"] >= 0.0 else "Target Down", value=_degrees(told["pitch"])),
-        ui.Readout(text="Off By", value=_degrees(told["angle"]))))
+        ui.Readout(text="Still to Turn", value=_degrees(told["angle"]))))
 
 
 def draw_actions(layout, context):

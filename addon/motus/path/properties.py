@@ -176,4 +176,4 @@ class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     active_wagon: bpy.props.IntProperty(name="Active Wagon", options=set())
     gap_of_all: bpy.props.FloatProperty(
         name="Gap of All", description="Distance along the path from each to the one in front, the same for all wagons",
-        subtype='DISTANCE', options=set(), get=_gap_of_all, set=_set_gap_of_all)
+        subtype='DISTANCE', options={'SKIP_SAVE'}, get=_gap_of_all, set=_set_gap_of_all)

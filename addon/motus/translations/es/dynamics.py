@@ -1,6 +1,7 @@
 """Spanish: dynamics."""
 
 INTERFACE = {
+    "Influence of All": "Influencia de todos",
     "Dynamics": "Dinámica",
     "Dynamics Presets": "Preajustes de dinámica",
     "Follow": "Seguir",

@@ -91,7 +91,9 @@ INTERFACE = {
     "Precision": "Precisión",
     "Reach": "Alcance",
     "Remove Controls": "Quitar controles",
-    "Residual": "Residuo",
+    "Falls Short By": "Le falta",
+    "What Is Missing": "Lo que falta",
+    "Rig Influence": "Influencia del rig",
     "Rotation": "Rotación",
     "Chain": "Cadena",
     "Select an armature, and the last bone of the chain in Pose Mode":

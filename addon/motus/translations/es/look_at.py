@@ -56,7 +56,7 @@ INTERFACE = {
     "Target Right": "A la derecha",
     "Target Up": "Por encima",
     "Target Down": "Por debajo",
-    "Off By": "Desviada",
+    "Still to Turn": "Falta girar",
     "Let head, spine and eyes turn to a target": "Hacer que cabeza, columna y ojos se vuelvan hacia un objetivo",
     "Leave the head to its own animation again; a target that was made stays":
         "Dejar otra vez la cabeza a su propia animación; un objetivo que se creó se queda",
