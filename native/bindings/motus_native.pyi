@@ -18,6 +18,7 @@ _Extend = Literal["clamp", "extrapolate", "loop", "ping_pong"]
 _Mode = Literal["world_up", "minimal", "banking", "curvature", "tilt"]
 _Axis = Literal["X", "Y", "Z", "-X", "-Y", "-Z"]
 _EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface"]
+_Collision = Literal["stay", "slide", "melt"]
 _FlakeField = Literal["position", "velocity", "size", "color", "age", "rotation", "id"]
 _Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
 
@@ -547,6 +548,14 @@ def noise3(xyz: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  #
 
 # --- Snow ----------------------------------------------------------------------------------------------------------------
 
+class SnowCollider:
+    """Triangles that flakes land on. Immutable, for any number of Snows."""
+
+    vertex_count: int
+    triangle_count: int
+
+    def __init__(self, collider_positions: ArrayLike, collider_triangles: ArrayLike) -> None: ...  # (v, 3), (t, 3)
+
 class Snow:
     """Flakes at any time, in any order of times, without a state. Immutable."""
 
@@ -586,6 +595,12 @@ class Snow:
         turbulence: float = 0.0,
         turbulence_size: float = 1.0,
         tumble: float = 0.0,
+        ground: float | None = None,
+        collider: SnowCollider | None = None,
+        collision: _Collision = "stay",
+        rest_time: float | None = None,
+        melt_time: float = 1.0,
+        friction: float = 0.5,
         seed: int = 0,
         emitter_times: ArrayLike | None = None,  # (k,)
         emitter_matrices: ArrayLike | None = None,  # (k, 4, 4)
@@ -597,6 +612,8 @@ class Snow:
         fields: Sequence[_FlakeField] | None = None,  # None: those in out, or all
         out: dict[str, NDArray] | None = None,  # C-contiguous, m rows or more, written into
     ) -> dict[str, NDArray]: ...
+    # By time: float64 time (n,), int64 id (n,), float32 position (n, 3), int64 triangle (n,), -1 for the ground.
+    def landings(self, end: float) -> dict[str, NDArray]: ...
 
 # --- Dynamics -----------------------------------------------------------------------------------------------------------
 

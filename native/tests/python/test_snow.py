@@ -76,6 +76,50 @@ class SnowTest(unittest.TestCase):
         for one in found:
             np.testing.assert_array_equal(one, wanted)
 
+    def test_ground_and_collider(self):
+        corners, triangles = [[-5, -5, 1], [5, -5, 1], [0, 5, 1]], [[0, 1, 2]]
+        collider = native.SnowCollider(corners, triangles)
+        self.assertEqual((collider.vertex_count, collider.triangle_count), (3, 1))
+        matrix = np.diag([1.0, 1.0, 1.0, 1.0])[None]
+        matrix[0, 2, 3] = 3.0
+        settings = {"rate": 100, "start_speed": -2, "cone_radius": 0.5, "emitter_times": [0.0], "emitter_matrices": matrix,
+                    "lifetime": 4}
+        for keywords, height, triangle in (({"ground": 0.5}, 0.5, -1), ({"collider": collider}, 1.0, 0),
+                                           ({"ground": 0.5, "collider": collider}, 1.0, 0)):
+            snow = native.Snow(**settings, **keywords)
+            downs = snow.landings(3.0)
+            self.assertEqual({name: array.dtype.str for name, array in downs.items()},
+                             {"time": "<f8", "id": "<i8", "position": "<f4", "triangle": "<i8"})
+            np.testing.assert_allclose(downs["time"], (downs["id"] + 1) / 100 + (3.0 - height) / 2.0, atol=1e-6)
+            np.testing.assert_allclose(downs["position"][:, 2], height, atol=1e-6)
+            self.assertTrue((downs["triangle"] == triangle).all())
+            flakes = snow.evaluate(3.0)
+            self.assertEqual(len(flakes["id"]), 300)
+            np.testing.assert_array_equal(flakes["position"][downs["id"]], downs["position"])
+            self.assertFalse(flakes["velocity"][downs["id"]].any())
+        snow = native.Snow(**settings, ground=1.0, collision="melt", melt_time=0.5)
+        self.assertEqual(len(snow.evaluate(3.0)["id"]), 150)
+        self.assertEqual(len(native.Snow(**settings, ground=1.0, rest_time=1.0).evaluate(3.0)["id"]), 200)
+        self.assertEqual(len(native.Snow(**settings).landings(3.0)["id"]), 0)
+
+    def test_errors_of_collisions_name_the_argument(self):
+        nan = float("nan")
+        for call, name in (
+                (lambda: native.Snow(ground=nan), "ground"), (lambda: native.Snow(collision="bounce"), "collision"),
+                (lambda: native.Snow(rest_time=-1), "rest_time"), (lambda: native.Snow(melt_time=-1), "melt_time"),
+                (lambda: native.Snow(friction=-1), "friction"),
+                (lambda: native.SnowCollider([[0, 0, nan]], []), "collider_positions"),
+                (lambda: native.SnowCollider([0, 0, 0], []), "collider_positions"),
+                (lambda: native.SnowCollider([[0, 0, 0]], [[0, 0, 1]]), "collider_triangles"),
+                (lambda: native.Snow().landings(nan), "end"),
+                (lambda: native.Snow(rate=1e6, lifetime=1, ground=0).landings(100), "end")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+        for call, name in ((lambda: native.Snow(collider=[1]), "collider"), (lambda: native.Snow(collision=1), "collision"),
+                           (lambda: native.SnowCollider([[0, 0, 0]], [[0.5, 0, 0]]), "collider_triangles")):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
+                call()
+
     def test_errors_name_the_argument(self):
         nan = float("nan")
         snow = native.Snow(rate=100)

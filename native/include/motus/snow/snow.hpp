@@ -4,8 +4,9 @@
 // counter the number and what is drawn). The flake steers through the air as noise of its age turns it about
 // the world's X and Y, the integral of which is tabulated; drag, wind and gusts act by the closed form of
 // linear drag: c' = g + k (W - c). Turbulent air is a sum of waves, each moving across its direction,
-// integrated along a straight line, that of the first velocity and the wind. The same bits on every machine
-// and for any number of threads.
+// integrated along a straight line, that of the first velocity and the wind. Where a flake lands first is
+// looked for once, along its whole way, and kept with those of the flakes that are numbered next to it. The
+// same bits on every machine, for any number of threads, whichever time is asked for first.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,12 +14,15 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "motus/core/parallel.hpp"
 #include "motus/snow/births.hpp"
+#include "motus/snow/collider.hpp"
 
 namespace motus::snow {
 
@@ -32,6 +36,10 @@ enum class Shape : std::uint8_t {
     cone,     ///< the disc; leaning outwards, from 0 in the middle to cone_angle at the edge
     surface,  ///< surface_triangles; along their normals
 };
+
+/// What a flake does from where it landed on: nothing; slide down the triangle and those beyond its edges; or
+/// become smaller and vanish.
+enum class Collision : std::uint8_t { stay, slide, melt };
 
 struct GradientStop {
     float position = 0.0F;
@@ -81,6 +89,13 @@ struct Settings {
 
     double tumble = 0.0;  ///< rad/s: each flake turns about an axis of its own at up to this speed, >= 0
 
+    std::optional<double> ground;              ///< height that flakes land on from above
+    std::shared_ptr<const Collider> collider;  ///< triangles that they land on from either side
+    Collision collision = Collision::stay;
+    double rest_time = std::numeric_limits<double>::infinity();  ///< how long a landed flake lives at most
+    double melt_time = 1.0;  ///< the same of one that melts, and how long it takes to
+    double friction = 0.5;   ///< of what slides, as `acceleration` pulls it, with gravity or without, >= 0
+
     std::uint64_t seed = 0;
 
     std::vector<double> emitter_times;         ///< strictly rising; held before the first and after the last
@@ -98,6 +113,14 @@ struct Fields {
     std::span<std::int64_t> id{};
 };
 
+/// Where and when a flake lands.
+struct Touchdown {
+    double time = 0.0;
+    std::uint64_t id = 0;
+    glm::vec3 point{0.0F};
+    std::int64_t triangle = -1;  ///< of the collider; -1: the ground
+};
+
 /// The flakes that live at a time.
 struct Living {
     double time = 0.0;
@@ -107,26 +130,36 @@ struct Living {
     std::vector<std::size_t> before{};  ///< that live before each block of 256 numbers; empty: all of them
 };
 
-/// Immutable, so that several threads may ask at once.
+/// Immutable but for where flakes land, which is kept for the eight million looked up last (512 MB), so that
+/// several threads may ask at once.
 class Snow {
   public:
-    static constexpr double most_flakes = 1e8;  ///< living at once
+    static constexpr double most_flakes = 1e8;      ///< living at once
+    static constexpr double most_touchdowns = 2e7;  ///< flakes born until the end of touchdowns()
 
     /// Throws std::invalid_argument, naming the argument, where a value is outside its domain, or more flakes
     /// than most_flakes would live at once.
-    explicit Snow(Settings settings);
+    explicit Snow(const Settings& settings);
     ~Snow();
     Snow(Snow&& other) noexcept;
     Snow& operator=(Snow&& other) noexcept;
     Snow(const Snow&) = delete;
     Snow& operator=(const Snow&) = delete;
 
-    /// Flakes with 0 <= age < lifetime. Throws std::invalid_argument where the time is not finite.
+    /// Flakes with 0 <= age < lifetime that have not rested, or melted, for their time. Throws
+    /// std::invalid_argument where the time is not finite.
     [[nodiscard]] Living living(double time, std::size_t threads = thread_count()) const;
 
     /// Fills the fields in the order of flake numbers. Throws std::invalid_argument where one that is not
     /// empty has another number of rows than there are living flakes. `threads` as in in_parts.
     void evaluate(const Living& living, const Fields& out, std::size_t threads = thread_count()) const;
+
+    /// Where flakes land until the end, by time and then by number. Throws std::invalid_argument where the
+    /// end is not finite, or more than most_touchdowns flakes are born until then.
+    [[nodiscard]] std::vector<Touchdown> touchdowns(double end, std::size_t threads = thread_count()) const;
+
+    /// The setting.
+    [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept;
 
   private:
     struct Parts;
