@@ -380,7 +380,7 @@ The same bits on every machine, for any number of threads. Raises ValueError or 
 Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
 (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 3 us each.
 
-Raises ValueError that names the argument, also where more than 2e7 flakes are born until then.)");
+Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)");
 }
 
 }  // namespace motus::bindings

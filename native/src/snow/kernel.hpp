@@ -19,7 +19,7 @@ inline constexpr std::size_t scratch_rows = 32;
 inline constexpr std::size_t scratch_size = scratch_rows * block_size;
 
 /// What is drawn: the counter's third word.
-enum class Stream : std::uint32_t { place, life, depth, spin, waves };
+enum class Stream : std::uint32_t { place, life, depth, spin, waves, grip };
 
 /// c0 + c1 u + c2 u^2 + c3 u^3 for u in [0, 1].
 struct Cubic {

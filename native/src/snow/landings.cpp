@@ -193,10 +193,11 @@ class Landings::March {
         landing.point = place;
         landing.rotation = rotation_[0];
         landing.triangle = hit.triangle;
+        landing.is_behind = glm::dot(glm::dvec3(velocity_[0]), hit.normal) > 0.0;
         if (landings_.collision_ != Collision::slide || hit.triangle == ground) return;
         landing.slide = static_cast<std::uint32_t>(page.slides.size());
-        landings_.collider_->slide(static_cast<std::uint32_t>(hit.triangle), place, velocity_[0],
-                                   landings_.pull_, landings_.friction_, page.slides);
+        landings_.collider_->slide({static_cast<std::uint32_t>(hit.triangle), landing.is_behind, place},
+                                   velocity_[0], landings_.pull_, landings_.friction_, page.slides);
         landing.slide_count = static_cast<std::uint32_t>(page.slides.size()) - landing.slide;
     }
 

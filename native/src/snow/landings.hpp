@@ -29,6 +29,7 @@ class Landings {
         glm::vec3 point{0.0F};
         glm::vec4 rotation{1.0F, 0.0F, 0.0F, 0.0F};
         std::int32_t triangle = nowhere;
+        bool is_behind = false;                    ///< it came from where the normal does not point to
         std::uint32_t slide = 0, slide_count = 0;  ///< of the page's
     };
     /// Those of the flakes of a block.
@@ -48,6 +49,9 @@ class Landings {
     /// s that a flake lives after it landed, at most.
     [[nodiscard]] double rest_time() const noexcept { return rest_time_; }
     [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept { return collider_; }
+
+    /// What pulls down that which slides, m/s^2.
+    [[nodiscard]] const glm::dvec3& pull() const noexcept { return pull_; }
 
     /// Of the numbers from block_size * block on; looked for, or as they were kept.
     [[nodiscard]] std::shared_ptr<const Page> page(std::uint64_t block) const;

@@ -196,7 +196,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
         if (!landings.are_any()) return all;
         const std::uint64_t count = parts_->course.births.count(end);
         require(static_cast<double>(count) <= most_touchdowns,
-                "end must be earlier: more than 2e7 flakes are born until then");
+                "end must be earlier: more than 1e7 flakes are born until then");
         std::vector<std::vector<Touchdown>> of_blocks((count + block_size - 1) / block_size);
         in_parts(
             of_blocks.size(), landing_grain,
@@ -207,7 +207,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
                         const Landings::Landing& landing = page->landings.at(slot);
                         if (page->times.at(slot) <= end)
                             of_blocks[block].push_back({page->times.at(slot), block * block_size + slot,
-                                                        landing.point, landing.triangle});
+                                                        landing.point, landing.triangle, landing.is_behind});
                     }
                 }
             },
@@ -220,6 +220,9 @@ std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
 
 const std::shared_ptr<const Collider>& Snow::collider() const noexcept {
     return parts_->landings.collider();
+}
+const glm::dvec3& Snow::acceleration() const noexcept {
+    return parts_->landings.pull();
 }
 
 }  // namespace motus::snow

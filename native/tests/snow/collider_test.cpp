@@ -13,52 +13,12 @@
 #include "flakes.hpp"
 #include "kernel.hpp"
 #include "landings.hpp"
-#include "random.hpp"
+#include "sheets.hpp"
 
 using namespace motus;
 using namespace motus::snow;
 
 namespace {
-
-using Triangles = std::vector<glm::ivec3>;
-using Points = std::vector<glm::vec3>;
-
-/// A square of width 2 r in which z = height + slope x, of cells x cells x 2 triangles.
-void add_sheet(float r, float height, float slope, int cells, Points& positions, Triangles& triangles) {
-    const auto first = static_cast<int>(positions.size());
-    for (int row = 0; row <= cells; ++row) {
-        for (int column = 0; column <= cells; ++column) {
-            const float x = r * (2.0F * static_cast<float>(column) / static_cast<float>(cells) - 1.0F);
-            const float y = r * (2.0F * static_cast<float>(row) / static_cast<float>(cells) - 1.0F);
-            positions.emplace_back(x, y, height + slope * x);
-        }
-    }
-    for (int row = 0; row < cells; ++row) {
-        for (int column = 0; column < cells; ++column) {
-            const int at = first + row * (cells + 1) + column;
-            triangles.emplace_back(at, at + 1, at + cells + 2);
-            triangles.emplace_back(at, at + cells + 2, at + cells + 1);
-        }
-    }
-}
-[[nodiscard]] std::shared_ptr<const Collider> sheet(float r, float height, float slope, int cells) {
-    Points positions;
-    Triangles triangles;
-    add_sheet(r, height, slope, cells, positions, triangles);
-    return std::make_shared<const Collider>(positions, triangles);
-}
-
-/// Flakes that fall from a square of half width 2 at a height of 3.
-[[nodiscard]] Settings falling(double rate) {
-    Settings s;
-    s.rate = rate;
-    s.lifetime = 6.0;
-    s.start_speed = -1.5;
-    s.cone_radius = 2.0;
-    s.emitter_times = {0.0};
-    s.emitter_matrices = {glm::translate(glm::dmat4(1.0), glm::dvec3(0.0, 0.0, 3.0))};
-    return s;
-}
 
 /// Of all kinds, over a slanted sheet and the ground.
 [[nodiscard]] Settings rich_over(Collision collision) {
@@ -248,8 +208,8 @@ TEST_CASE("what leads down to one edge from both sides ends there", "[snow]") {
     for (const double friction : {0.0, 0.5}) {
         std::vector<Slide> slides;
         const Collider::Rest rest =
-            collider.slide(3, {0.8, 0.3, 0.8}, {}, {0.0, 0.0, -9.81}, friction, slides);
-        CHECK(glm::length(rest.point - glm::dvec3(0.0, 0.3, 0.0)) < 1e-9);
+            collider.slide({3, false, {0.8, 0.3, 0.8}}, {}, {0.0, 0.0, -9.81}, friction, slides);
+        CHECK(glm::length(rest.place.point - glm::dvec3(0.0, 0.3, 0.0)) < 1e-9);
         CHECK_FALSE(rest.over.has_value());
         REQUIRE(slides.size() >= 2);
         CHECK(slides.back().velocity(slides.back().start + 1.0) == glm::dvec3(0.0));
@@ -257,8 +217,9 @@ TEST_CASE("what leads down to one edge from both sides ends there", "[snow]") {
             CHECK(glm::length(slides[i - 1].position(slides[i].start) - slides[i].from) < 1e-9);
     }
     std::vector<Slide> slides;
-    const Collider::Rest still = collider.slide(3, {0.8, 0.3, 0.8}, {}, {0.0, 0.0, -9.81}, 1.01, slides);
-    CHECK(still.point == glm::dvec3(0.8, 0.3, 0.8));
+    const Collider::Rest still =
+        collider.slide({3, false, {0.8, 0.3, 0.8}}, {}, {0.0, 0.0, -9.81}, 1.01, slides);
+    CHECK(still.place.point == glm::dvec3(0.8, 0.3, 0.8));
 }
 
 TEST_CASE("nothing passes a closed surface, and nothing lands on what it leaves", "[snow]") {

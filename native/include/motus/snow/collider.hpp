@@ -60,18 +60,26 @@ class Collider {
     /// Unit; zero for a triangle without area.
     [[nodiscard]] glm::dvec3 normal(std::uint32_t triangle) const;
 
-    /// Where a slide ends. At an edge that no second triangle shares it goes over the edge.
-    struct Rest {
+    /// A place on a triangle, and the side of it: behind is where its normal does not point to.
+    struct Place {
         std::uint32_t triangle = 0;
+        bool is_behind = false;
         glm::dvec3 point{0.0};
-        std::optional<glm::dvec3> over{};  ///< unit, away from the triangle, where it goes over the edge
     };
-    /// Slides from a point on a triangle straight down each triangle in turn, as `pull` (m/s^2, >= 0 long)
-    /// and friction, >= 0, have it, the speed at the start and over each edge being that part of the velocity
-    /// which points on. It rests where friction stops it, where two triangles lead down to the edge that they
-    /// share, at an edge that it goes over, and after most_slides triangles. Adds what it does to `out`.
-    Rest slide(std::uint32_t triangle, const glm::dvec3& point, const glm::dvec3& velocity,
-               const glm::dvec3& pull, double friction, std::vector<Slide>& out) const;
+    /// Where a slide ends. From a loose edge, and from one beyond which the surface overhangs, things fall.
+    struct Rest {
+        Place place;
+        std::optional<glm::dvec3> over{};  ///< unit, away from the triangle, where things fall from its edge
+    };
+    /// Slides straight down each triangle in turn, as `pull` (m/s^2) and friction, >= 0, have it, the speed
+    /// at the start and over each edge being that part of the velocity which points on. It rests where
+    /// friction stops it, where two triangles lead down to the edge that they share, at an edge from which
+    /// things fall, and after most_slides triangles. Adds what it does to `out`.
+    Rest slide(const Place& first, const glm::dvec3& velocity, const glm::dvec3& pull, double friction,
+               std::vector<Slide>& out) const;
+
+    /// Where what falls along the direction (of any length) from a point lands, if it does.
+    [[nodiscard]] std::optional<Place> below(const glm::dvec3& point, const glm::dvec3& direction) const;
 
   private:
     struct Mesh;

@@ -118,7 +118,8 @@ struct Touchdown {
     double time = 0.0;
     std::uint64_t id = 0;
     glm::vec3 point{0.0F};
-    std::int64_t triangle = -1;  ///< of the collider; -1: the ground
+    std::int32_t triangle = -1;  ///< of the collider; -1: the ground
+    bool is_behind = false;      ///< it came from where the triangle's normal does not point to
 };
 
 /// The flakes that live at a time.
@@ -135,7 +136,7 @@ struct Living {
 class Snow {
   public:
     static constexpr double most_flakes = 1e8;      ///< living at once
-    static constexpr double most_touchdowns = 2e7;  ///< flakes born until the end of touchdowns()
+    static constexpr double most_touchdowns = 1e7;  ///< flakes born until the end of touchdowns()
 
     /// Throws std::invalid_argument, naming the argument, where a value is outside its domain, or more flakes
     /// than most_flakes would live at once.
@@ -158,8 +159,9 @@ class Snow {
     /// end is not finite, or more than most_touchdowns flakes are born until then.
     [[nodiscard]] std::vector<Touchdown> touchdowns(double end, std::size_t threads = thread_count()) const;
 
-    /// The setting.
+    // Settings.
     [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept;
+    [[nodiscard]] const glm::dvec3& acceleration() const noexcept;
 
   private:
     struct Parts;
