@@ -17,7 +17,7 @@ _Number = Union[float, int]
 _Extend = Literal["clamp", "extrapolate", "loop", "ping_pong"]
 _Mode = Literal["world_up", "minimal", "banking", "curvature", "tilt"]
 _Axis = Literal["X", "Y", "Z", "-X", "-Y", "-Z"]
-_EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface"]
+_EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface", "frustum"]
 _Collision = Literal["stay", "slide", "melt"]
 _FlakeField = Literal["position", "velocity", "size", "color", "age", "rotation", "id"]
 _Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
@@ -614,6 +614,24 @@ class Snow:
     ) -> dict[str, NDArray]: ...
     # By time: float64 time (n,), int64 id (n,), float32 position (n, 3), int64 triangle (n,), -1 for the ground.
     def landings(self, end: float) -> dict[str, NDArray]: ...
+
+class SnowCover:
+    """How deep snow lies on each vertex of its collider, at any time, in any order of times. Immutable."""
+
+    vertex_count: int
+    areas: NDArray[np.float64]  # (v,)
+
+    def __init__(
+        self,
+        snow: Snow,
+        *,
+        end: float,
+        flake_volume: float = 1e-4,
+        repose: float = 0.9,
+        smoothing: int = 4,
+    ) -> None: ...
+    def heights(self, time: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]: ...  # (v,)
+    def volume(self, time: float) -> float: ...
 
 # --- Dynamics -----------------------------------------------------------------------------------------------------------
 

@@ -20,6 +20,7 @@
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
 #include "mesh/arrays.hpp"
+#include "motus/snow/cover.hpp"
 
 namespace motus::bindings {
 namespace {
@@ -27,6 +28,8 @@ namespace {
 using namespace pybind11::literals;
 using snow::Collider;
 using snow::Collision;
+using snow::Cover;
+using snow::CoverSettings;
 using snow::Settings;
 using snow::Shape;
 using snow::Snow;
@@ -210,6 +213,36 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     return py::dict("time"_a = times, "id"_a = ids, "position"_a = positions, "triangle"_a = triangles);
 }
 
+[[nodiscard]] Cover cover_of(const py::object& given_snow, const py::object& end,
+                             const py::object& flake_volume, const py::object& repose,
+                             const py::object& smoothing) {
+    const Snow& snow = instance<Snow>(given_snow, "snow", "a Snow");
+    const CoverSettings settings{number(end, "end"), number(flake_volume, "flake_volume"),
+                                 number(repose, "repose"), whole_number(smoothing, "smoothing")};
+    const py::gil_scoped_release released;
+    return {snow, settings};
+}
+
+[[nodiscard]] py::array heights(const Cover& self, const py::object& given_time, const py::object& out) {
+    const double time = number(given_time, "time");
+    const auto count = static_cast<py::ssize_t>(self.vertex_count());
+    py::array array = py::array_t<float>(count);
+    if (!out.is_none()) {
+        if (!py::isinstance<py::array_t<float>>(out)) wrong_type(out, "out", "a float32 array");
+        array = py::reinterpret_borrow<py::array>(out);
+        if (array.ndim() != 1 || array.shape(0) != count)
+            value_error("out",
+                        "must have the shape (" + std::to_string(count) + ",), not " + shape_of(array));
+        if (!array.writeable() || (array.flags() & py::array::c_style) == 0 || !is_aligned(array))
+            value_error("out", "must be C-contiguous and writable");
+    }
+    constexpr double vertex_cost = 100.0;  // ns, rough
+    const std::span<float> rows(static_cast<float*>(array.mutable_data()), self.vertex_count());
+    const ReleaseGil released(self.vertex_count(), vertex_cost);
+    self.heights(time, rows);
+    return array;
+}
+
 /// What evaluate() gives: the array of a field, and where its rows are.
 struct Field {
     std::string_view name;
@@ -381,6 +414,35 @@ Where flakes land until `end`, s, by time and then number, as a dict: float64 ti
 (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 3 us each.
 
 Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)");
+
+    py::class_<Cover>(m, "SnowCover", py::module_local(), R"(
+How deep snow lies on each vertex of what its flakes land on, its collider, at any time, in any order of times. Immutable.
+
+snow: a Snow with a collider.  end: s; flakes that land later are left out.  flake_volume: m^3 of lying snow that a flake
+stands for, > 0: the heights times the vertices' areas add up to that of the flakes that have landed, but for those that fell
+from the collider.  repose: angle of slopes up to which all flakes lie where they land, [0, pi / 2); the steeper the more of
+them slide down and fall from edges to what is below; all do where the slope's tangent is 1.5 times as large.  smoothing: 0 to
+1000 rounds in which neighbouring vertices even out their heights, not with those that are under something or too steep.
+Takes some 5 us and 200 bytes for each flake that is born until `end` (32 bytes once it is made).
+Raises ValueError or TypeError that names the argument, also where more than 1e7 flakes are born until then.)")
+        .def(py::init(&cover_of), "snow"_a, py::kw_only(), "end"_a, "flake_volume"_a = 1e-4, "repose"_a = 0.9,
+             "smoothing"_a = 4)
+        .def_property_readonly("vertex_count", &Cover::vertex_count, "How many vertices the collider has.")
+        .def_property_readonly(
+            "areas",
+            [](const Cover& self) {
+                return py::array_t<double>(static_cast<py::ssize_t>(self.areas().size()),
+                                           self.areas().data());
+            },
+            "(v,) float64, m^2: a third of the triangles around each vertex.")
+        .def("heights", &heights, "time"_a, "out"_a = py::none(), R"(
+(v,) float32: how deep snow lies on each vertex of the collider at `time`, s, in m across the surface.
+
+out: an array of that kind to write into, which is returned.)")
+        .def(
+            "volume",
+            [](const Cover& self, const py::object& time) { return self.volume(number(time, "time")); },
+            "time"_a, "m^3 that lie on the collider at `time`, s.");
 }
 
 }  // namespace motus::bindings

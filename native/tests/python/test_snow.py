@@ -102,6 +102,38 @@ class SnowTest(unittest.TestCase):
         self.assertEqual(len(native.Snow(**settings, ground=1.0, rest_time=1.0).evaluate(3.0)["id"]), 200)
         self.assertEqual(len(native.Snow(**settings).landings(3.0)["id"]), 0)
 
+    def test_cover(self):
+        corners = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]
+        matrix = np.eye(4)[None]
+        matrix[0, 2, 3] = 2.0
+        settings = {"rate": 1000, "start_speed": -2, "emitter_times": [0.0], "emitter_matrices": matrix, "lifetime": 4}
+        snow = native.Snow(collider=native.SnowCollider(corners, [[0, 1, 2], [0, 2, 3]]), **settings)
+        cover = native.SnowCover(snow, end=3.0, flake_volume=0.01)
+        self.assertEqual(cover.vertex_count, 4)
+        np.testing.assert_allclose(cover.areas, [108, 54, 108, 54])
+        for time, landed in ((0.5, 0), (1.5, 500), (9.0, 2000)):
+            heights = cover.heights(time)
+            self.assertEqual((heights.shape, heights.dtype), ((4,), np.float32))
+            self.assertAlmostEqual(cover.volume(time), 0.01 * landed, delta=0.011)
+            self.assertAlmostEqual(float(heights @ cover.areas), cover.volume(time), delta=1e-4)
+        out = np.zeros(4, np.float32)
+        self.assertIs(cover.heights(9.0, out), out)
+        np.testing.assert_array_equal(out, cover.heights(9.0))
+        for call, name in (
+                (lambda: native.SnowCover(native.Snow(), end=1), "snow"), (lambda: native.SnowCover(snow, end=np.inf), "end"),
+                (lambda: native.SnowCover(snow, end=1, flake_volume=0), "flake_volume"),
+                (lambda: native.SnowCover(snow, end=1, repose=2), "repose"),
+                (lambda: native.SnowCover(snow, end=1, smoothing=-1), "smoothing"),
+                (lambda: native.SnowCover(snow, end=1e9), "end"), (lambda: cover.heights(np.nan), "time"),
+                (lambda: cover.volume(np.nan), "time"), (lambda: cover.heights(1, np.zeros(5, np.float32)), "out"),
+                (lambda: cover.heights(1, np.zeros(8, np.float32)[::2]), "out")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+        for call, name in ((lambda: native.SnowCover(1, end=1), "snow"), (lambda: cover.heights(1, np.zeros(4)), "out"),
+                           (lambda: native.SnowCover(snow, end=1, smoothing=0.5), "smoothing")):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
+                call()
+
     def test_errors_of_collisions_name_the_argument(self):
         nan = float("nan")
         for call, name in (
