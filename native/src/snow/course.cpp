@@ -47,6 +47,11 @@ void require_valid(const Settings& s) {
             "start_color must have rising positions");
     require(is_between(s.cone_angle, 0.0, std::numbers::pi), "cone_angle must be from 0 to pi");
     require(is_between(s.cone_radius, 0.0, 1e30), "cone_radius must be at least 0 and finite");
+    for (int axis = 0; axis < 2; ++axis)
+        require(s.frustum_angles[axis] >= 0.0 && s.frustum_angles[axis] < 0.5 * std::numbers::pi,
+                "frustum_angles must be from 0 to less than pi / 2");
+    require(is_between(s.frustum_far, 1e-6, 1e30), "frustum_far must be at least 1e-6 and finite");
+    require(is_between(s.frustum_near, 0.0, s.frustum_far), "frustum_near must be from 0 to frustum_far");
     require(is_single(s.max_angle), "max_angle must be finite");
     require(is_rate(s.snow_frequency), "snow_frequency must be greater than 0 and at most 1000");
     require(is_single(s.acceleration), "acceleration must be finite");
@@ -75,6 +80,14 @@ void require_valid(const Settings& s) {
 
 [[nodiscard]] std::array<float, 4> floats_of(const glm::vec4& v) {
     return {v.x, v.y, v.z, v.w};
+}
+
+[[nodiscard]] Frustum frustum_of(const Settings& s) {
+    const SineCosine<Pair> both = sine_cosine(Pair(s.frustum_angles.x, s.frustum_angles.y));
+    const double part = s.frustum_near / s.frustum_far;
+    return {static_cast<float>(lane(both.sine, 0) / lane(both.cosine, 0)),
+            static_cast<float>(lane(both.sine, 1) / lane(both.cosine, 1)), static_cast<float>(s.frustum_far),
+            static_cast<float>(part * part * part)};
 }
 
 /// Whole steps, so few that a flake's way is looked at a few thousand times at most.
@@ -131,6 +144,7 @@ Course::Course(Settings settings)
     if (kind.shape == Shape::surface)
         facets = facets_of(settings.surface_positions, settings.surface_triangles);
     kind.facets = facets;
+    if (kind.shape == Shape::frustum) kind.frustum = frustum_of(settings);
     kind.turns_out = settings.random_orientation && settings.cone_angle > 0.0;
     // 1 - cos(c) = 2 sin^2(c / 2), which small angles keep their digits in.
     const double half = lane(sine_cosine(Pair(0.5 * settings.cone_angle)).sine, 0);

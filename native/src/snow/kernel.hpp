@@ -62,6 +62,13 @@ struct Facet {
     std::uint32_t other = 0;
 };
 
+/// Of Shape::frustum.
+struct Frustum {
+    float wide = 0.0F, high = 0.0F;  ///< tangents of the half angles
+    float far = 1.0F;                ///< m
+    float nearest = 0.0F;            ///< cube of the least distance over the farthest
+};
+
 /// Air that moves by velocity * cos(2 pi (vector x + frequency t + phase)).
 struct Wave {
     std::array<float, 3> vector{};    ///< whole turns a metre
@@ -87,6 +94,7 @@ struct Kind {
     Shape shape = Shape::square;
     float radius = 1.0F;
     std::span<const Facet> facets;  ///< of Shape::surface
+    Frustum frustum;                ///< of Shape::frustum
     bool turns_out = false;         ///< random_orientation, and there is a cone
     float cone_depth = 0.0F;        ///< 1 - cos(cone_angle)
     float cone_turn = 0.0F;         ///< cone_angle in whole turns

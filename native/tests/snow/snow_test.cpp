@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
@@ -168,6 +169,59 @@ TEST_CASE("a surface is covered evenly, and left along its normals", "[snow]") {
     settings.start_speed = 2.0;
     for (const glm::vec3& velocity : flakes_at(Snow(settings), 3.0).velocity)
         CHECK(velocity == glm::vec3(0.0F, 0.0F, 2.0F));
+}
+
+TEST_CASE("a camera's frustum is filled evenly, and left downwards", "[snow]") {
+    Settings settings;
+    settings.rate = 100000.0;
+    settings.lifetime = 1.0;
+    settings.start_speed = 0.0;
+    settings.shape = Shape::frustum;
+    settings.frustum_angles = {0.7, 0.4};
+    settings.frustum_far = 12.0;
+    const glm::dvec2 wide = glm::tan(settings.frustum_angles);
+    const glm::dmat4 pose = glm::translate(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.5)) *
+                            glm::rotate(glm::dmat4(1.0), 1.2, glm::dvec3(1.0, 0.3, -0.2));
+    settings.emitter_times = {0.0};
+    settings.emitter_matrices = {pose};
+    for (const double nearest : {0.0, 0.1, 4.0, 11.5}) {
+        settings.frustum_near = nearest;
+        CAPTURE(nearest);
+        const Flakes now = flakes_at(Snow(settings), 3.0);
+        // By the volume up to a distance, and across each picture.
+        const double low = std::pow(nearest / 12.0, 3.0);
+        std::array<double, 8> shares{};
+        glm::dvec2 mean(0.0), square(0.0);
+        for (const glm::vec3& at : now.position) {
+            const glm::dvec3 seen(glm::inverse(pose) * glm::dvec4(glm::dvec3(at), 1.0));
+            const double distance = -seen.z;
+            CHECK(distance >= nearest - 1e-5);
+            CHECK(distance <= 12.00001);
+            const double part = (std::pow(distance / 12.0, 3.0) - low) / (1.0 - low);
+            shares.at(static_cast<std::size_t>(std::clamp(8.0 * part, 0.0, 7.0))) += 1e-5;
+            const glm::dvec2 aside = glm::dvec2(seen) / (distance * wide);
+            if (distance > 0.01) CHECK(std::max(std::abs(aside.x), std::abs(aside.y)) < 1.001);
+            mean += 1e-5 * aside;
+            square += 1e-5 * aside * aside;
+        }
+        for (const double share : shares) CHECK(share == Approx(0.125).margin(0.004));
+        for (int axis = 0; axis < 2; ++axis) {
+            CHECK(std::abs(mean[axis]) < 0.01);
+            CHECK(square[axis] == Approx(1.0 / 3.0).epsilon(0.02));
+        }
+    }
+    settings.start_speed = 2.0;
+    for (const bool is_moving : {false, true}) {
+        if (is_moving) {
+            settings.emitter_times.push_back(5.0);
+            settings.emitter_matrices.emplace_back(1.0);
+        }
+        const Flakes now = flakes_at(Snow(settings), 3.0);
+        for (std::size_t i = 0; i < now.id.size(); i += 100) {
+            CHECK(now.velocity[i] == glm::vec3(0.0F, 0.0F, -2.0F));
+            CHECK(now.rotation[i] == glm::vec4(0.0F, 1.0F, 0.0F, 0.0F));
+        }
+    }
 }
 
 TEST_CASE("random switches stay in their ranges, evenly", "[snow]") {
@@ -432,6 +486,9 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
         refuses("cone_angle", [&](Settings& s) { s.cone_angle = bad; });
         refuses("cone_radius", [&](Settings& s) { s.cone_radius = bad; });
         refuses("drag", [&](Settings& s) { s.drag = bad; });
+        refuses("frustum_angles", [&](Settings& s) { s.frustum_angles.y = bad; });
+        refuses("frustum_near", [&](Settings& s) { s.frustum_near = bad; });
+        refuses("frustum_far", [&](Settings& s) { s.frustum_far = bad; });
         refuses("gusts", [&](Settings& s) { s.gusts = bad; });
         refuses("gust_frequency", [&](Settings& s) { s.gust_frequency = bad; });
         refuses("snow_frequency", [&](Settings& s) { s.snow_frequency = bad; });

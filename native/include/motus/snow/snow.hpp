@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
@@ -35,6 +36,7 @@ enum class Shape : std::uint8_t {
     sphere,   ///< the ball; away from its middle
     cone,     ///< the disc; leaning outwards, from 0 in the middle to cone_angle at the edge
     surface,  ///< surface_triangles; along their normals
+    frustum,  ///< what a camera sees that looks along -Z, up being Y; down along the world's -Z
 };
 
 /// What a flake does from where it landed on: nothing; slide down the triangle and those beyond its edges; or
@@ -62,6 +64,9 @@ struct Settings {
     Shape shape = Shape::square;
     std::vector<glm::vec3> surface_positions;   ///< vertices, in the emitter's space
     std::vector<glm::ivec3> surface_triangles;  ///< of which at least one has an area, of Shape::surface
+    glm::dvec2 frustum_angles{0.4, 0.25};       ///< half the angles in X and in Y, [0, pi / 2)
+    double frustum_near = 0.1;                  ///< [0, frustum_far], m along -Z
+    double frustum_far = 20.0;                  ///< > 0
     double cone_angle = 0.0;                    ///< half the opening, [0, pi]
     double cone_radius = 1.0;                   ///< >= 0, r above
 
