@@ -575,6 +575,9 @@ class Snow:
         shape: _EmitterShape = "square",
         surface_positions: ArrayLike | None = None,  # (v, 3)
         surface_triangles: ArrayLike | None = None,  # (t, 3)
+        frustum_angles: ArrayLike = (0.4, 0.25),  # (2,)
+        frustum_near: float = 0.1,
+        frustum_far: float = 20.0,
         cone_angle: float = 0.0,
         cone_radius: float = 1.0,
         random_speed: bool = False,
@@ -590,6 +593,8 @@ class Snow:
         acceleration: ArrayLike = (0.0, 0.0, -9.81),  # (3,)
         drag: float = 0.0,
         wind: ArrayLike = (0.0, 0.0, 0.0),  # (3,)
+        wind_times: ArrayLike | None = None,  # (w,)
+        wind_values: ArrayLike | None = None,  # (w, 3)
         gusts: float = 0.0,
         gust_frequency: float = 0.3,
         turbulence: float = 0.0,

@@ -43,7 +43,8 @@ constexpr double flake_cost = 10.0;  // ns, rough
                           {"box", Shape::box},
                           {"sphere", Shape::sphere},
                           {"cone", Shape::cone},
-                          {"surface", Shape::surface}});
+                          {"surface", Shape::surface},
+                          {"frustum", Shape::frustum}});
 }
 
 /// (k,), empty for None.
@@ -113,6 +114,24 @@ void set_emitter(const py::object& times, const py::object& matrices, Settings& 
     }
 }
 
+void set_frustum(const py::object& angles, const py::object& least, const py::object& most,
+                 Settings& settings) {
+    const DoubleArray both = row(angles, "frustum_angles");
+    if (both.size() != 2) value_error("frustum_angles", "must have the shape (2,), not " + shape_of(both));
+    settings.frustum_angles = {both.at(0), both.at(1)};
+    settings.frustum_near = number(least, "frustum_near");
+    settings.frustum_far = number(most, "frustum_far");
+}
+
+void set_wind(const py::object& wind, const py::object& times, const py::object& values, Settings& settings) {
+    settings.wind = vector(wind, "wind");
+    const DoubleArray at = row(times, "wind_times");
+    settings.wind_times.assign(at.data(), at.data() + at.size());
+    if (values.is_none()) return;
+    const Points winds(values, "wind_values");
+    settings.wind_values = copied(winds.values());
+}
+
 [[nodiscard]] std::shared_ptr<Collider> collider_of(const py::object& positions,
                                                     const py::object& triangles) {
     const Positions given_points(positions, "collider_positions");
@@ -144,16 +163,18 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     const py::object& start_color, const py::object& rate, const py::object& delay,
     const py::object& duration, const py::object& looping, const py::object& burst_times,
     const py::object& burst_counts, const py::object& shape, const py::object& surface_positions,
-    const py::object& surface_triangles, const py::object& cone_angle, const py::object& cone_radius,
+    const py::object& surface_triangles, const py::object& frustum_angles, const py::object& frustum_near,
+    const py::object& frustum_far, const py::object& cone_angle, const py::object& cone_radius,
     const py::object& random_speed, const py::object& random_orientation, const py::object& random_lifetime,
     const py::object& random_size, const py::object& random_color, const py::object& snow,
     const py::object& max_angle, const py::object& snow_frequency, const py::object& snow_offsets,
     const py::object& gravity, const py::object& acceleration, const py::object& drag, const py::object& wind,
-    const py::object& gusts, const py::object& gust_frequency, const py::object& turbulence,
-    const py::object& turbulence_size, const py::object& tumble, const py::object& ground,
-    const py::object& collider, const py::object& collision, const py::object& rest_time,
-    const py::object& melt_time, const py::object& friction, const py::object& seed,
-    const py::object& emitter_times, const py::object& emitter_matrices) {
+    const py::object& wind_times, const py::object& wind_values, const py::object& gusts,
+    const py::object& gust_frequency, const py::object& turbulence, const py::object& turbulence_size,
+    const py::object& tumble, const py::object& ground, const py::object& collider,
+    const py::object& collision, const py::object& rest_time, const py::object& melt_time,
+    const py::object& friction, const py::object& seed, const py::object& emitter_times,
+    const py::object& emitter_matrices) {
     Settings settings;
     settings.start_speed = number(start_speed, "start_speed");
     settings.lifetime = number(lifetime, "lifetime");
@@ -166,6 +187,7 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     settings.bursts = bursts(burst_times, burst_counts);
     settings.shape = shape_named(shape);
     set_surface(surface_positions, surface_triangles, settings);
+    set_frustum(frustum_angles, frustum_near, frustum_far, settings);
     settings.cone_angle = number(cone_angle, "cone_angle");
     settings.cone_radius = number(cone_radius, "cone_radius");
     settings.random_speed = flag(random_speed, "random_speed");
@@ -180,7 +202,7 @@ void set_collisions(const py::object& ground, const py::object& collider, const 
     settings.gravity = flag(gravity, "gravity");
     settings.acceleration = vector(acceleration, "acceleration");
     settings.drag = number(drag, "drag");
-    settings.wind = vector(wind, "wind");
+    set_wind(wind, wind_times, wind_values, settings);
     settings.gusts = number(gusts, "gusts");
     settings.gust_frequency = number(gust_frequency, "gust_frequency");
     settings.turbulence = number(turbulence, "turbulence");
@@ -371,13 +393,16 @@ stream ends after `duration`, unless looping.  burst_times (s after the delay), 
 once, numbered where they are born.
 shape: 'square', 'disc', 'box', 'sphere', 'cone' in the emitter's space, of half width or radius cone_radius, >= 0; flakes
 leave along its +Z, of a sphere away from the middle, of a cone leaning outwards, at the edge by cone_angle, [0, pi]; or
-'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals.
+'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals; or
+'frustum': what a camera at the emitter's place sees that looks along its -Z, between frustum_near, >= 0, and frustum_far, m,
+by frustum_angles (2,), half those in X and Y, [0, pi / 2); down along the world's -Z.
 random_speed: start_speed +-1.  random_orientation: anywhere within cone_angle of where they would leave.  random_lifetime:
 lifetime +-1 s, at least 0.  random_size: +-10 %.  random_color: anywhere on the gradient.
 snow: as it flies, a flake turns by up to max_angle about the world's X and Y, as noise of its age says that changes about
 snow_frequency times a second; snow_offsets: each flake has a time of its own in the noise.
-gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s,
-which varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
+gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s; with
+wind_times (w,), s, rising, and wind_values (w, 3) it goes evenly from each of these to the next, and is held before and after.
+It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
 mean square, of air in eddies of turbulence_size m that flakes are carried along by.  tumble: rad/s up to which they spin.
 ground: height that flakes land on from above; None: they do not.  collider: a SnowCollider or None.  A flake lands once, on
 what it meets first after birth; a way between looks 1/32 s apart counts as straight.  collision: 'stay', where it landed and
@@ -392,16 +417,17 @@ Raises ValueError or TypeError that names the argument, also where more than 1e8
              "start_size"_a = 1.0, "start_color"_a = py::none(), "rate"_a = 5.0, "delay"_a = 0.0,
              "duration"_a = 5.0, "looping"_a = true, "burst_times"_a = py::none(),
              "burst_counts"_a = py::none(), "shape"_a = "square", "surface_positions"_a = py::none(),
-             "surface_triangles"_a = py::none(), "cone_angle"_a = 0.0, "cone_radius"_a = 1.0,
+             "surface_triangles"_a = py::none(), "frustum_angles"_a = py::make_tuple(0.4, 0.25),
+             "frustum_near"_a = 0.1, "frustum_far"_a = 20.0, "cone_angle"_a = 0.0, "cone_radius"_a = 1.0,
              "random_speed"_a = false, "random_orientation"_a = false, "random_lifetime"_a = false,
              "random_size"_a = false, "random_color"_a = false, "snow"_a = false,
              "max_angle"_a = 1.3962634015954636, "snow_frequency"_a = 1.0, "snow_offsets"_a = false,
              "gravity"_a = false, "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
-             "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "gusts"_a = 0.0, "gust_frequency"_a = 0.3,
-             "turbulence"_a = 0.0, "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(),
-             "collider"_a = py::none(), "collision"_a = "stay", "rest_time"_a = py::none(),
-             "melt_time"_a = 1.0, "friction"_a = 0.5, "seed"_a = 0, "emitter_times"_a = py::none(),
-             "emitter_matrices"_a = py::none())
+             "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "wind_times"_a = py::none(),
+             "wind_values"_a = py::none(), "gusts"_a = 0.0, "gust_frequency"_a = 0.3, "turbulence"_a = 0.0,
+             "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(), "collider"_a = py::none(),
+             "collision"_a = "stay", "rest_time"_a = py::none(), "melt_time"_a = 1.0, "friction"_a = 0.5,
+             "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none())
         .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), R"(
 The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
 (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).

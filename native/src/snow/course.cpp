@@ -57,6 +57,11 @@ void require_valid(const Settings& s) {
     require(is_single(s.acceleration), "acceleration must be finite");
     require(is_between(s.drag, 0.0, 1000.0), "drag must be from 0 to 1000");
     require(is_single(s.wind), "wind must be finite");
+    require(s.wind_values.size() == s.wind_times.size(), "wind_values must be as many as wind_times");
+    require(are_finite(s.wind_times), "wind_times must be finite");
+    require(std::ranges::adjacent_find(s.wind_times, std::ranges::greater_equal{}) == s.wind_times.end(),
+            "wind_times must rise");
+    for (const glm::dvec3& wind : s.wind_values) require(is_single(wind), "wind_values must be finite");
     require(is_between(s.gusts, 0.0, 1e30), "gusts must be at least 0 and finite");
     require(is_rate(s.gust_frequency), "gust_frequency must be greater than 0 and at most 1000");
     require(is_between(s.turbulence, 0.0, 1e6), "turbulence must be from 0 to 1e6");
@@ -88,6 +93,19 @@ void require_valid(const Settings& s) {
     return {static_cast<float>(lane(both.sine, 0) / lane(both.cosine, 0)),
             static_cast<float>(lane(both.sine, 1) / lane(both.cosine, 1)), static_cast<float>(s.frustum_far),
             static_cast<float>(part * part * part)};
+}
+
+[[nodiscard]] Air air_of(const Settings& s) {
+    const glm::dvec3 acceleration = s.gravity ? s.acceleration : glm::dvec3(0.0);
+    if (s.wind_times.empty()) return {acceleration, s.drag, s.wind, s.gusts, s.gust_frequency};
+    return {acceleration, s.drag, s.wind_times, s.wind_values, s.gusts, s.gust_frequency};
+}
+
+[[nodiscard]] glm::dvec3 mean_wind(const Settings& s) {
+    if (s.wind_times.empty()) return s.wind;
+    glm::dvec3 sum(0.0);
+    for (const glm::dvec3& wind : s.wind_values) sum += wind;
+    return sum / static_cast<double>(s.wind_values.size());
 }
 
 /// Whole steps, so few that a flake's way is looked at a few thousand times at most.
@@ -123,8 +141,7 @@ Course::Course(Settings settings)
       random_lifetime(settings.random_lifetime),
       births(settings.rate, settings.delay, settings.duration, settings.looping, std::move(settings.bursts)),
       emitter(settings.emitter_times, settings.emitter_matrices),
-      air(settings.gravity ? settings.acceleration : glm::dvec3(0.0), settings.drag, settings.wind,
-          settings.gusts, settings.gust_frequency),
+      air(air_of(settings)),
       step(step_for(settings)),
       look_step(look_step_for(step, longest())) {
     const double flakes = births.most_within(longest());
@@ -172,7 +189,7 @@ Course::Course(Settings settings)
     kind.carried = settings.snow || settings.drag == 0.0 ? 1.0F : 0.0F;
     if (kind.is_turbulent)
         kind.waves = waves_of(settings.turbulence, settings.turbulence_size,
-                              settings.drag > 0.0 ? settings.wind : glm::dvec3(0.0), settings.seed);
+                              settings.drag > 0.0 ? mean_wind(settings) : glm::dvec3(0.0), settings.seed);
     kind.snow = settings.snow;
     if (!kind.snow) return;
 

@@ -60,6 +60,24 @@ class SnowTest(unittest.TestCase):
             with self.subTest(triangles=triangles), self.assertRaisesRegex(ValueError, "^surface_triangles"):
                 native.Snow(shape="surface", surface_positions=corners, surface_triangles=triangles)
 
+    def test_frustum_and_keyed_wind(self):
+        places = native.Snow(rate=1000, shape="frustum", frustum_angles=(0.5, 0.3), frustum_near=2.0, frustum_far=9.0,
+                             start_speed=0).evaluate(2.0)["position"]
+        self.assertTrue(((-places[:, 2] >= 1.9999) & (-places[:, 2] <= 9.0001)).all())
+        self.assertTrue((np.abs(places[:, 0] / places[:, 2]) <= np.tan(0.5) + 1e-4).all())
+        self.assertTrue((np.abs(places[:, 1] / places[:, 2]) <= np.tan(0.3) + 1e-4).all())
+        settings = {"rate": 100, "drag": 50, "start_speed": 0, "lifetime": 5}
+        velocity = native.Snow(wind_times=[1.0, 3.0], wind_values=[[0, 0, 0], [4, 0, 2]], **settings).evaluate(
+            2.0, ["velocity"])["velocity"]
+        np.testing.assert_allclose(velocity[0], [1.96, 0, 0.98], atol=1e-4)  # 1 / 50 s behind the wind
+        for keywords, name in (({"frustum_angles": (1, 2)}, "frustum_angles"), ({"frustum_angles": (1,)}, "frustum_angles"),
+                               ({"frustum_near": 30}, "frustum_near"), ({"frustum_far": 0}, "frustum_far"),
+                               ({"wind_times": [1.0]}, "wind_values"), ({"wind_times": [[1.0]]}, "wind_times"),
+                               ({"wind_times": [1, 0], "wind_values": np.zeros((2, 3))}, "wind_times"),
+                               ({"wind_times": [1], "wind_values": np.zeros((1, 2))}, "wind_values")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                native.Snow(**keywords)
+
     def test_threads_may_share_one(self):
         snow = native.Snow(rate=50000, snow=True, random_lifetime=True, drag=1.0, wind=(1, 0, 0), gusts=0.5)
         wanted = snow.evaluate(4.0)["position"]

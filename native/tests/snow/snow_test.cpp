@@ -416,6 +416,35 @@ TEST_CASE("turbulent air moves flakes at its speed, and gathers them nowhere", "
     CHECK(divergence < 1e-2 * shear);
 }
 
+TEST_CASE("keyed wind carries flakes along, the same at any time", "[snow]") {
+    Settings settings;
+    settings.rate = 2000.0;
+    settings.start_speed = 0.0;
+    settings.cone_radius = 0.0;
+    settings.lifetime = 8.0;
+    settings.drag = 2.0;
+    settings.wind_times = {1.0, 2.0, 2.5, 6.0};
+    settings.wind_values = {{1.0, 0.0, 0.0}, {1.0, 3.0, 0.0}, {-2.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
+    const Snow snow(settings);
+    constexpr double h = 1.0 / 512.0;
+    for (const double time : {0.7, 1.5, 2.26, 4.0, 9.0}) {
+        const Flakes before = flakes_at(snow, time - h), now = flakes_at(snow, time),
+                     after = flakes_at(snow, time + h);
+        for (std::size_t i = 0; i < now.id.size(); ++i) {
+            const auto at = [&](const Flakes& flakes) {
+                const auto row = static_cast<std::size_t>(now.id[i] - flakes.id.front());
+                return row < flakes.id.size() ? glm::dvec3(flakes.position[row]) : glm::dvec3(1e9);
+            };
+            const glm::dvec3 step = at(after) - at(before);
+            // Keys that bend the wind so much are a little rounded off.
+            if (glm::length(step) < 1e3)
+                CHECK(glm::length(step / (2.0 * h) - glm::dvec3(now.velocity[i])) < 0.03);
+        }
+    }
+    // Long after the last key the air is still.
+    for (const glm::vec3& velocity : flakes_at(snow, 40.0).velocity) CHECK(glm::length(velocity) < 1e-6F);
+}
+
 TEST_CASE("gravity adds to the way, with snow too", "[snow]") {
     Settings settings;
     settings.rate = 1000.0;
@@ -500,6 +529,12 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
     refuses("start_size", [&](Settings& s) { s.start_size = 1e300; });
     refuses("max_angle", [&](Settings& s) { s.max_angle = nan; });
     refuses("wind", [&](Settings& s) { s.wind.y = nan; });
+    refuses("wind_values", [&](Settings& s) { s.wind_times = {1.0}; });
+    refuses("wind_values", [&](Settings& s) { s.wind_times = {1.0}, s.wind_values = {{nan, 0.0, 0.0}}; });
+    refuses("wind_times", [&](Settings& s) { s.wind_times = {nan}, s.wind_values = {{}}; });
+    refuses("wind_times must rise", [&](Settings& s) {
+        s.wind_times = {1.0, 1.0}, s.wind_values = {{}, {}};
+    });
     refuses("start_color", [&](Settings& s) { s.start_color.clear(); });
     refuses("start_color", [&](Settings& s) { s.start_color = {{1.0F, {}}, {0.0F, {}}}; });
     refuses("emitter_matrices", [&](Settings& s) { s.emitter_times = {0.0}; });

@@ -3,10 +3,11 @@
 // Birth is a formula (births.hpp), random numbers are drawn by flake number (Philox 4x32-10, key the seed,
 // counter the number and what is drawn). The flake steers through the air as noise of its age turns it about
 // the world's X and Y, the integral of which is tabulated; drag, wind and gusts act by the closed form of
-// linear drag: c' = g + k (W - c). Turbulent air is a sum of waves, each moving across its direction,
-// integrated along a straight line, that of the first velocity and the wind. Where a flake lands first is
-// looked for once, along its whole way, and kept with those of the flakes that are numbered next to it. The
-// same bits on every machine, for any number of threads, whichever time is asked for first.
+// linear drag: c' = g + k (W - c), piece by piece where the wind is keyed. Turbulent air is a sum of waves,
+// each moving across its direction, integrated along a straight line, that of the first velocity and the
+// wind. Where a flake lands first is looked for once, along its whole way, and kept with those of the flakes
+// that are numbered next to it. The same bits on every machine, for any number of threads, whichever time is
+// asked for first.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -84,10 +85,12 @@ struct Settings {
     bool gravity = false;
     glm::dvec3 acceleration{0.0, 0.0, -9.81};  ///< of gravity, m/s^2
 
-    double drag = 0.0;            ///< 1/s, [0, 1000]; without it there is no wind
-    glm::dvec3 wind{0.0};         ///< velocity of the air, m/s
-    double gusts = 0.0;           ///< how much the wind varies, fraction of it, >= 0
-    double gust_frequency = 0.3;  ///< 1/s, (0, 1000]
+    double drag = 0.0;                    ///< 1/s, [0, 1000]; without it there is no wind
+    glm::dvec3 wind{0.0};                 ///< velocity of the air, m/s
+    std::vector<double> wind_times;       ///< strictly rising; with them the wind goes evenly from each of
+    std::vector<glm::dvec3> wind_values;  ///< these to the next, held before the first and after the last
+    double gusts = 0.0;                   ///< how much the wind varies, fraction of it, >= 0
+    double gust_frequency = 0.3;          ///< 1/s, (0, 1000]
 
     double turbulence = 0.0;       ///< root mean square of the velocity of turbulent air, m/s, >= 0
     double turbulence_size = 1.0;  ///< of its eddies, m, > 0
