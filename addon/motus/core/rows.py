@@ -30,7 +30,8 @@ class Row:
 
     when: condition on the settings; without it the row is always there. active: condition, or the row is drawn dim.
     switch: name of a boolean that stands before the field. search: gives (data, name of a collection of it) to choose
-    a name from. text: another label than the property's name.
+    a name from. expand: shows all items of an enumeration, one below the other where it `stacks`. text: another label than
+    the property's name.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Row:
     switch: str = ""
     search: Optional[Callable] = None
     expand: bool = False
+    stacks: bool = False
     text: Optional[str] = None
     text_ctxt: str = ""
 
@@ -53,7 +55,7 @@ class Row:
             return
         words = {} if self.text is None else {"text": self.text, "text_ctxt": self.text_ctxt}
         properties = _properties(settings)
-        if self.expand:
+        if self.expand and not self.stacks:
             # Only beside fields do items that stand side by side have the property's name.
             row = layout.row(align=True, heading="" if layout.use_property_split else properties[self.name].name)
         else:

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import aeroplane, cameras, flight, landscape, lighting, props, woods
+from . import aeroplane, cameras, flight, landscape, lighting, props, staging, woods
 
 SCENE_NAME = "Motus Flight"
 FRAMES_PER_SECOND = 24
@@ -14,7 +14,7 @@ def build(context):
     context.window.scene = scene
     scene.render.fps = FRAMES_PER_SECOND
     scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    land, air, views = (_collection(scene, name) for name in ("Landscape", "Flight", "Cameras"))
+    land, air, views = (staging.new_collection(scene, name) for name in ("Landscape", "Flight", "Cameras"))
     haze = _build_light(scene, land)
     landscape.build(land, haze)
     woods.build(land, haze)
@@ -31,12 +31,6 @@ def build(context):
     scene.frame_start, scene.frame_end = int(flight.FIRST_FRAME), round(lap * FRAMES_PER_SECOND)
     scene.frame_set(scene.frame_start)
     return scene
-
-
-def _collection(scene, name):
-    collection = bpy.data.collections.new(f"Motus {name}")
-    scene.collection.children.link(collection)
-    return collection
 
 
 def _adopt(course, collection, imported):

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from . import materials, shapes
+from . import materials, shapes, staging
 
 SCENE_NAME = "Motus Pendulum"
 FRAMES_PER_SECOND = 24
@@ -37,7 +37,7 @@ def build(context):
     scene.render.resolution_x, scene.render.resolution_y = 1280, 720
     scene.frame_start, scene.frame_end = 1, SECONDS * FRAMES_PER_SECOND
     scene.frame_set(1)
-    hall, swings = (_collection(scene, name) for name in ("Hall", "Pendulums"))
+    hall, swings = (staging.new_collection(scene, name) for name in ("Hall", "Pendulums"))
     scene.world = _world()
     _set_view(scene)
     _add_hall(hall)
@@ -46,12 +46,6 @@ def build(context):
     _add_camera(scene, hall)
     scene.frame_set(1)
     return scene
-
-
-def _collection(scene, name):
-    collection = bpy.data.collections.new(f"Motus {name}")
-    scene.collection.children.link(collection)
-    return collection
 
 
 def _world():

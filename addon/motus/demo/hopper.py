@@ -5,7 +5,7 @@ import math
 import bpy
 
 from ..core import actions
-from . import hopper_body, hopper_rig, lighting, pull_studio, shapes
+from . import hopper_body, hopper_rig, lighting, pull_studio, shapes, staging
 
 SCENE_NAME = "Motus Dynamics"
 FRAMES_PER_SECOND = 24
@@ -27,7 +27,7 @@ def build(context):
     scene.render.resolution_x, scene.render.resolution_y = 1280, 720
     scene.frame_start, scene.frame_end = 1, CYCLE
     scene.frame_set(1)
-    studio, creature = (_collection(scene, name) for name in ("Studio", "Hopper"))
+    studio, creature = (staging.new_collection(scene, name) for name in ("Studio", "Hopper"))
     lighting.set_color_management(scene)
     scene.world = pull_studio.build_world()
     pull_studio.build_room(studio)
@@ -38,12 +38,6 @@ def build(context):
     _add_camera(scene, studio)
     scene.frame_set(1)
     return scene
-
-
-def _collection(scene, name):
-    collection = bpy.data.collections.new(f"Motus {name}")
-    scene.collection.children.link(collection)
-    return collection
 
 
 def _add_dynamics(rig):

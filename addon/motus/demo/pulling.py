@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import keying, lighting, pull_face, pull_land, pull_studio, shapes
+from . import keying, lighting, pull_face, pull_land, pull_studio, shapes, staging
 
 SCENE_NAME = "Motus Pull"
 FRAMES_PER_SECOND = 24
@@ -20,7 +20,7 @@ def build(context):
     scene.render.resolution_x, scene.render.resolution_y = 1280, 720
     scene.frame_start, scene.frame_end = 1, keying.CYCLE
     scene.frame_set(1)
-    studio, land, face = (_collection(scene, name) for name in ("Studio", "Landscape", "Face"))
+    studio, land, face = (staging.new_collection(scene, name) for name in ("Studio", "Landscape", "Face"))
     lighting.set_color_management(scene)
     scene.world = pull_studio.build_world()
     pull_studio.build(studio)
@@ -29,12 +29,6 @@ def build(context):
     _add_camera(scene, studio)
     scene.frame_set(1)
     return scene
-
-
-def _collection(scene, name):
-    collection = bpy.data.collections.new(f"Motus {name}")
-    scene.collection.children.link(collection)
-    return collection
 
 
 def _add_camera(scene, collection):

@@ -7,7 +7,7 @@ from mathutils import Euler, Matrix, Vector
 
 from . import (
     butterfly, character, character_limbs, character_rig, flight, keying, landscape, lighting, lookout, reaching_motion,
-    shapes, woods,
+    shapes, staging, woods,
 )
 
 SCENE_NAME = "Motus Reach"
@@ -41,7 +41,7 @@ def build(context):
     scene.render.resolution_x, scene.render.resolution_y = 1280, 720
     scene.frame_start, scene.frame_end = 1, keying.CYCLE
     scene.frame_set(1)
-    land, place, figure, marks = (_collection(scene, name) for name in ("Land", "Lookout", "Pilot", "Targets"))
+    land, place, figure, marks = (staging.new_collection(scene, name) for name in ("Land", "Lookout", "Pilot", "Targets"))
     _build_land(scene, land)
     stage = lookout.add_stage(place)
     lookout.build(place, stage)
@@ -53,12 +53,6 @@ def build(context):
     _wire(context, marks, stage, rig, carrier)
     scene.frame_set(1)
     return scene
-
-
-def _collection(scene, name):
-    collection = bpy.data.collections.new(f"Motus {name}")
-    scene.collection.children.link(collection)
-    return collection
 
 
 def _build_land(scene, collection):

@@ -55,7 +55,7 @@ def draw_graph(layout, numbers):
     box = layout.box().column(align=True)
     step = (times >= 0.0).astype(float)
     box.template_icon(graph.icon("dynamics", found, (0.0, 1.0), (step,)), scale=7.0)
-    box.label(text=tr("What it makes of a step, in {seconds} s").format(seconds=f"{seconds:.2g}"), translate=False)
+    box.label(text=tr("Step response: {seconds} s").format(seconds=f"{seconds:.2g}"), translate=False)
 
 
 def draw_loop(layout, context):

@@ -9,7 +9,7 @@ def _has_channels(settings):
     return settings.follow == 'OWN' or not getattr(settings, "name", "")
 
 
-FOLLOW = Rows(("follow", Row("channels", when=_has_channels, expand=True)), title="Follow")
+FOLLOW = Rows(("follow", Row("channels", when=_has_channels, expand=True, stacks=True)), title="Follow")
 BY_FREQUENCY = Rows(("frequency", "damping", "response"), title="Motion")
 MOTION = Rows((
     Row("frequency", when=is_one_of("shape", 'FREQUENCY')), Row("damping", when=is_one_of("shape", 'FREQUENCY')),

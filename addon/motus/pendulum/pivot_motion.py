@@ -25,7 +25,7 @@ def felt(owner, scene, rate):
     moved = track(owner, scene)
     if not moved.is_known:
         return {}, UNKNOWN
-    if moved.is_constant:
+    if moved.extent is None:
         return {}, None
     start = owner.motus.pendulum.start_frame
     count = min(max(int(scene.frame_end - start) + 1, 2), MOST)

@@ -7,7 +7,9 @@ import bpy
 import support
 import toy_system
 from mathutils import Matrix
-from core.wiring.wiring_cases import WiringTestCase, build_followers, build_object, each_kind, frame_set
+from core.wiring.wiring_cases import (
+    WiringTestCase, assert_playback_equals_jumps, build_followers, build_object, each_kind, frame_set,
+)
 
 wiring = support.addon("core.wiring")
 solver = support.addon("core.wiring.solver")
@@ -62,13 +64,7 @@ class EvaluationTest(WiringTestCase):
     @each_kind
     def test_playback_equals_jumps(self, build):
         _, things = build(toy_system.new_target())
-        played = []
-        for frame in range(1, 21):
-            frame_set(frame)
-            played.append([toy_system.world_matrix(thing) for thing in things])
-        for frame in (20, 4, 13, 1):
-            frame_set(frame)
-            self.assertEqual([toy_system.world_matrix(thing) for thing in things], played[frame - 1])
+        assert_playback_equals_jumps(self, lambda: [toy_system.world_matrix(thing) for thing in things], count=20)
 
     @each_kind
     def test_dragged_target(self, build):

@@ -5,7 +5,7 @@ import support
 import toy_sway_system
 import toy_system
 from core.wiring.object_cases import ObjectTestCase, build, build_rig, each_kind, keyed, matrices, things
-from core.wiring.wiring_cases import frame_set
+from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
 outbox = support.addon("core.wiring.outbox")
@@ -20,14 +20,7 @@ class EvaluationTest(ObjectTestCase):
     @each_kind
     def test_playback_equals_jumps(self, build):
         owner = build()
-        frame_set(1)
-        played = []
-        for frame in range(1, 13):
-            frame_set(0.5 * frame)
-            played.append(matrices(owner))
-        for frame in (12, 4, 9, 1):
-            frame_set(0.5 * frame)
-            self.assertEqual(matrices(owner), played[frame - 1])
+        assert_playback_equals_jumps(self, lambda: matrices(owner), 0.5)
 
     @each_kind
     def test_influence_and_problem(self, build):

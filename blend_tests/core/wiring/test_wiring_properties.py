@@ -7,7 +7,7 @@ import support
 import toy_dial_system
 from core.wiring.property_cases import (
     FRAMES, SYSTEM, PropertyTestCase, build, key, places, shown, state, values)
-from core.wiring.wiring_cases import frame_set
+from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
 outbox = support.addon("core.wiring.outbox")
@@ -24,14 +24,7 @@ class EvaluationTest(PropertyTestCase):
     def test_playback_equals_jumps(self):
         owner = build()
         owner.motus.dial.influence = 0.3
-        frame_set(1)
-        played = []
-        for frame in range(1, 13):
-            frame_set(0.5 * frame)
-            played.append(values(owner))
-        for frame in (12, 4, 9, 1):
-            frame_set(0.5 * frame)
-            self.assertEqual(values(owner), played[frame - 1])
+        assert_playback_equals_jumps(self, lambda: values(owner), 0.5)
 
     def test_influence_lays_it_over_the_own_values(self):
         owner = build()

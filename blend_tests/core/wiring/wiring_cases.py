@@ -91,3 +91,15 @@ def frame_set(frame):
     """Goes to a frame, sub-frames included."""
     whole = int(frame // 1)
     bpy.context.scene.frame_set(whole, subframe=frame - whole)
+
+
+def assert_playback_equals_jumps(test, read, step=1.0, count=12):
+    """Assert that read() gives on frames that are jumped to what it gave when they were played, `step` frames apart."""
+    frame_set(1)  # here what is driven is noticed
+    played = []
+    for index in range(1, count + 1):
+        frame_set(step * index)
+        played.append(read())
+    for index in (count, 4, 2 * count // 3, 1):
+        frame_set(step * index)
+        test.assertEqual(read(), played[index - 1])

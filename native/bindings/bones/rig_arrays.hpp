@@ -65,6 +65,33 @@ template <class T>
     return rig;
 }
 
+/// A copy of all that a solver reads of a rig but its lengths: another thread may write into the arrays while
+/// the interpreter's lock is given away, and what was found finite is read again.
+class CopiedRig {
+  public:
+    CopiedRig(std::span<const int> parents, const py::object& rest, const py::object& poses,
+              const py::object& basis, const py::object& inheritance) {
+        const bones::RigView given = rig_at_rest(parents, rest, inheritance);
+        rest_ = copied(given.rest);
+        poses_ = copied(elements<float>(poses, "poses", {parents.size(), 16}));
+        basis_ = copied(elements<float>(basis, "basis", {parents.size(), 16}));
+        inheritance_ = copied(given.inheritance);
+        view_ = {parents, rest_, poses_, basis_, {}, inheritance_};
+    }
+    CopiedRig(const CopiedRig&) = delete;
+    CopiedRig& operator=(const CopiedRig&) = delete;
+    CopiedRig(CopiedRig&&) = delete;
+    CopiedRig& operator=(CopiedRig&&) = delete;
+    ~CopiedRig() = default;
+
+    [[nodiscard]] const bones::RigView& view() const noexcept { return view_; }
+
+  private:
+    std::vector<float> rest_, poses_, basis_;
+    std::vector<int> inheritance_;
+    bones::RigView view_;
+};
+
 /// (n,) whole numbers of any integer type, such as indices of bones: copied. TypeError for others, ValueError
 /// where one is no int.
 [[nodiscard]] inline std::vector<int> whole_numbers(py::handle object, std::string_view name) {

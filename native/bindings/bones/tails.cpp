@@ -23,14 +23,7 @@ constexpr double bone_cost = 300.0;  // ns, rough
                                       const py::object& inheritance, const py::object& world,
                                       const py::object& targets, const py::object& weights) {
     const std::size_t count = plan.size();
-    const std::size_t bones = plan.parents().size();
-    // Copies: another thread may write into the arrays while the interpreter's lock is given away.
-    const bones::RigView given = rig_at_rest(plan.parents(), rest, inheritance);
-    const std::vector<float> rest_rows = copied(given.rest);
-    const std::vector<float> pose_rows = copied(elements<float>(poses, "poses", {bones, 16}));
-    const std::vector<float> basis_rows = copied(elements<float>(basis, "basis", {bones, 16}));
-    const std::vector<int> inheritance_rows = copied(given.inheritance);
-    const bones::RigView rig{plan.parents(), rest_rows, pose_rows, basis_rows, {}, inheritance_rows};
+    const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
     const std::span<const double> places = elements<double>(targets, "targets", {count, 3});
     const std::vector<double> shares = copied(elements<double>(weights, "weights", {count}));
@@ -42,7 +35,7 @@ constexpr double bone_cost = 300.0;  // ns, rough
     const std::span<glm::dquat> out = quaternions_in(result.mutable_data(), count);
     {
         const ReleaseGil released(count, bone_cost);
-        plan.solve(rig, to_world, points, shares, out);
+        plan.solve(rig.view(), to_world, points, shares, out);
         rows_from_quaternions(out);
     }
     return result;

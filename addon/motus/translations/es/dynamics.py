@@ -104,7 +104,7 @@ INTERFACE = {
     "Index of a number in an array property; -1 for all of it": "Índice de un número en una propiedad múltiple; -1 para toda ella",
     "Input": "Entrada",
     "Exact at any frame": "Exacto en cualquier fotograma",
-    "What it makes of a step, in {seconds} s": "Lo que hace de un escalón, en {seconds} s",
+    "Step response: {seconds} s": "Respuesta: {seconds} s",
     "Nothing here has dynamics": "Nada tiene dinámica aquí",
     "Select the bones that shall follow": "Selecciona los huesos que deben seguir",
     "Select what shall follow": "Selecciona lo que debe seguir",

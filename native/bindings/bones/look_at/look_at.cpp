@@ -181,15 +181,7 @@ DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const 
                        const py::object& settings, const py::object& targets, const py::object& head_forward,
                        const py::object& eyes_forward, const py::object& rotations) {
     const std::size_t count = plan.size();
-    const std::size_t bones = plan.parents().size();
-    // Copies: another thread may write into the arrays while the interpreter's lock is given away, and what
-    // is found finite is read again.
-    const bones::RigView given = rig_at_rest(plan.parents(), rest, inheritance);
-    const std::vector<float> rest_rows = copied(given.rest);
-    const std::vector<float> pose_rows = copied(elements<float>(poses, "poses", {bones, 16}));
-    const std::vector<float> basis_rows = copied(elements<float>(basis, "basis", {bones, 16}));
-    const std::vector<int> inheritance_rows = copied(given.inheritance);
-    const bones::RigView rig{plan.parents(), rest_rows, pose_rows, basis_rows, {}, inheritance_rows};
+    const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
     const std::span<const double> setting_rows =
         elements<double>(settings, "settings", {count, column_count});
@@ -214,7 +206,7 @@ DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const 
     {
         const ReleaseGil released(count, entry_cost);
         std::vector<look_at::Report> reports(count);
-        plan.solve(rig, to_world, inputs, out, reports);
+        plan.solve(rig.view(), to_world, inputs, out, reports);
         rows_from_quaternions(out);
         for (std::size_t i = 0; i < count; ++i) {
             const look_at::Report& one = reports[i];
