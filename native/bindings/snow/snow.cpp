@@ -428,18 +428,18 @@ Raises ValueError or TypeError that names the argument, also where more than 1e8
              "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(), "collider"_a = py::none(),
              "collision"_a = "stay", "rest_time"_a = py::none(), "melt_time"_a = 1.0, "friction"_a = 0.5,
              "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none())
+        .def("landings", &landings, "end"_a, R"(
+Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
+(n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 3 us each.
+
+Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)")
         .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), R"(
 The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
 (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).
 
 fields: names of those wanted; None: those in out, or all.
 out: a dict of C-contiguous arrays of m rows or more, written into; the result has views of their first m rows.
-The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.)")
-        .def("landings", &landings, "end"_a, R"(
-Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
-(n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 3 us each.
-
-Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)");
+The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.)");
 
     py::class_<Cover>(m, "SnowCover", py::module_local(), R"(
 How deep snow lies on each vertex of what its flakes land on, its collider, at any time, in any order of times. Immutable.
