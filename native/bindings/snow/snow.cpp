@@ -430,7 +430,7 @@ Raises ValueError or TypeError that names the argument, also where more than 1e8
              "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none())
         .def("landings", &landings, "end"_a, R"(
 Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
-(n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 3 us each.
+(n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.
 
 Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)")
         .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), R"(
@@ -449,7 +449,7 @@ stands for, > 0: the heights times the vertices' areas add up to that of the fla
 from the collider.  repose: angle of slopes up to which all flakes lie where they land, [0, pi / 2); the steeper the more of
 them slide down and fall from edges to what is below; all do where the slope's tangent is 1.5 times as large.  smoothing: 0 to
 1000 rounds in which neighbouring vertices even out their heights, not with those that are under something or too steep.
-Takes some 5 us and 200 bytes for each flake that is born until `end` (32 bytes once it is made).
+Takes some 11 us and 200 bytes for each flake that is born until `end` (32 bytes once it is made).
 Raises ValueError or TypeError that names the argument, also where more than 1e7 flakes are born until then.)")
         .def(py::init(&cover_of), "snow"_a, py::kw_only(), "end"_a, "flake_volume"_a = 1e-4, "repose"_a = 0.9,
              "smoothing"_a = 4)

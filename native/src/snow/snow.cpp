@@ -25,7 +25,7 @@ struct Snow::Parts {
 
 namespace {
 
-constexpr std::size_t landing_grain = 2;  // blocks whose landings are looked for: some 500 us each
+constexpr std::size_t landing_grain = 2;  // blocks whose landings are looked for: some 2 ms each
 
 /// The living flakes of a block, and what the runs in it need.
 class Block {
