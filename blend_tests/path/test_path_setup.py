@@ -219,6 +219,78 @@ class Train(PathTestCase):
         for index, wagon in enumerate(self.wagons):
             self.assertPlace(wagon, np.array((-2.0 * index, 0.0, 0.0)), 1)
 
+    def test_ends_as_the_curve_asks_for(self):
+        self.line(10.0)
+        self.couple(timing='SPEED', speed=1.0)
+        leader = self.wagons[0].motus.path
+        self.assertEqual(leader.extend, 'LINE_UP')
+        gaps = [wagon.gap for wagon in leader.wagons]
+        self.assertEqual(gaps, [2.0, 2.0, 2.0])  # empties of 1 m to each side
+        for frame, front in ((1, 0.0), (1 + 24 * 5, 5.0), (1 + 24 * 30, 10.0)):
+            for index, wagon in enumerate(self.wagons):
+                self.assertPlace(wagon, np.array((front - 2.0 * index, 0.0, 0.0)), frame, tolerance=1e-6)
+        self.couple(extend='PING_PONG')
+        self.couple()
+        self.assertEqual(leader.extend, 'PING_PONG')  # what is set up keeps its own
+
+    def test_closed_curves_are_gone_round(self):
+        self.bezier(circle_knots(20.0), cyclic=True)
+        self.couple(gap=3.0)
+        self.assertEqual(self.wagons[0].motus.path.extend, 'LOOP')
+        car = self.follow("Car")
+        self.assertEqual(car.motus.path.extend, 'LOOP')
+        self.assertEqual(self.follow("Van", extend='CLAMP').motus.path.extend, 'CLAMP')
+
+    def test_gap_of_all_and_from_sizes(self):
+        self.line(100.0)
+        self.couple(gap=1.0)
+        settings = self.wagons[0].motus.path
+        settings.wagons[1].gap = 4.0
+        settings.gap_of_all = 2.5
+        self.assertEqual([wagon.gap for wagon in settings.wagons], [2.5, 2.5, 2.5])
+        self.wagons[2].empty_display_size = 3.0
+        bpy.ops.motus.path_wagons_touch(object="Wagon 0")
+        self.assertEqual([wagon.gap for wagon in settings.wagons], [2.0, 4.0, 4.0])
+
+    def test_move_wagons(self):
+        self.line(100.0)
+        self.couple(gap=2.0, timing='MANUAL', distance_factor=0.5)
+        settings = self.wagons[0].motus.path
+        settings.wagons[0].gap = 5.0
+        bpy.ops.motus.path_wagon_move(object="Wagon 0", index=0, direction='DOWN')
+        self.assertEqual([wagon.object.name for wagon in settings.wagons], ["Wagon 2", "Wagon 1", "Wagon 3"])
+        self.assertEqual(settings.active_wagon, 1)
+        for wagon, place in zip(self.wagons, (50.0, 43.0, 45.0, 41.0)):
+            self.assertPlace(wagon, np.array((place, 0.0, 0.0)))
+        for index, direction in ((0, 'UP'), (2, 'DOWN')):
+            self.assertRefused("at the end of the train", bpy.ops.motus.path_wagon_move, object="Wagon 0", index=index,
+                               direction=direction)
+        self.assertRefused("no such wagon", bpy.ops.motus.path_wagon_move, object="Wagon 0", index=3)
+
+    def test_a_lone_follower_with_its_first_wagon(self):
+        self.line(100.0)
+        car = self.follow("Car")
+        self.assertEqual(car.motus.path.extend, 'CLAMP')
+        bpy.ops.motus.path_wagon_add(object="Car", wagon="Wagon 0")
+        self.assertEqual(car.motus.path.extend, 'LINE_UP')
+        self.assertPlace(self.wagons[0], np.array((-2.0, 0.0, 0.0)), 1)
+
+    def test_what_was_selected_is_active_and_the_curve_knows_it(self):
+        course = self.line(100.0)
+        layer = bpy.context.view_layer
+        for obj in bpy.context.selected_objects:
+            obj.select_set(False)
+        for obj in (self.wagons[0], self.wagons[1], course):
+            obj.select_set(True)
+        layer.objects.active = course
+        self.assertEqual(bpy.ops.motus.path_train_add(), {'FINISHED'})
+        self.assertEqual(layer.objects.active, self.wagons[0])
+        layer.objects.active = course
+        self.assertEqual(bpy.ops.motus.path_select_follower(), {'FINISHED'})
+        self.assertEqual((layer.objects.active, bpy.context.selected_objects), (self.wagons[0], [self.wagons[0]]))
+        layer.objects.active = self.wagons[1]
+        self.assertRefused("Nothing follows this curve", bpy.ops.motus.path_select_follower)
+
     def test_gap_from_the_objects_lengths(self):
         self.line(100.0)
         for index, wagon in enumerate(self.wagons):

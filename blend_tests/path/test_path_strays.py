@@ -113,7 +113,7 @@ class Panel(PathTestCase):
         layout = self.drawn(copied)
         self.assertIn("A copy of a wagon: it stands where", " ".join(layout.texts))
         couple = layout.buttons["motus.path_wagon_add"]
-        self.assertEqual((couple.object, couple.wagon, couple.gap), ("Wagon 0", copied.name, 2.0))
+        self.assertEqual((couple.object, couple.wagon), ("Wagon 0", copied.name))
         self.assertEqual(layout.buttons["motus.path_follow_remove"].object, copied.name)
 
     def test_leader_gone(self):

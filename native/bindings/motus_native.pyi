@@ -175,6 +175,7 @@ def follow(
     lag_by: Literal["acceleration", "curvature"] = "acceleration",
     locations: _Array | None = None,  # (n, 3), C-contiguous, written into
     rotations: _Array | None = None,  # (n, 4), C-contiguous, written into
+    line_up: bool = False,
     **options: object,
 ) -> tuple[_Array, _Array]: ...
 

@@ -3,11 +3,12 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import Operator, object_keyword
+from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, named
 from ..core.rows import Row, Rows
 from ..core.translations import tr
-from . import properties, setup, targets
+from . import setup, targets
+from .gaps import touching_gaps
 from .operators import follower_for
 
 
@@ -75,8 +76,8 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
     wagon: bpy.props.StringProperty(
         name="Wagon", description="Name of the wagon; empty takes the other selected objects", options={'SKIP_SAVE'})
     gap: bpy.props.FloatProperty(
-        name="Gap", description="Distance along the path to the one in front", default=properties.DEFAULT_GAP, min=0.0,
-        subtype='DISTANCE')
+        name="Gap", description="Distance along the path to the one in front; 0 takes the lengths of the objects",
+        default=0.0, min=0.0, subtype='DISTANCE')
     redo = (Rows(("gap",)),)
 
     def run(self, context):
@@ -90,7 +91,11 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
         if not wagons:
             raise Refused(tr("Select the objects to couple, and the leader last"))
         train = [(entry.object, entry.gap) for entry in settings.wagons if entry.object]
-        setup.attach(obj, settings.curve, {}, train + [(wagon, self.gap) for wagon in wagons])
+        in_front = train[-1][0] if train else obj
+        gaps = [self.gap] * len(wagons) if self.gap else touching_gaps([in_front, *wagons], settings.forward_axis)
+        # What stops alone at the ends would have its first wagons in one heap there.
+        ends = {"extend": 'LINE_UP'} if settings.extend == 'CLAMP' and not train else {}
+        setup.attach(obj, settings.curve, ends, train + list(zip(wagons, gaps)))
         settings.active_wagon = len(settings.wagons) - 1
 
 
@@ -114,6 +119,52 @@ class MOTUS_OT_path_wagon_remove(Operator, bpy.types.Operator):
         settings.active_wagon = max(0, min(settings.active_wagon, len(settings.wagons) - 1))
 
 
+class MOTUS_OT_path_wagon_move(Operator, bpy.types.Operator):
+    bl_idname = "motus.path_wagon_move"
+    bl_label = "Move Wagon"
+    bl_description = "Let a wagon change places with the one in front of it or behind it; the gaps stay where they are"
+
+    object: object_keyword("Name of the leader; empty takes the active one")
+    index: bpy.props.IntProperty(
+        name="Index", description="Which wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+    direction: bpy.props.EnumProperty(
+        name="Direction", description="Which way", items=(('UP', "Up", ""), ('DOWN', "Down", "")), default='UP')
+    redo = (Rows(("direction",)),)
+
+    def run(self, context):
+        obj = follower_for(context, self.object)
+        settings = obj.motus.path
+        index = settings.active_wagon if self.index < 0 else self.index
+        if index >= len(settings.wagons):
+            raise Refused(tr("There is no such wagon"))
+        place = index + (1 if self.direction == 'DOWN' else -1)
+        if not 0 <= place < len(settings.wagons):
+            raise Refused(tr("The wagon is at the end of the train already"))
+        targets.check_uncouplable(obj, min(index, place))
+        train = [(entry.object, entry.gap) for entry in settings.wagons]
+        (first, first_gap), (second, second_gap) = train[index], train[place]
+        train[index], train[place] = (second, first_gap), (first, second_gap)
+        setup.attach(obj, settings.curve, {}, [(wagon, gap) for wagon, gap in train if wagon])
+        settings.active_wagon = place
+
+
+class MOTUS_OT_path_wagons_touch(Operator, bpy.types.Operator):
+    bl_idname = "motus.path_wagons_touch"
+    bl_label = "Gaps from Sizes"
+    bl_description = "Set each gap so that a wagon touches the one in front"
+
+    object: object_keyword("Name of the leader; empty takes the active one")
+
+    def run(self, context):
+        obj = follower_for(context, self.object)
+        wagons = [entry for entry in obj.motus.path.wagons if entry.object]
+        if not wagons:
+            raise Refused(tr("There is no such wagon"))
+        gaps = touching_gaps([obj, *(entry.object for entry in wagons)], obj.motus.path.forward_axis)
+        for entry, gap in zip(wagons, gaps):
+            entry.gap = gap
+
+
 class MOTUS_OT_path_select_leader(Operator, bpy.types.Operator):
     bl_idname = "motus.path_select_leader"
     bl_label = "Select Leader"
@@ -123,12 +174,35 @@ class MOTUS_OT_path_select_leader(Operator, bpy.types.Operator):
         leader = context.object and context.object.motus.path.leader
         if leader is None:
             raise Refused(tr("Nothing here is a wagon of a train"))
-        if leader.name not in context.view_layer.objects:
-            raise Refused(tr("{object} is not in this view layer").format(object=leader.name))
-        for selected in context.selected_objects:
-            selected.select_set(False)
-        leader.select_set(True)
-        context.view_layer.objects.active = leader
+        _select_alone(context, leader)
+
+
+class MOTUS_OT_path_select_follower(Operator, bpy.types.Operator):
+    bl_idname = "motus.path_select_follower"
+    bl_label = "Select Follower"
+    bl_description = "Select an object that follows this curve"
+
+    object: object_keyword("Name of the follower; empty takes the first one of the active curve")
+    modes = OBJECT_MODE
+
+    def run(self, context):
+        if self.object:
+            follower = follower_for(context, self.object)
+        else:
+            followers = targets.followers_of(context.object) if context.object else []
+            if not followers:
+                raise Refused(tr("Nothing follows this curve"))
+            follower = followers[0]
+        _select_alone(context, follower)
+
+
+def _select_alone(context, obj):
+    if obj.name not in context.view_layer.objects:
+        raise Refused(tr("{object} is not in this view layer").format(object=obj.name))
+    for selected in context.selected_objects:
+        selected.select_set(False)
+    obj.select_set(True)
+    context.view_layer.objects.active = obj
 
 
 def _remove_pins(settings, frame):
@@ -147,5 +221,5 @@ def _here_and_now(context, obj):
 
 classes = (
     MOTUS_OT_path_pin_add, MOTUS_OT_path_pin_remove, MOTUS_OT_path_wagon_add, MOTUS_OT_path_wagon_remove,
-    MOTUS_OT_path_select_leader,
+    MOTUS_OT_path_wagon_move, MOTUS_OT_path_wagons_touch, MOTUS_OT_path_select_leader, MOTUS_OT_path_select_follower,
 )

@@ -20,7 +20,7 @@ FRACTION_IN_STRIPS = Problem(
 NOT_FINITE = Problem("A setting is not a finite number")
 PROBLEMS = (NO_PINS, SAME_FRAME, DRIVEN_SPEED, SPEED_IN_STRIPS, FRACTION_IN_STRIPS, NOT_FINITE)
 
-AFTER_EASE = {'CLAMP': "rest", 'EXTRAPOLATE': "go_on", 'LOOP': "repeat", 'PING_PONG': "repeat"}
+AFTER_EASE = {'CLAMP': "rest", 'EXTRAPOLATE': "go_on", 'LOOP': "repeat", 'PING_PONG': "repeat", 'LINE_UP': "rest"}
 SHORTEST = 1e-6  # s; keys and drivers can pass the setting's own limits
 INFINITE = 3.4e38  # what Blender makes of infinity lies above
 

@@ -7,7 +7,7 @@ from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
 from . import members, rows, setup, targets
-from .properties import KEYWORDS, FollowKeywords
+from .properties import KEYWORDS, NewFollowKeywords
 
 
 def follower_for(context, name=""):
@@ -29,7 +29,21 @@ def report_problems(operator, context, owners):
         operator.report({'WARNING'}, tr(sentence))
 
 
-class MOTUS_OT_path_follow_add(Operator, FollowKeywords, bpy.types.Operator):
+def with_ends(operator, owner, curve, keywords, is_train=False):
+    """The keywords of a NewFollowKeywords, and where the owner is new and `extend` not given what the curve asks for."""
+    if "extend" in keywords or owner.motus.path.is_active:
+        return keywords
+    operator.extend = targets.ends_for(curve, keywords.get("spline", 0), is_train)
+    return keywords | {"extend": operator.extend}
+
+
+def make_active(context, obj):
+    """Let the panels show what was just set up, instead of the curve."""
+    if obj.name in context.view_layer.objects:
+        context.view_layer.objects.active = obj
+
+
+class MOTUS_OT_path_follow_add(Operator, NewFollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_follow_add"
     bl_label = "Follow Path"
     bl_description = "Let the selected objects follow a curve"
@@ -68,8 +82,10 @@ class MOTUS_OT_path_follow_add(Operator, FollowKeywords, bpy.types.Operator):
             targets.check_free(owner, curve)
             targets.check_settings(owner, curve, keywords)
         for owner in owners:
-            setup.attach(owner, curve, keywords)
+            setup.attach(owner, curve, with_ends(self, owner, curve, keywords))
         self.curve = curve.name
+        if not self.object:
+            make_active(context, owners[0])
         return owners
 
 

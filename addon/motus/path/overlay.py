@@ -6,7 +6,7 @@ from ..core import curves, native
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
 from ..core.system import Context, Problem
-from . import motion, solve
+from . import motion, solve, targets
 
 STEPS_PER_SEGMENT = 48
 LARGEST_STEPS = 4096
@@ -14,6 +14,7 @@ WHISKERS = 24
 WHISKER_SHARE = 0.025  # of the path's length
 SPEED_SAMPLES = 400
 CURVE_WIDTH = 3.0  # pixels
+EVEN = 0.01  # of the speed; what varies by less has the curve's own colour
 
 SLOW, MIDDLE, FAST = (0.15, 0.55, 0.95), (0.98, 0.80, 0.25), (0.95, 0.25, 0.30)
 CURVE_COLOR = (0.98, 0.80, 0.25, 0.9)
@@ -25,13 +26,17 @@ RIGHT_COLOR = (0.95, 0.30, 0.35, 0.9)
 
 
 def _batches(context, owner):
-    """Batches for a follower, a wagon or a Motus Bézier curve; none for other objects."""
+    """Batches for a follower, a wagon, a curve that is followed or a Motus Bézier curve; none for other objects."""
     depsgraph = context.evaluated_depsgraph_get()
     leader = owner.motus.path.leader or owner
     if leader.motus.path.is_active and leader.motus.path.curve:
         return _of_follower(context.scene, leader.evaluated_get(depsgraph), depsgraph)
-    if owner.type == 'CURVE' and curves.CONTROL_POLYGON_KEY in owner.data:
-        return _of_curve(context.scene.motus, owner.evaluated_get(depsgraph), depsgraph)
+    if owner.type == 'CURVE':
+        follower = next(iter(targets.followers_of(owner)), None)
+        if follower:
+            return _of_follower(context.scene, follower.evaluated_get(depsgraph), depsgraph)
+        if curves.CONTROL_POLYGON_KEY in owner.data:
+            return _of_curve(context.scene.motus, owner.evaluated_get(depsgraph), depsgraph)
     return []
 
 
@@ -75,7 +80,7 @@ def _curve_batches(shown, curve, speeds):
     if shown.show_curve:
         parameters = _parameters(curve)
         lines = _pairs(curve.position(parameters.ravel()).reshape(*parameters.shape, 3))
-        if speeds is None:
+        if speeds is None or np.ptp(np.abs(speeds[1])) <= EVEN * np.abs(speeds[1]).max():
             found.append(Batch('LINES', lines, CURVE_COLOR, CURVE_WIDTH))
         else:
             speed = np.interp(curve.length_at(parameters.ravel()), *speeds).reshape(parameters.shape)

@@ -4,10 +4,11 @@ import bpy
 
 from ..core import panels, ui, wiring
 from ..core.system import Problem
-from . import members, presets, rows
-from .properties import DEFAULT_GAP
+from ..core.translations import tr
+from . import members, presets, rows, targets
 from .setup import is_stray, system
 
+MOST_SHOWN = 6  # followers of a curve
 COPY_OF_A_WAGON = Problem("A copy of a wagon: it stands where the wagon stands", blocking=False)
 LEADER_GONE = Problem("The leader of this wagon is gone")
 
@@ -31,11 +32,24 @@ def draw_add(layout, context):
     """A curve, and the button that lets the object follow it; a curve can be looked at."""
     obj = context.object
     if obj.type == 'CURVE':
-        layout.operator("motus.path_edit_views", icon='VIEW_ORTHO')
+        _draw_curve(layout, obj)
         return
     column = layout.column(align=True)
     column.prop(obj.motus.path, "curve", text="", icon='CURVE_DATA')
     column.operator("motus.path_follow_add", icon='CON_FOLLOWPATH')
+
+
+def _draw_curve(layout, curve):
+    followers = targets.followers_of(curve)
+    if followers:
+        column = layout.column(align=True)
+        column.label(text="Followed by")
+        for follower in followers[:MOST_SHOWN]:
+            column.operator("motus.path_select_follower", text=follower.name, icon='RESTRICT_SELECT_OFF',
+                            translate=False).object = follower.name
+        if len(followers) > MOST_SHOWN:
+            column.label(text=tr("and {count} more").format(count=len(followers) - MOST_SHOWN), translate=False)
+    layout.operator("motus.path_edit_views", icon='VIEW_ORTHO')
 
 
 def draw_actions(layout, context):
@@ -57,7 +71,7 @@ def _draw_stray(layout, stray, leader):
     if leader:
         ui.draw_message(layout, COPY_OF_A_WAGON.sentence, 'INFO')
         couple = layout.operator("motus.path_wagon_add", text="Add to the Train", icon='ADD')
-        couple.object, couple.wagon, couple.gap = leader.name, stray.name, DEFAULT_GAP
+        couple.object, couple.wagon = leader.name, stray.name
     else:
         ui.draw_message(layout, LEADER_GONE.sentence, 'ERROR')
     layout.operator("motus.path_follow_remove", text="Remove", icon='X').object = stray.name
@@ -93,8 +107,20 @@ def draw_orientation(layout, context):
 
 def draw_train(layout, context):
     """The wagons and their gaps."""
-    ui.draw_list(layout, "MOTUS_UL_path_wagons", context.object.motus.path, "wagons", "active_wagon",
-                 "motus.path_wagon_add", "motus.path_wagon_remove")
+    settings = context.object.motus.path
+    _, _, buttons = ui.draw_list(
+        layout, "MOTUS_UL_path_wagons", settings, "wagons", "active_wagon", "motus.path_wagon_add",
+        "motus.path_wagon_remove", rows=4)
+    buttons.separator()
+    for direction in ('UP', 'DOWN'):
+        buttons.operator("motus.path_wagon_move", text="", icon=f'TRIA_{direction}').direction = direction
+    if not settings.wagons:
+        return
+    column = ui.split(layout)
+    if settings.active_wagon < len(settings.wagons):
+        column.prop(settings.wagons[settings.active_wagon], "gap")
+    column.prop(settings, "gap_of_all")
+    layout.operator("motus.path_wagons_touch", icon='FIXED_SIZE')
 
 
 class MOTUS_UL_path_pins(bpy.types.UIList):
@@ -106,9 +132,7 @@ class MOTUS_UL_path_pins(bpy.types.UIList):
 
 class MOTUS_UL_path_wagons(bpy.types.UIList):
     def draw_item(self, _context, layout, _settings, wagon, _icon, _active, _name, _index):
-        row = layout.row(align=True)
-        row.prop(wagon, "object", text="", emboss=False)
-        row.prop(wagon, "gap", text="")
+        layout.prop(wagon, "object", text="", emboss=False)
 
 
 def _is_used(obj):
@@ -125,7 +149,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("timing", "Timing", draw_timing, is_open=True),
         panels.Part("orientation", "Orientation", draw_orientation, is_open=True),
-        panels.Part("train", "Train", draw_train),
+        panels.Part("train", "Train", draw_train, is_open=True),
     ),
     readouts=draw_readouts, actions=draw_actions, refresh="motus.path_refresh", presets=presets.PANEL,
     draw_add=draw_add)

@@ -18,6 +18,7 @@ EXTENDS = (
     ('EXTRAPOLATE', "Go On", "Go on along the tangent of the path's end"),
     ('LOOP', "Loop", "Begin again at the start"),
     ('PING_PONG', "Ping-Pong", "Go back and forth"),
+    ('LINE_UP', "Line Up", "The first stops at the ends; the others stand in line behind it, before the start if need be"),
 )
 ORIENTATIONS = (
     ('NONE', "None", "Keep the object's own rotation"),
@@ -64,10 +65,10 @@ def _number(name, description, default, **options):
         name=name, description=description, default=default, options=ANIMATED, override=OVERRIDABLE, **options)
 
 
-def _choice(name, description, items, default, update=touch):
+def _choice(name, description, items, default, update=touch, options=frozenset()):
     return bpy.props.EnumProperty(
         name=name, description=description, items=items, default=default, update=update,
-        options=set(), override=OVERRIDABLE)
+        options=set(options), override=OVERRIDABLE)
 
 
 class FollowKeywords:
@@ -123,6 +124,14 @@ class FollowKeywords:
 KEYWORDS = tuple(FollowKeywords.__annotations__)
 
 
+class NewFollowKeywords(FollowKeywords):
+    """What the operators have that let something follow, which see by the curve what its ends are for."""
+
+    extend: _choice(
+        "Ends", "What happens beyond the ends of the path; unless it is chosen, what is closed loops and a train lines up",
+        EXTENDS, 'CLAMP', options={'SKIP_SAVE'})
+
+
 def _is_curve(_settings, candidate):
     return candidate.type == 'CURVE'
 
@@ -148,6 +157,15 @@ class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
         options=set(), update=touch, override=OVERRIDABLE)
 
 
+def _gap_of_all(settings):
+    return settings.wagons[0].gap if settings.wagons else DEFAULT_GAP
+
+
+def _set_gap_of_all(settings, gap):
+    for wagon in settings.wagons:
+        wagon.gap = gap
+
+
 class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     curve: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Curve", description="Curve to follow", poll=_is_curve, update=rewire,
@@ -156,3 +174,6 @@ class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set())
     wagons: bpy.props.CollectionProperty(type=MOTUS_PG_path_wagon, name="Wagons", override=EXTENDABLE)
     active_wagon: bpy.props.IntProperty(name="Active Wagon", options=set())
+    gap_of_all: bpy.props.FloatProperty(
+        name="Gap of All", description="Distance along the path from each to the one in front, the same for all wagons",
+        subtype='DISTANCE', options=set(), get=_gap_of_all, set=_set_gap_of_all)

@@ -39,7 +39,8 @@ def solve(context, matrix, splines, deformed, **numbers):
         options = options | {"tilt": path.tilt}
     native.module.follow(
         path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
-    _write_outputs(context.outputs, path.curve, length, moving, time, numbers["offset"], options["extend"])
+    extend = 'clamp' if options["line_up"] else options["extend"]  # the first one's
+    _write_outputs(context.outputs, path.curve, length, moving, time, numbers["offset"], extend)
     return moving.problem
 
 
@@ -76,7 +77,8 @@ def follow_options(settings, numbers, tilt):
     options = {
         "mode": 'minimal' if mode == 'NONE' else mode.lower(),
         "rotate": mode != 'NONE',
-        "extend": settings.extend.lower(),
+        "extend": 'extrapolate' if settings.extend == 'LINE_UP' else settings.extend.lower(),
+        "line_up": settings.extend == 'LINE_UP',
         "forward": axis_name(settings.forward_axis),
         "up": axis_name(settings.up_axis),
         "lag_rate": max(numbers["lag_rate"], 0.0),

@@ -39,6 +39,21 @@ def selected_followers(context):
         found for found in [context.object] if found and found.type != 'CURVE']
 
 
+def ends_for(curve, spline, is_train):
+    """What is best done beyond the ends of a curve's spline, -1 for all of them: an item of EXTENDS."""
+    splines = curve.data.splines[:] if spline < 0 else curve.data.splines[spline:spline + 1]
+    if splines and all(one.use_cyclic_u for one in splines):
+        return 'LOOP'
+    return 'LINE_UP' if is_train else 'CLAMP'
+
+
+def followers_of(curve):
+    """Objects that follow the curve by settings of their own, by name."""
+    users = bpy.data.user_map(subset=[curve], key_types={'OBJECT'}, value_types={'OBJECT'})
+    found = [obj for obj in users.get(curve, ()) if obj.motus.path.is_active and obj.motus.path.curve == curve]
+    return sorted(found, key=lambda obj: obj.name_full)
+
+
 def check_free(obj, curve, leader=None):
     """Refuse an object that cannot follow the curve. `leader`: whose wagon it may be already."""
     check_editable(obj)

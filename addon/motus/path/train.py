@@ -1,22 +1,18 @@
 """The operator that couples several objects: exact gaps along the arc."""
 
 import bpy
-from mathutils import Vector
 
 from ..core.operators import OBJECT_MODE, Operator
 from ..core.refusals import Refused, check_finite
 from ..core.rows import Rows
 from ..core.translations import tr
 from . import rows, setup, targets
-from .operators import report_problems
-from .properties import DEFAULT_GAP, KEYWORDS, FollowKeywords
-
-DIRECTIONS = {
-    identifier: sign * Vector((axis == 'X', axis == 'Y', axis == 'Z'))
-    for axis in "XYZ" for identifier, sign in ((f"POS_{axis}", 1.0), (f"NEG_{axis}", -1.0))}
+from .gaps import touching_gaps
+from .operators import make_active, report_problems, with_ends
+from .properties import KEYWORDS, NewFollowKeywords
 
 
-class MOTUS_OT_path_train_add(Operator, FollowKeywords, bpy.types.Operator):
+class MOTUS_OT_path_train_add(Operator, NewFollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_train_add"
     bl_label = "Follow Path as a Train"
     bl_description = "Let the selected objects follow a curve one behind the other, the active one first"
@@ -29,7 +25,7 @@ class MOTUS_OT_path_train_add(Operator, FollowKeywords, bpy.types.Operator):
         name="Curve", description="Name of the curve object; empty takes the selected one", options={'SKIP_SAVE'})
     gap: bpy.props.FloatProperty(
         name="Gap", description="Distance along the path from one to the next; 0 takes the lengths of the objects",
-        default=DEFAULT_GAP, min=0.0, subtype='DISTANCE')
+        default=0.0, min=0.0, subtype='DISTANCE')
 
     modes = OBJECT_MODE
     redo = (Rows(("gap",)), *rows.ALL)
@@ -64,7 +60,9 @@ class MOTUS_OT_path_train_add(Operator, FollowKeywords, bpy.types.Operator):
             gaps = [self.gap] * len(wagons)
         else:
             gaps = touching_gaps(train, self.forward_axis)
-        setup.attach(leader, curve, keywords, list(zip(wagons, gaps)))
+        setup.attach(leader, curve, with_ends(self, leader, curve, keywords, is_train=True), list(zip(wagons, gaps)))
+        if not self.objects:
+            make_active(context, leader)
         self.curve = curve.name
         return train
 
@@ -72,19 +70,6 @@ class MOTUS_OT_path_train_add(Operator, FollowKeywords, bpy.types.Operator):
 def _check_long_enough(train):
     if len(train) < 2:
         raise Refused(tr("A train needs two objects at least"))
-
-
-def touching_gaps(train, forward_axis):
-    """Distances of the objects' origins from one to the next where each touches the one in front."""
-    extents = [_extent(obj, DIRECTIONS[forward_axis]) for obj in train]
-    return [front - rear for (rear, _), (_, front) in zip(extents, extents[1:])]
-
-
-def _extent(obj, direction):
-    """Rear and front end of the object along its own axis, from its origin, m."""
-    scale = abs(obj.matrix_world.to_scale().dot(direction))
-    along = [Vector(corner).dot(direction) * scale for corner in obj.bound_box]
-    return min(along), max(along)
 
 
 classes = (MOTUS_OT_path_train_add,)

@@ -127,6 +127,10 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
     edge_count: bpy.props.IntProperty(
         name="Radius", description="How many edges from the root it reaches", min=1, soft_max=100, options=set(),
         get=lambda brush: max(1, round(brush.radius)), set=lambda brush, count: setattr(brush, "radius", float(count)))
+    fitted_radius: bpy.props.FloatProperty(
+        name="Fitted Radius", description="The radius that was set by an object's size", options={'HIDDEN'})
+    fitted_strength: bpy.props.FloatProperty(
+        name="Fitted Strength", description="The strength that was set by an object's size", options={'HIDDEN'})
     curve_nodes: bpy.props.PointerProperty(
         type=bpy.types.NodeTree, name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
     use_pressure_strength: bpy.props.BoolProperty(

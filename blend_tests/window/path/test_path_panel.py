@@ -1,6 +1,7 @@
 """Follow Path as an artist sees it: the sidebar, the constraint properties and the overlay, on a curve with a banked follower."""
 
 import bpy
+import support
 from window import window_support
 
 COURSE = ((0, 0, 0), (4, 2, 0.5), (7, -1, 1.5), (10, 2, 0.5))
@@ -63,3 +64,43 @@ def test_constraint_properties():
             area.type = 'VIEW_3D'
             break
     yield
+
+
+def test_a_train_on_a_closed_curve():
+    build()
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    bpy.ops.curve.primitive_bezier_circle_add(radius=6.0)
+    ring = bpy.context.object
+    for index in range(4):
+        bpy.ops.mesh.primitive_cube_add(size=1.0, location=(index, 0.0, 0.0), scale=(0.5, 1.0, 0.5))
+        bpy.context.object.name = f"Wagon {index}"
+    bpy.ops.object.select_all(action='SELECT')
+    bpy.context.view_layer.objects.active = ring
+    with window_support.override():
+        bpy.ops.view3d.view_axis(type='TOP')
+        bpy.ops.motus.path_train_add()
+        bpy.ops.view3d.view_all()
+    yield
+    engine = bpy.context.object
+    assert engine.name == "Wagon 0" and engine.motus.path.extend == 'LOOP'
+    drawn = yield from window_support.open_tab("Motus")
+    assert any("train" in name for name in drawn), drawn
+    yield from window_support.picture("path_train")
+    bpy.ops.object.select_all(action='DESELECT')
+    ring.select_set(True)
+    bpy.context.view_layer.objects.active = ring
+    yield from window_support.picture("path_followed_curve")
+    with window_support.override():
+        bpy.ops.object.mode_set(mode='EDIT')
+        for point in ring.data.splines[0].bezier_points[:1]:
+            point.co.x -= 3.0
+            point.handle_left.x -= 3.0
+            point.handle_right.x -= 3.0
+        ring.data.update_tag()
+    yield
+    shown = support.addon("core.overlay").batches(bpy.context)
+    assert len(shown) >= 2, shown
+    yield from window_support.picture("path_edited")
+    with window_support.override():
+        bpy.ops.object.mode_set(mode='OBJECT')

@@ -39,7 +39,7 @@ py::tuple follow_curve(const py::object& curve, const py::object& timing, const 
                        const py::object& offsets, const py::object& mode, const py::object& extend,
                        const py::object& forward, const py::object& up, const py::object& rotate,
                        const py::object& lag_rate, const py::object& lag_by, const py::object& locations,
-                       const py::object& rotations, const py::kwargs& options) {
+                       const py::object& rotations, const py::object& line_up, const py::kwargs& options) {
     const BoundCurve& path = curve_argument(curve);
     const path::Timing& motion = instance<path::Timing>(timing, "timing", "a Timing");
     const Numbers along(offsets, "offsets");
@@ -48,6 +48,7 @@ py::tuple follow_curve(const py::object& curve, const py::object& timing, const 
     settings.extend = extend_option(extend);
     settings.axes = path::follower_axes(axis_option(forward, "forward"), axis_option(up, "up"));
     settings.rotate = flag(rotate, "rotate");
+    settings.line_up = flag(line_up, "line_up");
     settings.lag_rate = number(lag_rate, "lag_rate");
     settings.lag_by = lag_option(lag_by);
     path::FrameSettings frame = frame_settings(mode, options, false);
@@ -77,7 +78,8 @@ void bind_follow(py::module_& m) {
     m.attr("LAG_MEMORY") = path::lag_memory;  // s
     m.def("follow", &follow_curve, "curve"_a, "timing"_a, "time"_a, "offsets"_a, "mode"_a,
           "extend"_a = "clamp", "forward"_a = "Y", "up"_a = "Z", "rotate"_a = true, "lag_rate"_a = 0.0,
-          "lag_by"_a = "acceleration", "locations"_a = py::none(), "rotations"_a = py::none(), R"(
+          "lag_by"_a = "acceleration", "locations"_a = py::none(), "rotations"_a = py::none(),
+          "line_up"_a = false, R"(
 Poses of followers on a curve at one time. A function of its arguments alone: times may come in any order.
 
 timing: a Timing.  time: s.  offsets: a number or (n,), how far each follower is ahead (+) or behind (-) along the curve.
@@ -88,6 +90,8 @@ each other.  rotate: False leaves every rotation the identity.
 lag_rate: > 0 lets the orientation trail its target at lag_rate times the bend of the curve per second, from time 0 on
 and with LAG_MEMORY = 120 s of memory, in at most 2300 steps: 1/120 s each for the last 10 s, and up to 1/300 of their age before. That
 costs 1e-4 rad; 0.01 rad after a jump of the target, 0.3 rad where it ran more than half a turn ahead.  lag_by: the bend is |C''(t)| ('acceleration') or the curvature ('curvature').
+line_up: the first follower stops at the ends, and the others keep their distance from it; with extend='extrapolate' they
+stand in line before the start.
 locations, rotations: C-contiguous float64 arrays (n, 3) and (n, 4) to write into, which share no memory with each other
 or offsets; new ones where None.
 Returns (locations, rotations): (n, 3) and (n, 4) quaternions w, x, y, z.

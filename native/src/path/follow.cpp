@@ -29,6 +29,17 @@ Pose pose_at(const Frames& frames, double distance, double speed, curve::Extend 
     return pose;
 }
 
+/// Where followers are along a curve of a `length`, the `first` of which is so far ahead of the timing.
+struct Places {
+    double first, length;
+    bool line_up;
+
+    [[nodiscard]] double at(double distance, double offset) const {
+        if (!line_up) return distance + offset;
+        return std::clamp(distance + first, 0.0, length) + (offset - first);
+    }
+};
+
 /// One step of a lagging orientation: the share of the way to the target as it is at `time`.
 struct LagStep {
     double time, share;
@@ -40,8 +51,9 @@ struct LagStep {
 /// two become one.
 class Lag {
   public:
-    Lag(const Frames& frames, const Timing& timing, double offset, const FollowSettings& settings)
-        : frames_(frames), timing_(timing), offset_(offset), settings_(settings) {}
+    Lag(const Frames& frames, const Timing& timing, const Places& places, double offset,
+        const FollowSettings& settings)
+        : frames_(frames), timing_(timing), places_(places), offset_(offset), settings_(settings) {}
 
     /// `steps` is scratch.
     [[nodiscard]] glm::dquat at(double time, std::vector<LagStep>& steps) const {
@@ -76,7 +88,7 @@ class Lag {
     }
 
   private:
-    [[nodiscard]] double distance(double time) const { return timing_.distance(time) + offset_; }
+    [[nodiscard]] double distance(double time) const { return places_.at(timing_.distance(time), offset_); }
 
     [[nodiscard]] glm::dquat target(double time) const {
         return pose_at(frames_, distance(time), timing_.speed(time), settings_.extend).rotation;
@@ -91,6 +103,7 @@ class Lag {
 
     const Frames& frames_;
     const Timing& timing_;
+    const Places& places_;
     double offset_;
     const FollowSettings& settings_;
 };
@@ -113,16 +126,18 @@ void follow(const Frames& frames, const Timing& timing, double time, std::span<c
     const double distance = timing.distance(time);
     const double speed = timing.speed(time);
     require(are_finite(distance, speed), "time: the distance and the speed at it must be finite");
+    const Places places{offsets.empty() ? 0.0 : offsets.front(), frames.path().length(), settings.line_up};
     std::vector<LagStep> steps;
     for (std::size_t i = 0; i < offsets.size(); ++i) {
+        const double along = places.at(distance, offsets[i]);
         if (!settings.rotate) {
-            locations[i] = position_at_length(frames.path(), distance + offsets[i], settings.extend);
+            locations[i] = position_at_length(frames.path(), along, settings.extend);
             rotations[i] = glm::dquat(1.0, 0.0, 0.0, 0.0);
             continue;
         }
-        Pose pose = pose_at(frames, distance + offsets[i], speed, settings.extend);
+        Pose pose = pose_at(frames, along, speed, settings.extend);
         if (settings.lag_rate > 0.0 && time > 0.0) {
-            pose.rotation = Lag(frames, timing, offsets[i], settings).at(time, steps);
+            pose.rotation = Lag(frames, timing, places, offsets[i], settings).at(time, steps);
         }
         locations[i] = pose.location;
         rotations[i] = pose.rotation * settings.axes;

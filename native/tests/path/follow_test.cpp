@@ -1,5 +1,6 @@
 #include "motus/path/follow.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -52,6 +53,32 @@ TEST_CASE("followers keep their gaps along the arc", "[follow]") {
         CHECK(glm::length(locations[i] - position_at_length(*path, s)) < 1e-12);
         CHECK(angle_between(rotations[i], frames.at(s, 2.0)) < 1e-12);
     }
+}
+
+TEST_CASE("a train lines up behind the first, which stops at the ends", "[follow]") {
+    const samples::Path path = samples::s_curve();
+    const double length = path->length();
+    const Frames frames(path, mode(FrameMode::minimal));
+    FollowSettings settings;
+    settings.extend = Extend::extrapolate;
+    settings.line_up = true;
+    const Timing timing = Timing::constant(2.0);
+    const double first = GENERATE(0.0, -0.25, 0.5);
+    const std::vector<double> offsets{first, first - 0.5, first - 1.0};
+    std::vector<glm::dvec3> locations(offsets.size());
+    std::vector<glm::dquat> rotations(offsets.size());
+    for (const double time : {-1.0, 0.0, 0.2, 1.0, 100.0}) {
+        follow(frames, timing, time, offsets, settings, locations, rotations);
+        const double front = std::clamp(2.0 * time + first, 0.0, length);
+        for (std::size_t i = 0; i < offsets.size(); ++i) {
+            const double s = front - 0.5 * static_cast<double>(i);
+            CHECK(glm::length(locations[i] - position_at_length(*path, s, Extend::extrapolate)) < 1e-12);
+            CHECK(angle_between(rotations[i], frames.at(std::max(s, 0.0), 2.0)) < 1e-12);
+        }
+    }
+    settings.lag_rate = 0.3;
+    follow(frames, timing, 1000.0, offsets, settings, locations, rotations);
+    CHECK(angle_between(rotations[0], frames.at(length, 2.0)) < 1e-9);  // it has stood there for long
 }
 
 TEST_CASE("beyond the ends", "[follow]") {

@@ -8,6 +8,7 @@ from bpy.app.handlers import persistent
 
 from ...core import handlers, viewports
 from ...core.refusals import Refused
+from .. import fitting
 from ..brush import Brush
 from ..session.dab import Session
 from . import stage
@@ -60,6 +61,7 @@ def session(context):
 
 def read_now(context):
     """The session of the active object, read at once where it was not; for what the user has asked for. Raises Refused."""
+    fitting.fit(context.scene.motus.pull, context.object)
     made = Session(context, context.object, Brush.of(context.scene.motus.pull))
     keep(context, made)
     return made
@@ -103,6 +105,7 @@ def _read():
     if obj is None or scene is None or stage.current() is not None or _key(obj) != wanted["key"]:
         _wanted.clear()
         return
+    fitting.fit(scene.motus.pull, obj)
     try:
         made = Session(bpy.context, obj, Brush.of(scene.motus.pull))
     except Refused:

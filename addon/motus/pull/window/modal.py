@@ -5,6 +5,7 @@ import bpy
 from ...core import viewports
 from ...core.refusals import Refused
 from ...core.translations import tr
+from .. import fitting
 from ..properties import KEYWORDS
 from . import hover, status
 from .adjusting import MOVES
@@ -88,8 +89,10 @@ class PickPullModal:
     def _open(self, context):
         if not self.is_stroke:
             hover.drop()
-            return self.start(context)
-        return hover.take(context) or self.start(context)
+        kept = hover.take(context) if self.is_stroke else None
+        if kept is None and context.object is not None:
+            fitting.fit(context.scene.motus.pull, context.object)
+        return kept or self.start(context)
 
     def _finish(self, context):
         session = self._pulling.session

@@ -178,6 +178,26 @@ INTERFACE = {
     "Ease Out": "Salida suave",
     "Fraction of the time that is used to lose speed": "Fracción del tiempo que se emplea en perder velocidad",
     "Ends": "Extremos",
+    "What happens beyond the ends of the path; unless it is chosen, what is closed loops and a train lines up":
+        "Qué ocurre más allá de los extremos de la trayectoria; si no se elige, en las cerradas bucle y los trenes en fila",
+    "Line Up": "En fila",
+    "The first stops at the ends; the others stand in line behind it, before the start if need be":
+        "El primero para en los extremos; los demás están en fila detrás de él, antes del inicio si hace falta",
+    "Gap of All": "Separación de todos",
+    "Distance along the path from each to the one in front, the same for all wagons":
+        "Distancia en la trayectoria de cada uno al que va delante, igual para todos los vagones",
+    "Distance along the path to the one in front; 0 takes the lengths of the objects":
+        "Distancia en la trayectoria al que va delante; 0 toma las longitudes de los objetos",
+    "Let a wagon change places with the one in front of it or behind it; the gaps stay where they are":
+        "Cambiar un vagón de lugar con el de delante o el de detrás; las separaciones se quedan donde están",
+    "The wagon is at the end of the train already": "El vagón ya está en el extremo del tren",
+    "Set each gap so that a wagon touches the one in front": "Ajustar cada separación para que el vagón toque al de delante",
+    "Select an object that follows this curve": "Seleccionar un objeto que sigue esta curva",
+    "Name of the follower; empty takes the first one of the active curve":
+        "Nombre del seguidor; vacío toma el primero de la curva activa",
+    "Nothing follows this curve": "Nada sigue esta curva",
+    "Followed by": "La siguen",
+    "and {count} more": "y {count} más",
     "Mode": "Modo",
     "What happens beyond the ends of the path": "Qué ocurre más allá de los extremos de la trayectoria",
     "Stop": "Parar",
@@ -392,6 +412,9 @@ OPERATORS = {
     "Remove Pin": "Quitar ancla",
     "Remove Wagon": "Quitar vagón",
     "Select Leader": "Seleccionar guía",
+    "Gaps from Sizes": "Separaciones según los tamaños",
+    "Move Wagon": "Mover vagón",
+    "Select Follower": "Seleccionar seguidor",
     "Take Out": "Sacar",
     "Unbake": "Deshacer captura",
 }

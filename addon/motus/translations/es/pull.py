@@ -172,6 +172,10 @@ INTERFACE = {
     "One stroke of the mouse, as the tool's keys do it":
         "Un trazo del ratón, como lo hacen las teclas de la herramienta",
     "Down": "Abajo",
+    "Fitted Radius": "Radio ajustado",
+    "Fitted Strength": "Fuerza ajustada",
+    "The radius that was set by an object's size": "El radio que se puso según el tamaño de un objeto",
+    "The strength that was set by an object's size": "La fuerza que se puso según el tamaño de un objeto",
     "The stroke pulls down": "El trazo tira hacia abajo",
     "The stroke smooths": "El trazo suaviza",
     "The object that was pulled is gone": "El objeto del que se tiraba ya no existe",

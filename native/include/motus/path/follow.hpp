@@ -20,6 +20,7 @@ enum class LagBy {
 /// How distances become poses.
 struct FollowSettings {
     curve::Extend extend = curve::Extend::clamp;  ///< extrapolate keeps the end's frame
+    bool line_up = false;  ///< the first follower stops at the ends; the others keep their distance from it
     glm::dquat axes{1.0, 0.0, 0.0, 0.0};  ///< turns the follower's own forward and up axes to +Y and +Z
     bool rotate = true;                   ///< off: all rotations are the identity
     double lag_rate = 0.0;  ///< > 0: orientation trails the target at lag_rate * bend per second
