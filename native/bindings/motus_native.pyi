@@ -17,7 +17,8 @@ _Number = Union[float, int]
 _Extend = Literal["clamp", "extrapolate", "loop", "ping_pong"]
 _Mode = Literal["world_up", "minimal", "banking", "curvature", "tilt"]
 _Axis = Literal["X", "Y", "Z", "-X", "-Y", "-Z"]
-_EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface"]
+_EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface", "frustum"]
+_Collision = Literal["stay", "slide", "melt"]
 _FlakeField = Literal["position", "velocity", "size", "color", "age", "rotation", "id"]
 _Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
 
@@ -548,6 +549,14 @@ def noise3(xyz: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  #
 
 # --- Snow ----------------------------------------------------------------------------------------------------------------
 
+class SnowCollider:
+    """Triangles that flakes land on. Immutable, for any number of Snows."""
+
+    vertex_count: int
+    triangle_count: int
+
+    def __init__(self, collider_positions: ArrayLike, collider_triangles: ArrayLike) -> None: ...  # (v, 3), (t, 3)
+
 class Snow:
     """Flakes at any time, in any order of times, without a state. Immutable."""
 
@@ -567,6 +576,9 @@ class Snow:
         shape: _EmitterShape = "square",
         surface_positions: ArrayLike | None = None,  # (v, 3)
         surface_triangles: ArrayLike | None = None,  # (t, 3)
+        frustum_angles: ArrayLike = (0.4, 0.25),  # (2,)
+        frustum_near: float = 0.1,
+        frustum_far: float = 20.0,
         cone_angle: float = 0.0,
         cone_radius: float = 1.0,
         random_speed: bool = False,
@@ -582,11 +594,19 @@ class Snow:
         acceleration: ArrayLike = (0.0, 0.0, -9.81),  # (3,)
         drag: float = 0.0,
         wind: ArrayLike = (0.0, 0.0, 0.0),  # (3,)
+        wind_times: ArrayLike | None = None,  # (w,)
+        wind_values: ArrayLike | None = None,  # (w, 3)
         gusts: float = 0.0,
         gust_frequency: float = 0.3,
         turbulence: float = 0.0,
         turbulence_size: float = 1.0,
         tumble: float = 0.0,
+        ground: float | None = None,
+        collider: SnowCollider | None = None,
+        collision: _Collision = "stay",
+        rest_time: float | None = None,
+        melt_time: float = 1.0,
+        friction: float = 0.5,
         seed: int = 0,
         emitter_times: ArrayLike | None = None,  # (k,)
         emitter_matrices: ArrayLike | None = None,  # (k, 4, 4)
@@ -598,6 +618,26 @@ class Snow:
         fields: Sequence[_FlakeField] | None = None,  # None: those in out, or all
         out: dict[str, NDArray] | None = None,  # C-contiguous, m rows or more, written into
     ) -> dict[str, NDArray]: ...
+    # By time: float64 time (n,), int64 id (n,), float32 position (n, 3), int64 triangle (n,), -1 for the ground.
+    def landings(self, end: float) -> dict[str, NDArray]: ...
+
+class SnowCover:
+    """How deep snow lies on each vertex of its collider, at any time, in any order of times. Immutable."""
+
+    vertex_count: int
+    areas: NDArray[np.float64]  # (v,)
+
+    def __init__(
+        self,
+        snow: Snow,
+        *,
+        end: float,
+        flake_volume: float = 1e-4,
+        repose: float = 0.9,
+        smoothing: int = 4,
+    ) -> None: ...
+    def heights(self, time: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]: ...  # (v,)
+    def volume(self, time: float) -> float: ...
 
 # --- Dynamics -----------------------------------------------------------------------------------------------------------
 

@@ -4,11 +4,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <vector>
 
 #include "motus/noise/noise.hpp"
+#include "motus/snow/cover.hpp"
 #include "motus/snow/snow.hpp"
 #include "stopwatch.hpp"
 
@@ -87,6 +91,57 @@ void measure_naive(const Settings& settings, double time) {
     keep(time);
 }
 
+/// Hills of 2 * cells^2 triangles, 40 m wide.
+[[nodiscard]] std::shared_ptr<const Collider> hills(int cells) {
+    std::vector<glm::vec3> positions;
+    std::vector<glm::ivec3> triangles;
+    for (int row = 0; row <= cells; ++row) {
+        for (int column = 0; column <= cells; ++column) {
+            const glm::vec2 at = 40.0F * (glm::vec2(column, row) / static_cast<float>(cells) - 0.5F);
+            positions.emplace_back(at, std::sin(at.x) * std::cos(0.7F * at.y));
+            if (row == cells || column == cells) continue;
+            const int corner = row * (cells + 1) + column;
+            triangles.emplace_back(corner, corner + 1, corner + cells + 2);
+            triangles.emplace_back(corner, corner + cells + 2, corner + cells + 1);
+        }
+    }
+    return std::make_shared<const Collider>(positions, triangles);
+}
+
+void measure_landings(Settings settings) {
+    constexpr int cells = 224;  // 100 352 triangles
+    const double built = bench::nanoseconds([&] { keep(hills(cells)); }, 3);
+    std::printf("  %-34s %9d triangles %5.2f ms\n", "a collider is built", 2 * cells * cells, 1e-6 * built);
+    settings.cone_radius = 15.0;
+    settings.start_speed = -4.0;
+    settings.max_angle = 0.5;
+    settings.emitter_times = {0.0};
+    settings.emitter_matrices = {glm::dmat4(1.0)};
+    settings.emitter_matrices.front()[3] = {0.0, 0.0, 4.0, 1.0};
+    settings.collider = hills(cells);
+    settings.ground = -3.0;
+    const double found = bench::nanoseconds(
+        [&] {
+            const Snow snow(settings);
+            Buffers buffers(snow.living(100.0).count);
+            snow.evaluate(snow.living(100.0), buffers.fields(), 1);
+            keep(buffers);
+        },
+        1);
+    std::printf("  %-34s %9d flakes %8.2f ms\n", "where flakes land is found", 1000000, 1e-6 * found);
+    measure("with a collider and the ground", settings, 100.0);
+    settings.rate = 2500.0;
+    const Snow snow(settings);
+    const CoverSettings until{.end = 40.0};
+    std::vector<float> heights(settings.collider->positions().size());
+    const Cover cover(snow, until);
+    const double made = bench::nanoseconds([&] { keep(Cover(snow, until, 1)); }, 1);
+    const double asked = bench::nanoseconds([&] { cover.heights(25.0, heights, 1); });
+    std::printf("  %-34s %9d flakes %8.2f ms\n", "a cover is made", 100000, 1e-6 * made);
+    std::printf("  %-34s %9zu vertices %6.2f ms\n", "and asked for its heights", heights.size(),
+                1e-6 * asked);
+}
+
 }  // namespace
 
 int main() {
@@ -121,6 +176,7 @@ int main() {
     few.rate = 500.0;
     few.lifetime = 10.0;
     measure("steering and wind", few, 100.0);
+    measure_landings(settings);
     const double made = bench::nanoseconds([&] { keep(Snow(settings)); });
     std::printf("  %-34s %32.3f ms\n", "made anew", 1e-6 * made);
     return 0;

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/common.hpp>
+#include <limits>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,11 +19,17 @@
 #include "areas.hpp"
 #include "core/arguments.hpp"
 #include "core/arrays.hpp"
+#include "mesh/arrays.hpp"
+#include "motus/snow/cover.hpp"
 
 namespace motus::bindings {
 namespace {
 
 using namespace pybind11::literals;
+using snow::Collider;
+using snow::Collision;
+using snow::Cover;
+using snow::CoverSettings;
 using snow::Settings;
 using snow::Shape;
 using snow::Snow;
@@ -35,7 +43,8 @@ constexpr double flake_cost = 10.0;  // ns, rough
                           {"box", Shape::box},
                           {"sphere", Shape::sphere},
                           {"cone", Shape::cone},
-                          {"surface", Shape::surface}});
+                          {"surface", Shape::surface},
+                          {"frustum", Shape::frustum}});
 }
 
 /// (k,), empty for None.
@@ -105,19 +114,67 @@ void set_emitter(const py::object& times, const py::object& matrices, Settings& 
     }
 }
 
+void set_frustum(const py::object& angles, const py::object& least, const py::object& most,
+                 Settings& settings) {
+    const DoubleArray both = row(angles, "frustum_angles");
+    if (both.size() != 2) value_error("frustum_angles", "must have the shape (2,), not " + shape_of(both));
+    settings.frustum_angles = {both.at(0), both.at(1)};
+    settings.frustum_near = number(least, "frustum_near");
+    settings.frustum_far = number(most, "frustum_far");
+}
+
+void set_wind(const py::object& wind, const py::object& times, const py::object& values, Settings& settings) {
+    settings.wind = vector(wind, "wind");
+    const DoubleArray at = row(times, "wind_times");
+    settings.wind_times.assign(at.data(), at.data() + at.size());
+    if (values.is_none()) return;
+    const Points winds(values, "wind_values");
+    settings.wind_values = copied(winds.values());
+}
+
+[[nodiscard]] std::shared_ptr<Collider> collider_of(const py::object& positions,
+                                                    const py::object& triangles) {
+    const Positions given_points(positions, "collider_positions");
+    const IndexRows<glm::ivec3> given_corners(triangles, "collider_triangles");
+    const std::vector<glm::vec3> points = copied(given_points.values());
+    const std::vector<glm::ivec3> corners = copied(given_corners.values());
+    const py::gil_scoped_release released;
+    return std::make_shared<Collider>(points, corners);
+}
+
+void set_collisions(const py::object& ground, const py::object& collider, const py::object& collision,
+                    const py::object& rest_time, const py::object& melt_time, const py::object& friction,
+                    Settings& settings) {
+    if (!ground.is_none()) settings.ground = number(ground, "ground");
+    if (!collider.is_none()) {
+        static_cast<void>(instance<Collider>(collider, "collider", "a SnowCollider or None"));
+        settings.collider = collider.cast<std::shared_ptr<Collider>>();
+    }
+    settings.collision = choice<Collision>(
+        collision, "collision",
+        {{"stay", Collision::stay}, {"slide", Collision::slide}, {"melt", Collision::melt}});
+    if (!rest_time.is_none()) settings.rest_time = number(rest_time, "rest_time");
+    settings.melt_time = number(melt_time, "melt_time");
+    settings.friction = number(friction, "friction");
+}
+
 [[nodiscard]] Snow snow_of(
     const py::object& start_speed, const py::object& lifetime, const py::object& start_size,
     const py::object& start_color, const py::object& rate, const py::object& delay,
     const py::object& duration, const py::object& looping, const py::object& burst_times,
     const py::object& burst_counts, const py::object& shape, const py::object& surface_positions,
-    const py::object& surface_triangles, const py::object& cone_angle, const py::object& cone_radius,
+    const py::object& surface_triangles, const py::object& frustum_angles, const py::object& frustum_near,
+    const py::object& frustum_far, const py::object& cone_angle, const py::object& cone_radius,
     const py::object& random_speed, const py::object& random_orientation, const py::object& random_lifetime,
     const py::object& random_size, const py::object& random_color, const py::object& snow,
     const py::object& max_angle, const py::object& snow_frequency, const py::object& snow_offsets,
     const py::object& gravity, const py::object& acceleration, const py::object& drag, const py::object& wind,
-    const py::object& gusts, const py::object& gust_frequency, const py::object& turbulence,
-    const py::object& turbulence_size, const py::object& tumble, const py::object& seed,
-    const py::object& emitter_times, const py::object& emitter_matrices) {
+    const py::object& wind_times, const py::object& wind_values, const py::object& gusts,
+    const py::object& gust_frequency, const py::object& turbulence, const py::object& turbulence_size,
+    const py::object& tumble, const py::object& ground, const py::object& collider,
+    const py::object& collision, const py::object& rest_time, const py::object& melt_time,
+    const py::object& friction, const py::object& seed, const py::object& emitter_times,
+    const py::object& emitter_matrices) {
     Settings settings;
     settings.start_speed = number(start_speed, "start_speed");
     settings.lifetime = number(lifetime, "lifetime");
@@ -130,6 +187,7 @@ void set_emitter(const py::object& times, const py::object& matrices, Settings& 
     settings.bursts = bursts(burst_times, burst_counts);
     settings.shape = shape_named(shape);
     set_surface(surface_positions, surface_triangles, settings);
+    set_frustum(frustum_angles, frustum_near, frustum_far, settings);
     settings.cone_angle = number(cone_angle, "cone_angle");
     settings.cone_radius = number(cone_radius, "cone_radius");
     settings.random_speed = flag(random_speed, "random_speed");
@@ -144,15 +202,67 @@ void set_emitter(const py::object& times, const py::object& matrices, Settings& 
     settings.gravity = flag(gravity, "gravity");
     settings.acceleration = vector(acceleration, "acceleration");
     settings.drag = number(drag, "drag");
-    settings.wind = vector(wind, "wind");
+    set_wind(wind, wind_times, wind_values, settings);
     settings.gusts = number(gusts, "gusts");
     settings.gust_frequency = number(gust_frequency, "gust_frequency");
     settings.turbulence = number(turbulence, "turbulence");
     settings.turbulence_size = number(turbulence_size, "turbulence_size");
     settings.tumble = number(tumble, "tumble");
+    set_collisions(ground, collider, collision, rest_time, melt_time, friction, settings);
     settings.seed = seed_of(seed);
     set_emitter(emitter_times, emitter_matrices, settings);
-    return Snow(std::move(settings));
+    return Snow(settings);
+}
+
+[[nodiscard]] py::dict landings(const Snow& self, const py::object& given_end) {
+    const double end = number(given_end, "end");
+    const std::vector<snow::Touchdown> downs = [&] {
+        const py::gil_scoped_release released;
+        return self.touchdowns(end);
+    }();
+    const auto count = static_cast<py::ssize_t>(downs.size());
+    py::array_t<double> times(count);
+    py::array_t<std::int64_t> ids(count), triangles(count);
+    py::array_t<float> positions({count, py::ssize_t{3}});
+    for (std::size_t i = 0; i < downs.size(); ++i) {
+        const snow::Touchdown& down = downs[i];
+        times.mutable_data()[i] = down.time;
+        ids.mutable_data()[i] = static_cast<std::int64_t>(down.id);
+        triangles.mutable_data()[i] = down.triangle;
+        for (int axis = 0; axis < 3; ++axis)
+            positions.mutable_data()[3 * i + static_cast<std::size_t>(axis)] = down.point[axis];
+    }
+    return py::dict("time"_a = times, "id"_a = ids, "position"_a = positions, "triangle"_a = triangles);
+}
+
+[[nodiscard]] Cover cover_of(const py::object& given_snow, const py::object& end,
+                             const py::object& flake_volume, const py::object& repose,
+                             const py::object& smoothing) {
+    const Snow& snow = instance<Snow>(given_snow, "snow", "a Snow");
+    const CoverSettings settings{number(end, "end"), number(flake_volume, "flake_volume"),
+                                 number(repose, "repose"), whole_number(smoothing, "smoothing")};
+    const py::gil_scoped_release released;
+    return {snow, settings};
+}
+
+[[nodiscard]] py::array heights(const Cover& self, const py::object& given_time, const py::object& out) {
+    const double time = number(given_time, "time");
+    const auto count = static_cast<py::ssize_t>(self.vertex_count());
+    py::array array = py::array_t<float>(count);
+    if (!out.is_none()) {
+        if (!py::isinstance<py::array_t<float>>(out)) wrong_type(out, "out", "a float32 array");
+        array = py::reinterpret_borrow<py::array>(out);
+        if (array.ndim() != 1 || array.shape(0) != count)
+            value_error("out",
+                        "must have the shape (" + std::to_string(count) + ",), not " + shape_of(array));
+        if (!array.writeable() || (array.flags() & py::array::c_style) == 0 || !is_aligned(array))
+            value_error("out", "must be C-contiguous and writable");
+    }
+    constexpr double vertex_cost = 100.0;  // ns, rough
+    const std::span<float> rows(static_cast<float*>(array.mutable_data()), self.vertex_count());
+    const ReleaseGil released(self.vertex_count(), vertex_cost);
+    self.heights(time, rows);
+    return array;
 }
 
 /// What evaluate() gives: the array of a field, and where its rows are.
@@ -259,6 +369,20 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
 }  // namespace
 
 void bind_snow(py::module_& m) {
+    py::class_<Collider, std::shared_ptr<Collider>>(m, "SnowCollider", py::module_local(), R"(
+Triangles that flakes land on, from either side; they stand still. Immutable: made once, for any number of Snows. A million
+triangles take some 70 MB, and 36 MB more where flakes slide.
+
+collider_positions (v, 3), world space.  collider_triangles (t, 3): indices of vertices.
+Raises ValueError or TypeError that names the argument.)")
+        .def(py::init(&collider_of), "collider_positions"_a, "collider_triangles"_a)
+        .def_property_readonly(
+            "vertex_count", [](const Collider& self) { return self.positions().size(); },
+            "How many vertices it has.")
+        .def_property_readonly(
+            "triangle_count", [](const Collider& self) { return self.triangles().size(); },
+            "How many triangles it has.");
+
     py::class_<Snow>(m, "Snow", py::module_local(), R"(
 Flakes at any time, in any order of times, without a state or a cache. Immutable. Metres, seconds, radians, world space.
 
@@ -269,14 +393,23 @@ stream ends after `duration`, unless looping.  burst_times (s after the delay), 
 once, numbered where they are born.
 shape: 'square', 'disc', 'box', 'sphere', 'cone' in the emitter's space, of half width or radius cone_radius, >= 0; flakes
 leave along its +Z, of a sphere away from the middle, of a cone leaning outwards, at the edge by cone_angle, [0, pi]; or
-'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals.
+'surface': surface_positions (v, 3), surface_triangles (t, 3), evenly over their area, along their normals; or
+'frustum': what a camera at the emitter's place sees that looks along its -Z, between frustum_near, >= 0, and frustum_far, m,
+by frustum_angles (2,), half those in X and Y, [0, pi / 2); down along the world's -Z.
 random_speed: start_speed +-1.  random_orientation: anywhere within cone_angle of where they would leave.  random_lifetime:
 lifetime +-1 s, at least 0.  random_size: +-10 %.  random_color: anywhere on the gradient.
 snow: as it flies, a flake turns by up to max_angle about the world's X and Y, as noise of its age says that changes about
 snow_frequency times a second; snow_offsets: each flake has a time of its own in the noise.
-gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s,
-which varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
+gravity: adds acceleration (3,).  drag: 1/s, [0, 1000], with which a flake takes on the velocity of the air, wind (3,) m/s; with
+wind_times (w,), s, rising, and wind_values (w, 3) it goes evenly from each of these to the next, and is held before and after.
+It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
 mean square, of air in eddies of turbulence_size m that flakes are carried along by.  tumble: rad/s up to which they spin.
+ground: height that flakes land on from above; None: they do not.  collider: a SnowCollider or None.  A flake lands once, on
+what it meets first after birth; a way between looks 1/32 s apart counts as straight.  collision: 'stay', where it landed and
+as it was turned; 'slide', straight down the triangle and those beyond its edges, of a collider, as acceleration pulls it
+(with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
+'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its
+lifetime ends, as it does anyway. Where flakes land is found once and kept, for eight million of them at most (512 MB).
 seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
 emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
 Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.)")
@@ -284,14 +417,22 @@ Raises ValueError or TypeError that names the argument, also where more than 1e8
              "start_size"_a = 1.0, "start_color"_a = py::none(), "rate"_a = 5.0, "delay"_a = 0.0,
              "duration"_a = 5.0, "looping"_a = true, "burst_times"_a = py::none(),
              "burst_counts"_a = py::none(), "shape"_a = "square", "surface_positions"_a = py::none(),
-             "surface_triangles"_a = py::none(), "cone_angle"_a = 0.0, "cone_radius"_a = 1.0,
+             "surface_triangles"_a = py::none(), "frustum_angles"_a = py::make_tuple(0.4, 0.25),
+             "frustum_near"_a = 0.1, "frustum_far"_a = 20.0, "cone_angle"_a = 0.0, "cone_radius"_a = 1.0,
              "random_speed"_a = false, "random_orientation"_a = false, "random_lifetime"_a = false,
              "random_size"_a = false, "random_color"_a = false, "snow"_a = false,
              "max_angle"_a = 1.3962634015954636, "snow_frequency"_a = 1.0, "snow_offsets"_a = false,
              "gravity"_a = false, "acceleration"_a = py::make_tuple(0.0, 0.0, -9.81), "drag"_a = 0.0,
-             "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "gusts"_a = 0.0, "gust_frequency"_a = 0.3,
-             "turbulence"_a = 0.0, "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "seed"_a = 0,
-             "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none())
+             "wind"_a = py::make_tuple(0.0, 0.0, 0.0), "wind_times"_a = py::none(),
+             "wind_values"_a = py::none(), "gusts"_a = 0.0, "gust_frequency"_a = 0.3, "turbulence"_a = 0.0,
+             "turbulence_size"_a = 1.0, "tumble"_a = 0.0, "ground"_a = py::none(), "collider"_a = py::none(),
+             "collision"_a = "stay", "rest_time"_a = py::none(), "melt_time"_a = 1.0, "friction"_a = 0.5,
+             "seed"_a = 0, "emitter_times"_a = py::none(), "emitter_matrices"_a = py::none())
+        .def("landings", &landings, "end"_a, R"(
+Where flakes land until `end`, s, by time and then number, as a dict: float64 time (n,), int64 id (n,), float32 position
+(n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.
+
+Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)")
         .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), R"(
 The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
 (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).
@@ -299,6 +440,35 @@ The flakes that live at `time`, s, as a dict of arrays in the order of their num
 fields: names of those wanted; None: those in out, or all.
 out: a dict of C-contiguous arrays of m rows or more, written into; the result has views of their first m rows.
 The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.)");
+
+    py::class_<Cover>(m, "SnowCover", py::module_local(), R"(
+How deep snow lies on each vertex of what its flakes land on, its collider, at any time, in any order of times. Immutable.
+
+snow: a Snow with a collider.  end: s; flakes that land later are left out.  flake_volume: m^3 of lying snow that a flake
+stands for, > 0: the heights times the vertices' areas add up to that of the flakes that have landed, but for those that fell
+from the collider.  repose: angle of slopes up to which all flakes lie where they land, [0, pi / 2); the steeper the more of
+them slide down and fall from edges to what is below; all do where the slope's tangent is 1.5 times as large.  smoothing: 0 to
+1000 rounds in which neighbouring vertices even out their heights, not with those that are under something or too steep.
+Takes some 11 us and 200 bytes for each flake that is born until `end` (32 bytes once it is made).
+Raises ValueError or TypeError that names the argument, also where more than 1e7 flakes are born until then.)")
+        .def(py::init(&cover_of), "snow"_a, py::kw_only(), "end"_a, "flake_volume"_a = 1e-4, "repose"_a = 0.9,
+             "smoothing"_a = 4)
+        .def_property_readonly("vertex_count", &Cover::vertex_count, "How many vertices the collider has.")
+        .def_property_readonly(
+            "areas",
+            [](const Cover& self) {
+                return py::array_t<double>(static_cast<py::ssize_t>(self.areas().size()),
+                                           self.areas().data());
+            },
+            "(v,) float64, m^2: a third of the triangles around each vertex.")
+        .def("heights", &heights, "time"_a, "out"_a = py::none(), R"(
+(v,) float32: how deep snow lies on each vertex of the collider at `time`, s, in m across the surface.
+
+out: an array of that kind to write into, which is returned.)")
+        .def(
+            "volume",
+            [](const Cover& self, const py::object& time) { return self.volume(number(time, "time")); },
+            "time"_a, "m^3 that lie on the collider at `time`, s.");
 }
 
 }  // namespace motus::bindings

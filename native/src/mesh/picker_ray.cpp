@@ -105,8 +105,14 @@ class Slabs {
 template <class Tree, class Points>
 class Search {
   public:
-    Search(const Tree& tree, const Points& points, const Ray& ray, const Slabs& slabs, double rounding)
-        : tree_(tree), points_(points), ray_(ray), slabs_(slabs), rounding_(rounding) {}
+    Search(const Tree& tree, const Points& points, const Ray& ray, const Slabs& slabs, double rounding,
+           double farthest)
+        : tree_(tree),
+          points_(points),
+          ray_(ray),
+          slabs_(slabs),
+          rounding_(rounding),
+          best_{none, {}, farthest, {}} {}
 
     void descend(std::size_t level, std::size_t node) {
         const std::array<double, fan_out> entries =
@@ -128,10 +134,12 @@ class Search {
     }
 
     [[nodiscard]] std::optional<Hit> found() const {
-        return best_.distance < infinity ? std::optional(best_) : std::nullopt;
+        return best_.triangle != none ? std::optional(best_) : std::nullopt;
     }
 
   private:
+    static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();  ///< above all triangles
+
     void try_leaf(std::size_t leaf) {
         for (std::size_t slot = tree_.starts[leaf]; slot < tree_.starts[leaf + 1]; ++slot) {
             const auto [a, b, c] = tree_.corners[slot];
@@ -153,13 +161,13 @@ class Search {
     const Ray& ray_;
     const Slabs& slabs_;
     double rounding_;
-    Hit best_{0, {}, infinity, {}};
+    Hit best_;
 };
 
 /// The boxes of the tree may be wrong by `slack`.
 template <class Tree, class Points>
 std::optional<Hit> first_met(const Tree& tree, const Points& points, const glm::dvec3& origin,
-                             const glm::dvec3& direction, double slack) {
+                             const glm::dvec3& direction, double slack, double farthest = infinity) {
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
     if (tree.around_triangles.empty() || !is_finite(origin) || !is_finite(direction) || !(largest > 0.0))
         return {};
@@ -176,16 +184,16 @@ std::optional<Hit> first_met(const Tree& tree, const Points& points, const glm::
     const double rounding = 1e-13 * (extent + slack);
     const Ray ray(origin, unit);
     const Slabs slabs(origin, unit, rounding + slack);
-    Search search(tree, points, ray, slabs, rounding);
+    Search search(tree, points, ray, slabs, rounding, farthest);
     search.descend(top, 0);
     return search.found();
 }
 
 }  // namespace
 
-std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction) const {
+std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction, double farthest) const {
     const auto points = [this](std::size_t place) { return position(tree().points[place]); };
-    return first_met(tree(), points, origin, direction, 0.0);
+    return first_met(tree(), points, origin, direction, 0.0, farthest);
 }
 
 std::optional<Hit> Picker::ray(const glm::dvec3& origin, const glm::dvec3& direction,

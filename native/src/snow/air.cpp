@@ -1,5 +1,6 @@
 #include "air.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -26,14 +27,16 @@ Relaxation relaxation(double age, double drag) {
     if (x >= 1.0) {
         const double decay = decay_of(x);
         const double first = (1.0 - decay) / drag;
-        return {decay, first, (age - first) / drag};
+        const double second = (age - first) / drag;
+        return {decay, first, second, (0.5 * age * age - second) / drag};
     }
-    // (1 - (1 - e^{-x}) / x) / x, whose terms cancel where x is small.
-    double sum = 0.0;
-    for (int k = 19; k >= 2; --k) sum = (1.0 - x * sum) / k;
-    const double second = sum;  // 1/2 - x/6 + x^2/24 ...
+    // (1/2 - (1 - (1 - e^{-x}) / x) / x) / x, whose terms cancel where x is small: 1/6 - x/24 + x^2/120 ...
+    double third = 0.0;
+    for (int k = 19; k >= 3; --k) third = (1.0 - x * third) / k;
+    third *= 0.5;
+    const double second = 0.5 - x * third;
     const double first = 1.0 - x * second;
-    return {1.0 - x * first, age * first, age * age * second};
+    return {1.0 - x * first, age * first, age * age * second, age * age * age * third};
 }
 
 Air::Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, double gusts, double frequency)
@@ -43,6 +46,85 @@ Air::Air(const glm::dvec3& acceleration, double drag, const glm::dvec3& wind, do
     constexpr std::array<double, waves> heights{0.4, 0.3, 0.2, 0.1};
     for (std::size_t i = 0; i < waves; ++i)
         waves_[i] = {heights[i], 2.0 * std::numbers::pi * frequency * rates[i], static_cast<double>(i)};
+}
+
+Air::Air(const glm::dvec3& acceleration, double drag, std::span<const double> times,
+         std::span<const glm::dvec3> winds, double gusts, double frequency)
+    : Air(acceleration, drag, glm::dvec3(0.0), 0.0, frequency) {
+    gusts_ = gusts;
+    // Before the first key the wind has always been there.
+    Key key;
+    key.time = times.front();
+    key.wind = key.flow.velocity = winds.front();
+    key.gusty = key.gusty_base = gusty_formula(key, key.time);
+    keys_.push_back(key);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const Key& before = keys_.back();
+        key.time = times[i];
+        key.wind = winds[i];
+        key.slope =
+            i + 1 < times.size() ? (winds[i + 1] - winds[i]) / (times[i + 1] - times[i]) : glm::dvec3(0.0);
+        key.flow = steady_flow(before, key.time);
+        key.gusty = gusty_flow(before, key.time);
+        key.gusty_base = gusty_formula(key, key.time);
+        keys_.push_back(key);
+    }
+}
+
+/// Of sines times a linear wind p + q t: with R the relaxed sine and S the relaxed R, t R - S is relaxed
+/// t sin. The same for integrals.
+Air::Flow Air::gusty_formula(const Key& key, double time) const {
+    double value = 0.0, relaxed = 0.0, twice_relaxed = 0.0, way = 0.0, later_way = 0.0;
+    for (const Wave& wave : waves_) {
+        const SineCosine<Pair> at = sine_cosine(Pair(wave.rate * time + wave.phase));
+        const double sine = lane(at.sine, 0), cosine = lane(at.cosine, 0);
+        // A sine is the imaginary part of e^{i w t}; relaxing divides by k + i w, integrating by i w.
+        const double k = drag_, w = wave.rate, square = k * k + w * w;
+        const std::array<double, 2> one{sine, cosine};
+        const auto relax = [&](const std::array<double, 2>& of) -> std::array<double, 2> {
+            return {(k * of[0] - w * of[1]) / square, (k * of[1] + w * of[0]) / square};
+        };
+        const auto integrate = [&](const std::array<double, 2>& of) -> std::array<double, 2> {
+            return {-of[1] / w, of[0] / w};
+        };
+        const auto first = relax(one), second = relax(first), sum = integrate(first);
+        value += wave.height * one[0];
+        relaxed += wave.height * first[0];
+        twice_relaxed += wave.height * second[0];
+        way += wave.height * sum[0];
+        later_way += wave.height * (integrate(sum)[0] + integrate(second)[0]);
+    }
+    const double since = time - key.time;
+    const glm::dvec3 wind = key.wind + since * key.slope;
+    return {gusts_ * drag_ * (wind * relaxed - key.slope * twice_relaxed),
+            gusts_ * drag_ * (wind * way - key.slope * later_way), gusts_ * wind * value};
+}
+
+Air::Flow Air::gusty_flow(const Key& key, double time) const {
+    if (gusts_ == 0.0) return {};
+    const Flow now = gusty_formula(key, time);
+    if (time < key.time) return now;
+    const Relaxation r = relaxation(time - key.time, drag_);
+    const glm::dvec3 off = key.gusty.velocity - key.gusty_base.velocity;
+    return {now.velocity + off * r.decay, key.gusty.way + (now.way - key.gusty_base.way) + off * r.first,
+            now.wind};
+}
+
+Air::Flow Air::steady_flow(const Key& key, double time) const {
+    const double since = time - key.time;
+    // Before the first key.
+    if (since < 0.0) return {key.wind, key.wind * since, key.wind};
+    const Relaxation r = relaxation(since, drag_);
+    return {key.flow.velocity * r.decay + drag_ * (key.wind * r.first + key.slope * r.second),
+            key.flow.way + key.flow.velocity * r.first + drag_ * (key.wind * r.second + key.slope * r.third),
+            key.wind + since * key.slope};
+}
+
+Air::Flow Air::flow_at(double time) const {
+    const auto next = std::ranges::upper_bound(keys_, time, {}, &Key::time);
+    const Key& key = next == keys_.begin() ? keys_.front() : *(next - 1);
+    const Flow steady = steady_flow(key, time), gusty = gusty_flow(key, time);
+    return {steady.velocity + gusty.velocity, steady.way + gusty.way, steady.wind + gusty.wind};
 }
 
 Air::Gusts Air::gusts_at(double time) const {
@@ -65,6 +147,13 @@ double Air::gust(double time) const {
 Air::State Air::at(double time, double age) const {
     const Relaxation r = relaxation(age, drag_);
     State state{steady_ * r.second, steady_ * r.first, steady_ * r.first, steady_ * r.decay, r};
+    if (!keys_.empty() && drag_ > 0.0) {
+        const Flow now = flow_at(time), born = flow_at(time - age);
+        state.way += now.way - born.way - r.first * born.velocity;
+        state.way_slope += (1.0 - r.decay) * born.wind;
+        state.velocity += now.velocity - r.decay * born.velocity;
+        state.velocity_slope += drag_ * r.decay * born.wind;
+    }
     if (gusty_ == glm::dvec3(0.0) || drag_ == 0.0) return state;
     const Gusts now = gusts_at(time), born = gusts_at(time - age);
     const double relaxed = now.relaxed - r.decay * born.relaxed;

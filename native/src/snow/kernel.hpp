@@ -19,7 +19,7 @@ inline constexpr std::size_t scratch_rows = 32;
 inline constexpr std::size_t scratch_size = scratch_rows * block_size;
 
 /// What is drawn: the counter's third word.
-enum class Stream : std::uint32_t { place, life, depth, spin, waves };
+enum class Stream : std::uint32_t { place, life, depth, spin, waves, grip };
 
 /// c0 + c1 u + c2 u^2 + c3 u^3 for u in [0, 1].
 struct Cubic {
@@ -62,6 +62,13 @@ struct Facet {
     std::uint32_t other = 0;
 };
 
+/// Of Shape::frustum.
+struct Frustum {
+    float wide = 0.0F, high = 0.0F;  ///< tangents of the half angles
+    float far = 1.0F;                ///< m
+    float nearest = 0.0F;            ///< cube of the least distance over the farthest
+};
+
 /// Air that moves by velocity * cos(2 pi (vector x + frequency t + phase)).
 struct Wave {
     std::array<float, 3> vector{};    ///< whole turns a metre
@@ -87,6 +94,7 @@ struct Kind {
     Shape shape = Shape::square;
     float radius = 1.0F;
     std::span<const Facet> facets;  ///< of Shape::surface
+    Frustum frustum;                ///< of Shape::frustum
     bool turns_out = false;         ///< random_orientation, and there is a cone
     float cone_depth = 0.0F;        ///< 1 - cos(cone_angle)
     float cone_turn = 0.0F;         ///< cone_angle in whole turns

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -57,6 +58,10 @@ void check_ray(const Mesh& mesh, const Picker& picker, const glm::dvec3& origin,
     }
     CHECK(hit->distance >= 0.0);
     CHECK(hit->distance <= nearest + 1e3 * rounding);
+    const std::optional<Hit> within_reach = picker.ray(origin, direction, hit->distance);
+    REQUIRE(within_reach.has_value());
+    CHECK(within_reach->triangle == hit->triangle);
+    CHECK_FALSE(picker.ray(origin, direction, std::nextafter(hit->distance, -1.0)).has_value());
     CHECK(glm::distance(hit->point, origin + hit->distance * unit) <= 1e3 * rounding);
     const auto plain = plain_hit(mesh, hit->triangle, origin, unit);
     if (plain) CHECK(plain->least_weight >= -1e-6);

@@ -60,6 +60,24 @@ class SnowTest(unittest.TestCase):
             with self.subTest(triangles=triangles), self.assertRaisesRegex(ValueError, "^surface_triangles"):
                 native.Snow(shape="surface", surface_positions=corners, surface_triangles=triangles)
 
+    def test_frustum_and_keyed_wind(self):
+        places = native.Snow(rate=1000, shape="frustum", frustum_angles=(0.5, 0.3), frustum_near=2.0, frustum_far=9.0,
+                             start_speed=0).evaluate(2.0)["position"]
+        self.assertTrue(((-places[:, 2] >= 1.9999) & (-places[:, 2] <= 9.0001)).all())
+        self.assertTrue((np.abs(places[:, 0] / places[:, 2]) <= np.tan(0.5) + 1e-4).all())
+        self.assertTrue((np.abs(places[:, 1] / places[:, 2]) <= np.tan(0.3) + 1e-4).all())
+        settings = {"rate": 100, "drag": 50, "start_speed": 0, "lifetime": 5}
+        velocity = native.Snow(wind_times=[1.0, 3.0], wind_values=[[0, 0, 0], [4, 0, 2]], **settings).evaluate(
+            2.0, ["velocity"])["velocity"]
+        np.testing.assert_allclose(velocity[0], [1.96, 0, 0.98], atol=1e-4)  # 1 / 50 s behind the wind
+        for keywords, name in (({"frustum_angles": (1, 2)}, "frustum_angles"), ({"frustum_angles": (1,)}, "frustum_angles"),
+                               ({"frustum_near": 30}, "frustum_near"), ({"frustum_far": 0}, "frustum_far"),
+                               ({"wind_times": [1.0]}, "wind_values"), ({"wind_times": [[1.0]]}, "wind_times"),
+                               ({"wind_times": [1, 0], "wind_values": np.zeros((2, 3))}, "wind_times"),
+                               ({"wind_times": [1], "wind_values": np.zeros((1, 2))}, "wind_values")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                native.Snow(**keywords)
+
     def test_threads_may_share_one(self):
         snow = native.Snow(rate=50000, snow=True, random_lifetime=True, drag=1.0, wind=(1, 0, 0), gusts=0.5)
         wanted = snow.evaluate(4.0)["position"]
@@ -75,6 +93,82 @@ class SnowTest(unittest.TestCase):
             thread.join()
         for one in found:
             np.testing.assert_array_equal(one, wanted)
+
+    def test_ground_and_collider(self):
+        corners, triangles = [[-5, -5, 1], [5, -5, 1], [0, 5, 1]], [[0, 1, 2]]
+        collider = native.SnowCollider(corners, triangles)
+        self.assertEqual((collider.vertex_count, collider.triangle_count), (3, 1))
+        matrix = np.diag([1.0, 1.0, 1.0, 1.0])[None]
+        matrix[0, 2, 3] = 3.0
+        settings = {"rate": 100, "start_speed": -2, "cone_radius": 0.5, "emitter_times": [0.0], "emitter_matrices": matrix,
+                    "lifetime": 4}
+        for keywords, height, triangle in (({"ground": 0.5}, 0.5, -1), ({"collider": collider}, 1.0, 0),
+                                           ({"ground": 0.5, "collider": collider}, 1.0, 0)):
+            snow = native.Snow(**settings, **keywords)
+            downs = snow.landings(3.0)
+            self.assertEqual({name: array.dtype.str for name, array in downs.items()},
+                             {"time": "<f8", "id": "<i8", "position": "<f4", "triangle": "<i8"})
+            np.testing.assert_allclose(downs["time"], (downs["id"] + 1) / 100 + (3.0 - height) / 2.0, atol=1e-6)
+            np.testing.assert_allclose(downs["position"][:, 2], height, atol=1e-6)
+            self.assertTrue((downs["triangle"] == triangle).all())
+            flakes = snow.evaluate(3.0)
+            self.assertEqual(len(flakes["id"]), 300)
+            np.testing.assert_array_equal(flakes["position"][downs["id"]], downs["position"])
+            self.assertFalse(flakes["velocity"][downs["id"]].any())
+        snow = native.Snow(**settings, ground=1.0, collision="melt", melt_time=0.5)
+        self.assertEqual(len(snow.evaluate(3.0)["id"]), 150)
+        self.assertEqual(len(native.Snow(**settings, ground=1.0, rest_time=1.0).evaluate(3.0)["id"]), 200)
+        self.assertEqual(len(native.Snow(**settings).landings(3.0)["id"]), 0)
+
+    def test_cover(self):
+        corners = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]
+        matrix = np.eye(4)[None]
+        matrix[0, 2, 3] = 2.0
+        settings = {"rate": 1000, "start_speed": -2, "emitter_times": [0.0], "emitter_matrices": matrix, "lifetime": 4}
+        snow = native.Snow(collider=native.SnowCollider(corners, [[0, 1, 2], [0, 2, 3]]), **settings)
+        cover = native.SnowCover(snow, end=3.0, flake_volume=0.01)
+        self.assertEqual(cover.vertex_count, 4)
+        np.testing.assert_allclose(cover.areas, [108, 54, 108, 54])
+        for time, landed in ((0.5, 0), (1.5, 500), (9.0, 2000)):
+            heights = cover.heights(time)
+            self.assertEqual((heights.shape, heights.dtype), ((4,), np.float32))
+            self.assertAlmostEqual(cover.volume(time), 0.01 * landed, delta=0.011)
+            self.assertAlmostEqual(float(heights @ cover.areas), cover.volume(time), delta=1e-4)
+        out = np.zeros(4, np.float32)
+        self.assertIs(cover.heights(9.0, out), out)
+        np.testing.assert_array_equal(out, cover.heights(9.0))
+        for call, name in (
+                (lambda: native.SnowCover(native.Snow(), end=1), "snow"), (lambda: native.SnowCover(snow, end=np.inf), "end"),
+                (lambda: native.SnowCover(snow, end=1, flake_volume=0), "flake_volume"),
+                (lambda: native.SnowCover(snow, end=1, repose=2), "repose"),
+                (lambda: native.SnowCover(snow, end=1, smoothing=-1), "smoothing"),
+                (lambda: native.SnowCover(snow, end=1e9), "end"), (lambda: cover.heights(np.nan), "time"),
+                (lambda: cover.volume(np.nan), "time"), (lambda: cover.heights(1, np.zeros(5, np.float32)), "out"),
+                (lambda: cover.heights(1, np.zeros(8, np.float32)[::2]), "out")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+        for call, name in ((lambda: native.SnowCover(1, end=1), "snow"), (lambda: cover.heights(1, np.zeros(4)), "out"),
+                           (lambda: native.SnowCover(snow, end=1, smoothing=0.5), "smoothing")):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
+                call()
+
+    def test_errors_of_collisions_name_the_argument(self):
+        nan = float("nan")
+        for call, name in (
+                (lambda: native.Snow(ground=nan), "ground"), (lambda: native.Snow(collision="bounce"), "collision"),
+                (lambda: native.Snow(rest_time=-1), "rest_time"), (lambda: native.Snow(melt_time=-1), "melt_time"),
+                (lambda: native.Snow(friction=-1), "friction"),
+                (lambda: native.SnowCollider([[0, 0, nan]], []), "collider_positions"),
+                (lambda: native.SnowCollider([0, 0, 0], []), "collider_positions"),
+                (lambda: native.SnowCollider([[0, 0, 0]], [[0, 0, 1]]), "collider_triangles"),
+                (lambda: native.Snow().landings(nan), "end"),
+                (lambda: native.Snow(rate=1e6, lifetime=1, ground=0).landings(100), "end")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+        for call, name in ((lambda: native.Snow(collider=[1]), "collider"), (lambda: native.Snow(collision=1), "collision"),
+                           (lambda: native.SnowCollider([[0, 0, 0]], [[0.5, 0, 0]]), "collider_triangles")):
+            with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
+                call()
 
     def test_errors_name_the_argument(self):
         nan = float("nan")

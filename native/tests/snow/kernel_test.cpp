@@ -32,7 +32,7 @@ struct Sample {
         for (auto& change : changes) change = {any(), any(), any(), any()};
 
         kind.key = {static_cast<std::uint32_t>(random.bits()), static_cast<std::uint32_t>(random.bits())};
-        kind.shape = static_cast<Shape>(random.below(6));
+        kind.shape = static_cast<Shape>(random.below(7));
         for (Facet& facet : facets) {
             for (float& one : facet.corner) one = any();
             for (float& one : facet.edge1) one = any();
@@ -42,6 +42,8 @@ struct Sample {
             facet.other = static_cast<std::uint32_t>(random.below(facets.size()));
         }
         kind.facets = facets;
+        kind.frustum = {random.between(0.0F, 2.0F), random.between(0.0F, 2.0F), 7.0F,
+                        random.chance(0.5) ? 0.0F : random.between(0.0F, 1.0F)};
         kind.turns_out = random.chance(0.5);
         kind.cone_depth = random.between(0.0F, 2.0F);
         kind.cone_turn = random.between(0.0F, 0.5F);

@@ -6,14 +6,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <glm/trigonometric.hpp>
 #include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
+#include "flakes.hpp"
 #include "motus/noise/noise.hpp"
 #include "random.hpp"
 
@@ -21,65 +22,6 @@ using namespace motus;
 using namespace motus::snow;
 
 namespace {
-
-struct Flakes {
-    explicit Flakes(std::size_t count)
-        : position(count),
-          velocity(count),
-          size(count),
-          age(count),
-          color(count),
-          rotation(count),
-          id(count) {}
-    [[nodiscard]] Fields fields() { return {position, velocity, size, color, age, rotation, id}; }
-
-    std::vector<glm::vec3> position, velocity;
-    std::vector<float> size, age;
-    std::vector<glm::vec4> color, rotation;
-    std::vector<std::int64_t> id;
-};
-
-[[nodiscard]] Flakes flakes_at(const Snow& snow, double time, std::size_t threads = 1) {
-    const Living living = snow.living(time, threads);
-    Flakes flakes(living.count);
-    snow.evaluate(living, flakes.fields(), threads);
-    return flakes;
-}
-
-template <class T>
-[[nodiscard]] bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-    return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-[[nodiscard]] bool are_same(const Flakes& a, const Flakes& b) {
-    return same_bits(a.position, b.position) && same_bits(a.velocity, b.velocity) &&
-           same_bits(a.size, b.size) && same_bits(a.age, b.age) && same_bits(a.color, b.color) &&
-           same_bits(a.rotation, b.rotation) && same_bits(a.id, b.id);
-}
-
-/// Everything at once.
-[[nodiscard]] Settings rich(double rate) {
-    Settings s;
-    s.rate = rate;
-    s.delay = 0.3;
-    s.lifetime = 2.5;
-    s.bursts = {{0.5, 300}, {1.7, 77}};
-    s.start_color = {{0.0F, {1.0F, 0.0F, 0.0F, 1.0F}}, {1.0F, {0.0F, 1.0F, 0.0F, 0.5F}}};
-    s.cone_angle = 0.6;
-    s.random_speed = s.random_orientation = s.random_lifetime = s.random_size = s.random_color = true;
-    s.snow = s.gravity = true;
-    s.drag = 0.7;
-    s.wind = {1.0, -0.5, 0.2};
-    s.gusts = 0.5;
-    s.turbulence = 0.8;
-    s.tumble = 3.0;
-    s.seed = 12345678901U;
-    s.emitter_times = {0.0, 1.0, 2.5};
-    for (const double at : s.emitter_times)
-        s.emitter_matrices.push_back(glm::translate(glm::dmat4(1.0), glm::dvec3(at, 0.0, 3.0)) *
-                                     glm::rotate(glm::dmat4(1.0), at, glm::dvec3(1.0, 0.2, 0.0)));
-    return s;
-}
 
 [[nodiscard]] std::array<Settings, 4> kinds(double rate) {
     std::array<Settings, 4> all{rich(rate), rich(rate), rich(rate), rich(rate)};
@@ -227,6 +169,59 @@ TEST_CASE("a surface is covered evenly, and left along its normals", "[snow]") {
     settings.start_speed = 2.0;
     for (const glm::vec3& velocity : flakes_at(Snow(settings), 3.0).velocity)
         CHECK(velocity == glm::vec3(0.0F, 0.0F, 2.0F));
+}
+
+TEST_CASE("a camera's frustum is filled evenly, and left downwards", "[snow]") {
+    Settings settings;
+    settings.rate = 100000.0;
+    settings.lifetime = 1.0;
+    settings.start_speed = 0.0;
+    settings.shape = Shape::frustum;
+    settings.frustum_angles = {0.7, 0.4};
+    settings.frustum_far = 12.0;
+    const glm::dvec2 wide = glm::tan(settings.frustum_angles);
+    const glm::dmat4 pose = glm::translate(glm::dmat4(1.0), glm::dvec3(3.0, -2.0, 1.5)) *
+                            glm::rotate(glm::dmat4(1.0), 1.2, glm::dvec3(1.0, 0.3, -0.2));
+    settings.emitter_times = {0.0};
+    settings.emitter_matrices = {pose};
+    for (const double nearest : {0.0, 0.1, 4.0, 11.5}) {
+        settings.frustum_near = nearest;
+        CAPTURE(nearest);
+        const Flakes now = flakes_at(Snow(settings), 3.0);
+        // By the volume up to a distance, and across each picture.
+        const double low = std::pow(nearest / 12.0, 3.0);
+        std::array<double, 8> shares{};
+        glm::dvec2 mean(0.0), square(0.0);
+        for (const glm::vec3& at : now.position) {
+            const glm::dvec3 seen(glm::inverse(pose) * glm::dvec4(glm::dvec3(at), 1.0));
+            const double distance = -seen.z;
+            CHECK(distance >= nearest - 1e-5);
+            CHECK(distance <= 12.00001);
+            const double part = (std::pow(distance / 12.0, 3.0) - low) / (1.0 - low);
+            shares.at(static_cast<std::size_t>(std::clamp(8.0 * part, 0.0, 7.0))) += 1e-5;
+            const glm::dvec2 aside = glm::dvec2(seen) / (distance * wide);
+            if (distance > 0.01) CHECK(std::max(std::abs(aside.x), std::abs(aside.y)) < 1.001);
+            mean += 1e-5 * aside;
+            square += 1e-5 * aside * aside;
+        }
+        for (const double share : shares) CHECK(share == Approx(0.125).margin(0.004));
+        for (int axis = 0; axis < 2; ++axis) {
+            CHECK(std::abs(mean[axis]) < 0.01);
+            CHECK(square[axis] == Approx(1.0 / 3.0).epsilon(0.02));
+        }
+    }
+    settings.start_speed = 2.0;
+    for (const bool is_moving : {false, true}) {
+        if (is_moving) {
+            settings.emitter_times.push_back(5.0);
+            settings.emitter_matrices.emplace_back(1.0);
+        }
+        const Flakes now = flakes_at(Snow(settings), 3.0);
+        for (std::size_t i = 0; i < now.id.size(); i += 100) {
+            CHECK(now.velocity[i] == glm::vec3(0.0F, 0.0F, -2.0F));
+            CHECK(now.rotation[i] == glm::vec4(0.0F, 1.0F, 0.0F, 0.0F));
+        }
+    }
 }
 
 TEST_CASE("random switches stay in their ranges, evenly", "[snow]") {
@@ -421,6 +416,35 @@ TEST_CASE("turbulent air moves flakes at its speed, and gathers them nowhere", "
     CHECK(divergence < 1e-2 * shear);
 }
 
+TEST_CASE("keyed wind carries flakes along, the same at any time", "[snow]") {
+    Settings settings;
+    settings.rate = 2000.0;
+    settings.start_speed = 0.0;
+    settings.cone_radius = 0.0;
+    settings.lifetime = 8.0;
+    settings.drag = 2.0;
+    settings.wind_times = {1.0, 2.0, 2.5, 6.0};
+    settings.wind_values = {{1.0, 0.0, 0.0}, {1.0, 3.0, 0.0}, {-2.0, 0.0, 1.0}, {0.0, 0.0, 0.0}};
+    const Snow snow(settings);
+    constexpr double h = 1.0 / 512.0;
+    for (const double time : {0.7, 1.5, 2.26, 4.0, 9.0}) {
+        const Flakes before = flakes_at(snow, time - h), now = flakes_at(snow, time),
+                     after = flakes_at(snow, time + h);
+        for (std::size_t i = 0; i < now.id.size(); ++i) {
+            const auto at = [&](const Flakes& flakes) {
+                const auto row = static_cast<std::size_t>(now.id[i] - flakes.id.front());
+                return row < flakes.id.size() ? glm::dvec3(flakes.position[row]) : glm::dvec3(1e9);
+            };
+            const glm::dvec3 step = at(after) - at(before);
+            // Keys that bend the wind so much are a little rounded off.
+            if (glm::length(step) < 1e3)
+                CHECK(glm::length(step / (2.0 * h) - glm::dvec3(now.velocity[i])) < 0.03);
+        }
+    }
+    // Long after the last key the air is still.
+    for (const glm::vec3& velocity : flakes_at(snow, 40.0).velocity) CHECK(glm::length(velocity) < 1e-6F);
+}
+
 TEST_CASE("gravity adds to the way, with snow too", "[snow]") {
     Settings settings;
     settings.rate = 1000.0;
@@ -491,6 +515,9 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
         refuses("cone_angle", [&](Settings& s) { s.cone_angle = bad; });
         refuses("cone_radius", [&](Settings& s) { s.cone_radius = bad; });
         refuses("drag", [&](Settings& s) { s.drag = bad; });
+        refuses("frustum_angles", [&](Settings& s) { s.frustum_angles.y = bad; });
+        refuses("frustum_near", [&](Settings& s) { s.frustum_near = bad; });
+        refuses("frustum_far", [&](Settings& s) { s.frustum_far = bad; });
         refuses("gusts", [&](Settings& s) { s.gusts = bad; });
         refuses("gust_frequency", [&](Settings& s) { s.gust_frequency = bad; });
         refuses("snow_frequency", [&](Settings& s) { s.snow_frequency = bad; });
@@ -502,6 +529,12 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
     refuses("start_size", [&](Settings& s) { s.start_size = 1e300; });
     refuses("max_angle", [&](Settings& s) { s.max_angle = nan; });
     refuses("wind", [&](Settings& s) { s.wind.y = nan; });
+    refuses("wind_values", [&](Settings& s) { s.wind_times = {1.0}; });
+    refuses("wind_values", [&](Settings& s) { s.wind_times = {1.0}, s.wind_values = {{nan, 0.0, 0.0}}; });
+    refuses("wind_times", [&](Settings& s) { s.wind_times = {nan}, s.wind_values = {{}}; });
+    refuses("wind_times must rise", [&](Settings& s) {
+        s.wind_times = {1.0, 1.0}, s.wind_values = {{}, {}};
+    });
     refuses("start_color", [&](Settings& s) { s.start_color.clear(); });
     refuses("start_color", [&](Settings& s) { s.start_color = {{1.0F, {}}, {0.0F, {}}}; });
     refuses("emitter_matrices", [&](Settings& s) { s.emitter_times = {0.0}; });

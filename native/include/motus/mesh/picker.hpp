@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -49,8 +50,10 @@ class Picker {
 
     /// The first triangle, from either side, that the ray from `origin` along `direction` (of any length)
     /// meets; the lowest index where several are met at the same distance. A ray through an edge or a vertex
-    /// that triangles share meets one of them. Nothing where the direction is zero or a number is not finite.
-    [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction) const;
+    /// that triangles share meets one of them. Nothing where the direction is zero or a number is not finite,
+    /// or where all that it meets lies farther away than `farthest`.
+    [[nodiscard]] std::optional<Hit> ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                                         double farthest = std::numeric_limits<double>::infinity()) const;
 
     /// The same for another shape of the mesh, of which no vertex lies further than `slack` from where it was
     /// at the last refit (triangles with one that does may be missed): for single rays that takes far less

@@ -3,22 +3,28 @@
 // Birth is a formula (births.hpp), random numbers are drawn by flake number (Philox 4x32-10, key the seed,
 // counter the number and what is drawn). The flake steers through the air as noise of its age turns it about
 // the world's X and Y, the integral of which is tabulated; drag, wind and gusts act by the closed form of
-// linear drag: c' = g + k (W - c). Turbulent air is a sum of waves, each moving across its direction,
-// integrated along a straight line, that of the first velocity and the wind. The same bits on every machine
-// and for any number of threads.
+// linear drag: c' = g + k (W - c), piece by piece where the wind is keyed. Turbulent air is a sum of waves,
+// each moving across its direction, integrated along a straight line, that of the first velocity and the
+// wind. Where a flake lands first is looked for once, along its whole way, and kept with those of the flakes
+// that are numbered next to it. The same bits on every machine, for any number of threads, whichever time is
+// asked for first.
 #pragma once
 #include <cstddef>
 #include <cstdint>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "motus/core/parallel.hpp"
 #include "motus/snow/births.hpp"
+#include "motus/snow/collider.hpp"
 
 namespace motus::snow {
 
@@ -31,7 +37,12 @@ enum class Shape : std::uint8_t {
     sphere,   ///< the ball; away from its middle
     cone,     ///< the disc; leaning outwards, from 0 in the middle to cone_angle at the edge
     surface,  ///< surface_triangles; along their normals
+    frustum,  ///< what a camera sees that looks along -Z, up being Y; down along the world's -Z
 };
+
+/// What a flake does from where it landed on: nothing; slide down the triangle and those beyond its edges; or
+/// become smaller and vanish.
+enum class Collision : std::uint8_t { stay, slide, melt };
 
 struct GradientStop {
     float position = 0.0F;
@@ -54,6 +65,9 @@ struct Settings {
     Shape shape = Shape::square;
     std::vector<glm::vec3> surface_positions;   ///< vertices, in the emitter's space
     std::vector<glm::ivec3> surface_triangles;  ///< of which at least one has an area, of Shape::surface
+    glm::dvec2 frustum_angles{0.4, 0.25};       ///< half the angles in X and in Y, [0, pi / 2)
+    double frustum_near = 0.1;                  ///< [0, frustum_far], m along -Z
+    double frustum_far = 20.0;                  ///< > 0
     double cone_angle = 0.0;                    ///< half the opening, [0, pi]
     double cone_radius = 1.0;                   ///< >= 0, r above
 
@@ -71,15 +85,24 @@ struct Settings {
     bool gravity = false;
     glm::dvec3 acceleration{0.0, 0.0, -9.81};  ///< of gravity, m/s^2
 
-    double drag = 0.0;            ///< 1/s, [0, 1000]; without it there is no wind
-    glm::dvec3 wind{0.0};         ///< velocity of the air, m/s
-    double gusts = 0.0;           ///< how much the wind varies, fraction of it, >= 0
-    double gust_frequency = 0.3;  ///< 1/s, (0, 1000]
+    double drag = 0.0;                    ///< 1/s, [0, 1000]; without it there is no wind
+    glm::dvec3 wind{0.0};                 ///< velocity of the air, m/s
+    std::vector<double> wind_times;       ///< strictly rising; with them the wind goes evenly from each of
+    std::vector<glm::dvec3> wind_values;  ///< these to the next, held before the first and after the last
+    double gusts = 0.0;                   ///< how much the wind varies, fraction of it, >= 0
+    double gust_frequency = 0.3;          ///< 1/s, (0, 1000]
 
     double turbulence = 0.0;       ///< root mean square of the velocity of turbulent air, m/s, >= 0
     double turbulence_size = 1.0;  ///< of its eddies, m, > 0
 
     double tumble = 0.0;  ///< rad/s: each flake turns about an axis of its own at up to this speed, >= 0
+
+    std::optional<double> ground;              ///< height that flakes land on from above
+    std::shared_ptr<const Collider> collider;  ///< triangles that they land on from either side
+    Collision collision = Collision::stay;
+    double rest_time = std::numeric_limits<double>::infinity();  ///< how long a landed flake lives at most
+    double melt_time = 1.0;  ///< the same of one that melts, and how long it takes to
+    double friction = 0.5;   ///< of what slides, as `acceleration` pulls it, with gravity or without, >= 0
 
     std::uint64_t seed = 0;
 
@@ -98,6 +121,15 @@ struct Fields {
     std::span<std::int64_t> id{};
 };
 
+/// Where and when a flake lands.
+struct Touchdown {
+    double time = 0.0;
+    std::uint64_t id = 0;
+    glm::vec3 point{0.0F};
+    std::int32_t triangle = -1;  ///< of the collider; -1: the ground
+    bool is_behind = false;      ///< it came from where the triangle's normal does not point to
+};
+
 /// The flakes that live at a time.
 struct Living {
     double time = 0.0;
@@ -107,26 +139,37 @@ struct Living {
     std::vector<std::size_t> before{};  ///< that live before each block of 256 numbers; empty: all of them
 };
 
-/// Immutable, so that several threads may ask at once.
+/// Immutable but for where flakes land, which is kept for the eight million looked up last (512 MB), so that
+/// several threads may ask at once.
 class Snow {
   public:
-    static constexpr double most_flakes = 1e8;  ///< living at once
+    static constexpr double most_flakes = 1e8;      ///< living at once
+    static constexpr double most_touchdowns = 1e7;  ///< flakes born until the end of touchdowns()
 
     /// Throws std::invalid_argument, naming the argument, where a value is outside its domain, or more flakes
     /// than most_flakes would live at once.
-    explicit Snow(Settings settings);
+    explicit Snow(const Settings& settings);
     ~Snow();
     Snow(Snow&& other) noexcept;
     Snow& operator=(Snow&& other) noexcept;
     Snow(const Snow&) = delete;
     Snow& operator=(const Snow&) = delete;
 
-    /// Flakes with 0 <= age < lifetime. Throws std::invalid_argument where the time is not finite.
+    /// Flakes with 0 <= age < lifetime that have not rested, or melted, for their time. Throws
+    /// std::invalid_argument where the time is not finite.
     [[nodiscard]] Living living(double time, std::size_t threads = thread_count()) const;
 
     /// Fills the fields in the order of flake numbers. Throws std::invalid_argument where one that is not
     /// empty has another number of rows than there are living flakes. `threads` as in in_parts.
     void evaluate(const Living& living, const Fields& out, std::size_t threads = thread_count()) const;
+
+    /// Where flakes land until the end, by time and then by number. Throws std::invalid_argument where the
+    /// end is not finite, or more than most_touchdowns flakes are born until then.
+    [[nodiscard]] std::vector<Touchdown> touchdowns(double end, std::size_t threads = thread_count()) const;
+
+    // Settings.
+    [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept;
+    [[nodiscard]] const glm::dvec3& acceleration() const noexcept;
 
   private:
     struct Parts;

@@ -1,0 +1,92 @@
+// What all flakes of a snow have in common, and the loops over them. Private to the library.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "air.hpp"
+#include "emitter.hpp"
+#include "kernel.hpp"
+#include "motus/core/unfilled.hpp"
+#include "motus/snow/births.hpp"
+#include "motus/snow/snow.hpp"
+#include "steering.hpp"
+
+namespace motus::snow {
+
+inline constexpr double lifetime_range = 1.0;  ///< s, of a random lifetime
+inline constexpr std::size_t padding = 16;     ///< loops run over whole vectors
+
+struct Course {
+    explicit Course(Settings settings);
+    ~Course() = default;
+    // `kind` points into its own arrays.
+    Course(const Course&) = delete;
+    Course& operator=(const Course&) = delete;
+    Course(Course&&) = delete;
+    Course& operator=(Course&&) = delete;
+
+    [[nodiscard]] double longest() const { return lifetime + (random_lifetime ? lifetime_range : 0.0); }
+
+    double lifetime;
+    bool random_lifetime;
+    Births births;
+    Emitter emitter;
+    Air air;
+    double step;       ///< between the nodes of what depends on the age, s
+    double look_step;  ///< between the times at which a flake's way is looked at, s
+    Kind kind;
+    std::vector<Facet> facets;
+    std::vector<float> places, scales;
+    std::vector<std::array<float, 4>> changes;
+    std::optional<Steering> steering;
+    const Kernel* kernel = kernels().back();
+};
+
+/// The air's and the way's cubics over one interval of ages, kept for the runs that follow in it.
+class Interval {
+  public:
+    Interval(const Air& air, double step) : air_(air), step_(step) {}
+
+    /// Sets what the run has of them at this time.
+    void set(double time, double index, Run& run);
+
+  private:
+    const Air& air_;
+    double step_;
+    double time_ = 0.0;
+    double index_ = -1.0;
+    std::array<Cubic, 3> drift_{}, velocity_{};
+    Cubic way_, way_rate_;
+};
+
+/// Fills rows of flakes. For one thread at a time.
+class Flight {
+  public:
+    explicit Flight(const Course& course);
+
+    /// Of flakes of falling ages at a time, with their numbers' lower words, both of which go on to the next
+    /// multiple of `padding`, into the rows from `index` on.
+    void fill(double time, const double* ages, const std::uint32_t* lows, std::uint32_t high,
+              std::size_t count, const Fields& out, std::size_t index);
+
+    /// Where such flakes were born.
+    void fill_births(double time, const double* ages, const std::uint32_t* lows, std::uint32_t high,
+                     std::size_t count, const Fields& out);
+
+  private:
+    /// Calls fly() for each run of them, which gives it the air and the steering, and fills it.
+    template <class Fly>
+    void in_runs(double time, const double* ages, const std::uint32_t* lows, std::uint32_t high,
+                 std::size_t count, const Fields& out, std::size_t index, const Fly& fly);
+
+    const Course& course_;
+    Interval interval_;
+    Kind standing_;  ///< of flakes that nothing moves
+    Run run_;
+    Unfilled<float, scratch_size> scratch_;
+};
+
+}  // namespace motus::snow

@@ -1,0 +1,87 @@
+// Where flakes land, and what they do from then on. Private to the library.
+//
+// A flake's way is looked at on a grid of times, whichever time is asked for; between two of them it counts
+// as straight, and where that meets something the moment is found on the way itself.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "course.hpp"
+#include "motus/core/cache.hpp"
+#include "motus/snow/collider.hpp"
+#include "motus/snow/snow.hpp"
+
+namespace motus::snow {
+
+class Landings {
+  public:
+    static constexpr std::int32_t nowhere = -2, ground = -1;  ///< in place of a triangle
+
+    struct Landing {
+        glm::vec3 point{0.0F};
+        glm::vec4 rotation{1.0F, 0.0F, 0.0F, 0.0F};
+        std::int32_t triangle = nowhere;
+        bool is_behind = false;                    ///< it came from where the normal does not point to
+        std::uint32_t slide = 0, slide_count = 0;  ///< of the page's
+    };
+    /// Those of the flakes of a block.
+    struct Page {
+        Page() { times.fill(std::numeric_limits<double>::infinity()); }
+
+        std::array<double, block_size> times{};  ///< of landing; infinity: never
+        std::array<Landing, block_size> landings{};
+        std::vector<Slide> slides;
+    };
+
+    /// The course has to stay where it is.
+    Landings(const Course& course, const Settings& settings);
+
+    /// Whether there is anything to land on.
+    [[nodiscard]] bool are_any() const noexcept { return ground_.has_value() || collider_ != nullptr; }
+    /// s that a flake lives after it landed, at most.
+    [[nodiscard]] double rest_time() const noexcept { return rest_time_; }
+    [[nodiscard]] const std::shared_ptr<const Collider>& collider() const noexcept { return collider_; }
+
+    /// What pulls down that which slides, m/s^2.
+    [[nodiscard]] const glm::dvec3& pull() const noexcept { return pull_; }
+
+    /// Of the numbers from block_size * block on; looked for, or as they were kept.
+    [[nodiscard]] std::shared_ptr<const Page> page(std::uint64_t block) const;
+    [[nodiscard]] std::shared_ptr<const Page> find(std::uint64_t block) const;
+
+    /// Puts flakes that have landed into the rows from `index` on.
+    void land(const Page& page, double time, const std::uint32_t* lows, std::size_t count, const Fields& out,
+              std::size_t index) const;
+
+  private:
+    struct Hit;
+    class March;
+    [[nodiscard]] std::optional<Hit> first_hit(const glm::dvec3& start, const glm::dvec3& end) const;
+
+    struct Bytes {
+        [[nodiscard]] std::size_t operator()(std::uint64_t /*block*/, const Page& page) const noexcept {
+            return sizeof page + bytes_of(page.slides);
+        }
+    };
+    using Pages = Cache<std::uint64_t, Page, std::hash<std::uint64_t>, Bytes>;
+
+    const Course& course_;
+    std::optional<double> ground_;
+    std::shared_ptr<const Collider> collider_;
+    Collision collision_;
+    double rest_time_;
+    double melt_time_;
+    double friction_;
+    glm::dvec3 pull_;
+    mutable Pages pages_;
+};
+
+}  // namespace motus::snow
