@@ -13,7 +13,7 @@ FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, things with dynamics, pins, a pulled lattice, pendulums; and users' drivers."""
+    """A follower, a train, an arm, a figure that looks, things with dynamics, pins, a pulled lattice, pendulums, a stereo camera; and users' drivers."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
     for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
         target.location = place
@@ -23,6 +23,7 @@ def build():
     _dynamics()
     _meshes()
     _pendulums()
+    _stereo()
     bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
     bpy.context.view_layer.update()
 
@@ -99,6 +100,15 @@ def _pendulums():
     hook.keyframe_insert("motus.pendulum.speed", frame=1)
     bpy.ops.motus.pendulum_add(kind='FAN', count=3, use_trails=True, location=(0.0, -8.0, 3.0))
     bpy.context.object.select_set(False)
+
+
+def _stereo():
+    camera = _link("Eyes", bpy.data.cameras.new("Eyes"), (2.0, -20.0, 1.0))
+    camera.rotation_euler.x = 1.5
+    bpy.ops.motus.stereo_rig_add(object=camera.name, convergence='BUDGET')
+    for frame, near in ((1, 2.0), (40, 5.0)):
+        camera.motus.stereo.near = near
+        camera.keyframe_insert("motus.stereo.near", frame=frame)
 
 
 def _drive(obj, path, expression, source, source_path, index=-1):

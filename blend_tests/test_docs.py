@@ -110,6 +110,21 @@ class ExamplesTest(support.SceneTestCase):
         self.assertGreater(sum((a - b) ** 2 for a, b in zip(dragged, swung)), 0.01)
         self.assertEqual(set(bpy.data.objects), before)
 
+    def test_the_scripted_example_of_stereo_takes_its_budget(self):
+        scripted, = [code for code in examples(DOCS / "stereo.md") if "bpy.ops.motus" in code]
+        scene = bpy.context.scene
+        scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        scene.camera.data.lens = 35.0
+        scene.collection.objects.link(scene.camera)
+        bpy.ops.mesh.primitive_plane_add(size=60.0, location=(0.0, 0.0, -12.0))
+        seen = []
+        scope = {"print": lambda *numbers: seen.extend(numbers)}
+        exec(compile(scripted, "stereo.md", "exec"), scope)
+        for found, wanted in zip(seen, (0.0771, 2.7273)):
+            self.assertAlmostEqual(found, wanted, places=4)
+        self.assertEqual(support.addon("stereo.results").of(scene.camera).sentences, ())
+        self.assertEqual(scene.render.image_settings.stereo_3d_format.display_mode, 'ANAGLYPH')
+
     def height_of(self, land, vertex, frame):
         """Height of a vertex on a frame, as it is seen."""
         bpy.context.scene.frame_set(frame)

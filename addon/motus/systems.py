@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import drivers, dynamics, ik, lattice, look_at, path, pendulum, pull
+from . import drivers, dynamics, ik, lattice, look_at, path, pendulum, pull, stereo
 
 SYSTEMS = (
     path.SYSTEM,
@@ -11,5 +11,6 @@ SYSTEMS = (
     lattice.SYSTEM,
     pendulum.SYSTEM,
     pendulum.TRAILS,
+    stereo.SYSTEM,
     drivers.FEATURE,
 )

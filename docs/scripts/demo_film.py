@@ -109,12 +109,19 @@ def render_still(shot, scene, folder, quality, progress, width):
     file = folder / f"{shot.scene.name}_{shot.still + 1:02d}.png"
     cuts = _suspend_cuts(scene)
     scene.camera = scene.objects[camera]
+    _set_stereo(shot, scene)
     scene.frame_set(_frame_at(scene, moment))
     scene.render.filepath = str(file)
     bpy.ops.render.render(write_still=True)
     _resume_cuts(scene, cuts)
     progress.say(f"{file}: {width} pixels wide, {progress.seconds() - began:.0f} s")
     return file
+
+
+def _set_stereo(shot, scene):
+    """Let both eyes be written as the scene says, where its camera has two."""
+    if shot.scene.stereo:
+        bpy.ops.motus.stereo_output(object=scene.camera.name, format=shot.scene.stereo[shot.still])
 
 
 def _suspend_cuts(scene):
@@ -173,6 +180,7 @@ def render_film(shot, scene, folder, quality, progress):
     progress.say(f"{demo.name}: film of {frames} frames, {samples} samples, {cost:.1f} s each: {frames * cost / 60.0:.1f} minutes")
     scene.frame_start, scene.frame_end = last - frames + 1, last
     film = _set_film_output(demo, scene, folder)
+    _set_stereo(shot, scene)
     report = _frame_reporter(progress, frames)
     bpy.app.handlers.render_write.append(report)
     try:
@@ -180,6 +188,9 @@ def render_film(shot, scene, folder, quality, progress):
     finally:
         bpy.app.handlers.render_write.remove(report)
         scene.frame_start, scene.frame_end = whole_lap
+    of_both_eyes = film.with_name(f"{film.stem}_L{film.suffix}")
+    if demo.stereo and of_both_eyes.exists():  # Blender calls it after the left one
+        of_both_eyes.replace(film)
     progress.say(f"{film}: {frames} frames")
     return film
 

@@ -19,6 +19,7 @@ void bind_pull(pybind11::module_& m);
 void bind_lattice(pybind11::module_& m);
 void bind_noise(pybind11::module_& m);
 void bind_snow(pybind11::module_& m);
+void bind_stereo(pybind11::module_& m);
 void bind_pendulum(pybind11::module_& m);
 void bind_second_order(pybind11::module_& m);
 void bind_thread_state(pybind11::module_& m);

@@ -26,6 +26,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_lattice(m);
     bind_noise(m);
     bind_snow(m);
+    bind_stereo(m);
     bind_pendulum(m);
     bind_second_order(m);
     bind_thread_state(m);

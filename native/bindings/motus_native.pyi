@@ -19,6 +19,7 @@ _Mode = Literal["world_up", "minimal", "banking", "curvature", "tilt"]
 _Axis = Literal["X", "Y", "Z", "-X", "-Y", "-Z"]
 _EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface", "frustum"]
 _Collision = Literal["stay", "slide", "melt"]
+_StereoMode = Literal["off_axis", "parallel", "toe_in"]
 _FlakeField = Literal["position", "velocity", "size", "color", "age", "rotation", "id"]
 _Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
 
@@ -638,6 +639,46 @@ class SnowCover:
     ) -> None: ...
     def heights(self, time: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]: ...  # (v,)
     def volume(self, time: float) -> float: ...
+
+# --- Stereo --------------------------------------------------------------------------------------------------------------
+
+# Parallax: a fraction of the image's width, positive behind the screen. A number or (m,) gives a float or (m,).
+def parallax(
+    depth: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
+    mode: _StereoMode = "off_axis",
+) -> float | _Array: ...
+def solve_depth_budget(  # (interaxial, convergence)
+    near: float, far: float, near_parallax: float, far_parallax: float, focal_length: float, sensor_width: float,
+) -> tuple[float, float]: ...
+def depth_budget(  # (near, far)
+    near_parallax: float, far_parallax: float, interaxial: float, focal_length: float, sensor_width: float,
+    convergence: float, mode: _StereoMode = "off_axis",
+) -> tuple[float, float]: ...
+def stereo_points(  # (m, 2, 2) of (m, 3): left and right eye, x and y
+    points: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
+    mode: _StereoMode = "off_axis",
+) -> _Array: ...
+def vertical_parallax(
+    depth: float, aspect: float, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
+    mode: _StereoMode = "toe_in",
+) -> float: ...
+def seen_distance(
+    parallax: ArrayLike, width: float, viewing_distance: float, eye_separation: float = 0.065,
+) -> float | _Array: ...
+def divergence_limit(width: float, eye_separation: float = 0.065) -> float: ...
+def comfortable_parallax(  # (near, far), magnitudes
+    width: float, viewing_distance: float, eye_separation: float = 0.065, angle: float = 0.017453292519943295,
+) -> tuple[float, float]: ...
+def roundness(
+    depth: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float, width: float,
+    viewing_distance: float, eye_separation: float = 0.065, mode: _StereoMode = "off_axis",
+) -> float | _Array: ...
+def depth_range(depths: ArrayLike, low: float = 0.01, high: float = 0.99) -> tuple[float, float] | None: ...
+def window_violations(  # (left, right), magnitudes
+    x: ArrayLike, depths: ArrayLike, interaxial: float, focal_length: float, sensor_width: float, convergence: float,
+    tolerance: float = 0.0, mode: _StereoMode = "off_axis",
+) -> tuple[float, float]: ...
+def smooth_ahead(values: ArrayLike, ahead: int, side: Literal["either", "below", "above"] = "either") -> _Array: ...
 
 # --- Dynamics -----------------------------------------------------------------------------------------------------------
 

@@ -7,6 +7,22 @@ import bpy
 from . import actions
 
 
+def ranges(frames, step):
+    """Frames as text: those that follow one another by a step make a range."""
+    runs = []
+    for frame in frames:
+        if runs and abs(frame - runs[-1][1] - step) < 1e-6:
+            runs[-1][1] = frame
+        else:
+            runs.append([frame, frame])
+    return ", ".join(as_text(first) if first == last else f"{as_text(first)}-{as_text(last)}" for first, last in runs)
+
+
+def as_text(frame):
+    """A frame to a thousandth, without an exponent."""
+    return f"{round(frame, 3):.12g}"
+
+
 class Kept:
     """The frame, and what animated properties of some objects stand at, keyed or not."""
 

@@ -72,13 +72,13 @@ class Matrix:
 
 @dataclass(frozen=True)
 class OwnMatrix:
-    """World matrix of the owner, where the boolean setting `when` is on; else None. The owner may not be driven itself."""
+    """World matrix of the owner; None where the boolean setting `when`, if one is named, is off. The owner may not be driven itself."""
 
     name: str
-    when: str
+    when: str = ""
 
     def variable(self, owner, settings):
-        return Variable('OBJECT', owner, "matrix_world") if getattr(settings, self.when) else None
+        return Variable('OBJECT', owner, "matrix_world") if not self.when or getattr(settings, self.when) else None
 
     read = staticmethod(Matrix.read)
 

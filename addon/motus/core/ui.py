@@ -35,6 +35,12 @@ class ObjectConstraints(_Properties):
     bl_context = "constraint"
 
 
+class CameraData(_Properties):
+    """Mixin of panels in the properties of a camera."""
+
+    bl_context = "data"
+
+
 class BoneConstraints(_Properties):
     """Mixin of panels among the constraints of a bone."""
 

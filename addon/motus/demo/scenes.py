@@ -14,6 +14,7 @@ class DemoScene(NamedTuple):
     stills: tuple  # (camera, time), the most beautiful first
     film: tuple  # (time of its start, time of its end)
     ambience: float  # m up to which things darken each other
+    stereo: tuple = ()  # of a stereo camera: how each still is written, and then the film, by motus.stereo_output's names
 
 
 # The first one's still is rendered before all others, and its film is the one that `./motus demo` without a name makes.
@@ -54,5 +55,13 @@ SCENES = (
         stills=(("Table Camera", 0.45), ("Table Camera", 1.0), ("Table Camera", 3.2)),
         film=(0.0, 110 / 24),
         ambience=0.6,
+    ),
+    DemoScene(
+        name="stereo", identifier="STEREO", module="colonnade", label="Stereo Colonnade",
+        description="An aeroplane between columns at several depths, filmed by a stereo camera that looks after it",
+        stills=(("Stereo Camera", 4.0), ("Stereo Camera", 4.0), ("Stereo Camera", 7.4)),
+        film=(1.5, 9.5),
+        ambience=2.0,
+        stereo=("ANAGLYPH", "SIDEBYSIDE", "ANAGLYPH", "ANAGLYPH"),
     ),
 )

@@ -202,7 +202,7 @@ class Everything(CheckTestCase):
 
 class Text(support.SceneTestCase):
     def test_ranges(self):
-        ranges = support.addon("ik.checking.results").ranges
+        ranges = support.addon("core.frames").ranges
         self.assertEqual(ranges([], 1.0), "")
         self.assertEqual(ranges([5], 1.0), "5")
         self.assertEqual(ranges([1, 2, 3, 7, 9, 10], 1.0), "1-3, 7, 9-10")
@@ -211,8 +211,8 @@ class Text(support.SceneTestCase):
 
     def test_large_frames(self):
         """An exponent would be nothing to read, and other frames."""
-        results = support.addon("ik.checking.results")
-        self.assertEqual(results.ranges([1048573, 1048574, 1048575, 1048600.25], 1.0), "1048573-1048575, 1048600.25")
+        results, frames = support.addon("ik.checking.results"), support.addon("core.frames")
+        self.assertEqual(frames.ranges([1048573, 1048574, 1048575, 1048600.25], 1.0), "1048573-1048575, 1048600.25")
         entry = type("Entry", (results.CheckResults,), {})()
         results.store(entry, [1048573, 1048574, 1048575], 1.0, [1048574], 1.0, 'FAR')
         self.assertEqual((entry.check_range, entry.check_frames), ("1048573-1048575", "1048574"))

@@ -1,6 +1,7 @@
 """Inputs over time: what a property or transform is at any times, for solvers that need its past or future.
 
     property_track, own_track, world_track   a number, the channels of an object or bone, its world matrix: each a Track
+    moving_numbers                           what keys make of some properties on one frame
     kept, kept_by                            keeps what a solver made of a Track until the keys change
     keys_stamp                               when these do, of properties that nothing but keys animates
     animation, keys                          which F-curve animates a property, and its integral and bounds
@@ -13,9 +14,9 @@ through the frames and keeps samples in the file. See docs/tracks.md.
 from .operators import classes
 from .panel import draw, is_outdated, register, unregister
 from .strips import keys_stamp
-from .track import Kind, Track, kept, kept_by, own_track, property_track, world_track
+from .track import Kind, Track, kept, kept_by, moving_numbers, own_track, property_track, world_track
 
 __all__ = (
-    "Kind", "Track", "classes", "draw", "is_outdated", "kept", "kept_by", "keys_stamp", "own_track", "property_track", "register", "unregister",
-    "world_track",
+    "Kind", "Track", "classes", "draw", "is_outdated", "kept", "kept_by", "keys_stamp", "moving_numbers", "own_track", "property_track", "register",
+    "unregister", "world_track",
 )

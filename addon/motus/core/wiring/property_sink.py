@@ -135,13 +135,14 @@ def remove(system, meshes):
 
 
 def remove_copies(system, owner, mesh):
-    """Remove what a copied owner, or what it uses, has of the sinks of the first one's hub."""
+    """Remove what a copied owner, or what it uses, has of the sinks of the first one's hub; an override of those of the overridden hub."""
     for order, note in enumerate(_notes_of(mesh)):
         if _object_key(order) in mesh:
             continue
         mine, first = _found(owner, note), _found(mesh.get(outbox.OWNER_KEY), note)
         curve = mine and mine.driver
-        if curve and mesh == _hub_of(curve) and (first is None or first.id_data != mine.id_data):
+        is_copy = first is None or first.id_data != mine.id_data or bool(mesh.override_library)
+        if curve and mesh == _hub_of(curve) and is_copy:
             _restore(system, mine.id_data, curve, mesh)
             mine.id_data.animation_data.drivers.remove(curve)
             _tidy(mine.id_data)
@@ -178,13 +179,15 @@ def rest(system, mesh):
 
 
 def wake(system, owner, mesh):
-    """Let the drivers of a hub act again; linked ones too, in memory."""
+    """Let the drivers of a hub act again; linked ones too, in memory. Those that Blender has given an override anew are aimed at its hub."""
     notes = list(_notes_of(mesh))
     for order, note in enumerate(notes):
         found = _found(mesh.get(_object_key(order), owner), note)
         resting = [curve for curve in (found.id_data.animation_data.drivers if found and found.id_data.animation_data else ())
-                   if curve.data_path == _REST_PATH and _hub_of(curve) == mesh and _reads(system, curve, note)]
+                   if curve.data_path == _REST_PATH and _is_of(curve, owner, mesh) and _reads(system, curve, note)]
         for curve in resting:
+            if _hub_of(curve) != mesh:
+                curve.driver.variables[readers.SINK].targets[0].id = mesh
             notes[order] = note._replace(base=found.number.present)  # which somebody may have edited since
             curve.data_path, curve.array_index, curve.mute = found.data_path, max(note.index, 0), False
             if not found.id_data.library:
@@ -314,6 +317,15 @@ def _hub_of(curve):
             hub = variable.targets[0].id
             return hub if isinstance(hub, bpy.types.Mesh) and KEY in hub else None
     return None
+
+
+def _is_of(curve, owner, mesh):
+    """Whether a sink is a hub's, or was the hub's of the library's object that its owner overrides."""
+    hub = _hub_of(curve)
+    if hub is None or hub == mesh:
+        return hub is not None
+    override = owner.override_library
+    return override is not None and not owner.library and hub.get(outbox.OWNER_KEY) in (owner, override.reference)
 
 
 def _reads(system, curve, note):

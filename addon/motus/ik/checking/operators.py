@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core.frames import Kept, go_to
+from ...core.frames import Kept, go_to, ranges
 from ...core.refusals import Refused, check_local
 from ...core.translations import tr
 from .. import status, targets
@@ -53,7 +53,7 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
             raise Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
         entries = rig.motus.ik.entries
         self._chosen = [entries[targets.entry_for(rig, self.bone)]] if self.bone else list(entries)
-        self._range = results.ranges(frames, self.step)
+        self._range = ranges(frames, self.step)
         self._findings = {entry.name: _Finding() for entry in self._chosen}
         return self._walk(context, rig, frames)
 

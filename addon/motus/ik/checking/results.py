@@ -4,6 +4,7 @@ import re
 
 import bpy
 
+from ...core.frames import ranges
 from ...core.translations import tr
 
 _RUN = re.compile(r"(-?[\d.]+)(?:-(-?[\d.]+))?")
@@ -49,22 +50,6 @@ def store(entry, checked, step, frames=(), worst=0.0, reason='NONE'):
     entry.check_frames = ranges(frames, step)
     entry.check_worst = worst
     entry.check_reason = reason
-
-
-def ranges(frames, step):
-    """Frames as text: those that follow one another by a step make a range."""
-    runs = []
-    for frame in frames:
-        if runs and abs(frame - runs[-1][1] - step) < 1e-6:
-            runs[-1][1] = frame
-        else:
-            runs.append([frame, frame])
-    return ", ".join(text(first) if first == last else f"{text(first)}-{text(last)}" for first, last in runs)
-
-
-def text(frame):
-    """A frame to a thousandth, without an exponent."""
-    return f"{round(frame, 3):.12g}"
 
 
 def contradicts(entry, frame, why):

@@ -10,11 +10,10 @@ from mathutils import Matrix, Vector
 
 from ...core import dependencies
 from ...core.lazy import numpy as np
-from ...core.frames import Kept, go_to
+from ...core.frames import Kept, as_text, go_to
 from ...core.refusals import Refused, check_no_tweak_mode, check_posed
 from ...core.translations import tr
 from .. import forward, groups, reading, targets
-from ..checking import results as check_results
 from ..goals import controls
 from ..keying import Channels, KeyWriter
 from . import weights
@@ -215,7 +214,7 @@ class _Wanted:
             self._under_way(chain)
         if not np.isfinite(pole).all():
             raise Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
-                bone=chain.name, frame=check_results.text(frame)))
+                bone=chain.name, frame=as_text(frame)))
         matrix = Matrix(goal.reshape(4, 4).T.tolist())
         self._places[target][0].append((matrix, entry.rotation_offset.to_matrix()))
         if chain.name in self._poles:

@@ -1,0 +1,107 @@
+"""Operators that add a stereo rig to a camera and take it back."""
+
+import bpy
+
+from ..core import wiring
+from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.refusals import Refused, check_finite, check_local
+from ..core.rows import Rows
+from ..core.translations import tr
+from . import rig, rows, targets
+from .properties import KEYWORDS, StereoKeywords
+
+MODES = (
+    ('OFFAXIS', "Off-Axis", "The eyes look the same way, and their images are shifted"),
+    ('PARALLEL', "Parallel", "The eyes look the same way: all is in front of the screen"),
+    ('TOE', "Toe-In", "The eyes are turned towards each other, which moves corners up and down"),
+)
+LENGTHS = "interocular", "distance", "near", "far"
+"""Keywords whose defaults are metres."""
+
+
+class OfARig:
+    """Mixin of operators that change a rig."""
+
+    object: object_keyword("Name of the camera; empty takes the active one, or the scene's")
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.check_removable(targets.rig_for(context, ""))
+
+
+class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
+    bl_idname = "motus.stereo_rig_add"
+    bl_label = "Add Stereo Rig"
+    bl_description = "Give a camera a left and a right eye, whose distances are set for an audience in front of a screen"
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows(("mode",), title="Add"), *rows.ADDING)
+
+    object: object_keyword("Name of the camera; empty takes the active one, or the scene's")
+    focus: bpy.props.StringProperty(
+        name="Focus", description="Name of the object that lies on the screen; empty takes the one that is selected beside the camera, "
+        "where convergence is an object's",
+        options={'SKIP_SAVE'})
+    mode: bpy.props.EnumProperty(name="Mode", description="How the images meet on the screen", items=MODES, default='OFFAXIS')
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.check_free(targets.camera_for(context, ""))
+
+    def run(self, context):
+        camera = targets.camera_for(context, self.object)
+        targets.check_free(camera)
+        focus = targets.focus_for(context, camera, self.focus) if self.focus or self.convergence == 'OBJECT' else None
+        self._check(camera, focus)
+        metre = 1.0 / context.scene.unit_settings.scale_length
+        keywords = {name: getattr(self, name) * metre for name in LENGTHS} | self.given(KEYWORDS)
+        if focus and not self.is_given("convergence"):
+            keywords["convergence"] = 'OBJECT'
+        rig.add(context.scene, camera, self.mode, focus, keywords)
+        self.report({'INFO'}, tr("{object} has a stereo rig").format(object=camera.name))
+        context.view_layer.update()
+        problem = wiring.problem(rig.system(), camera, context.view_layer.depsgraph)
+        if problem:
+            self.report({'WARNING'}, tr(problem.sentence))
+        if not rig.renders_both_eyes(context.scene):
+            self.report({'WARNING'}, rig.one_eye())
+
+    def _check(self, camera, focus):
+        check_finite(self, KEYWORDS)
+        if self.convergence == 'BUDGET' and not 0.0 < self.near < self.far:
+            raise Refused(tr("Near must be greater than 0, and far greater than near"))
+        if self.convergence == 'BUDGET' and not self.near_parallax + self.far_parallax > 0.0:
+            raise Refused(tr("Near and far parallax are both 0: there is no depth to spend"))
+        if self.convergence == 'OBJECT' and focus is None:
+            raise Refused(tr("Select the object that lies on the screen beside the camera, or name it"))
+        if focus == camera:
+            raise Refused(tr("A camera cannot be its own focus"))
+        if self.convergence == 'DISTANCE' and not self.distance > 0.0:
+            raise Refused(tr("The convergence distance must be greater than 0"))
+
+
+class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
+    bl_idname = "motus.stereo_rig_remove"
+    bl_label = "Remove Stereo Rig"
+    bl_description = "Take the rig back: the camera is what it was before"
+    modes = OBJECT_MODE
+
+    def run(self, context):
+        camera = targets.rig_for(context, self.object)
+        targets.check_removable(camera)
+        rig.remove(context.scene, camera)
+
+
+class MOTUS_OT_stereo_refresh(OfARig, Operator, bpy.types.Operator):
+    bl_idname = "motus.stereo_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the rig again, after the camera was given another lens"
+    modes = OBJECT_MODE
+
+    def run(self, context):
+        camera = targets.rig_for(context, self.object)
+        check_local(camera)
+        wiring.refresh(rig.system(), camera)
+
+
+classes = (MOTUS_OT_stereo_rig_add, MOTUS_OT_stereo_rig_remove, MOTUS_OT_stereo_refresh)

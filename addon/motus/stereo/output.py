@@ -1,0 +1,59 @@
+"""The operator that sets how both images are written."""
+
+import bpy
+
+from ..core.operators import Operator
+from ..core.refusals import Refused
+from ..core.rows import Row, Rows, is_one_of
+from ..core.translations import tr
+from . import around, rig, targets
+from .operators import OfARig
+
+FORMATS = (
+    ('PAIR', "Pair", "A file for each eye"),
+    ('SIDEBYSIDE', "Side by Side", "Both in one image, beside each other"),
+    ('TOPBOTTOM', "Top-Bottom", "Both in one image, one above the other"),
+    ('ANAGLYPH', "Anaglyph", "Both on top of each other, for red and cyan glasses"),
+    ('INTERLACE', "Interlaced", "The rows of one image, in turns"),
+)
+
+
+class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
+    bl_idname = "motus.stereo_output"
+    bl_label = "Stereo Output"
+    bl_description = "Set how the images of both eyes are written"
+    redo = (Rows(("format", Row("squeeze", when=is_one_of("format", 'SIDEBYSIDE', 'TOPBOTTOM')), "use_360")),)
+
+    format: bpy.props.EnumProperty(name="Format", description="How the images are written", items=FORMATS, default='SIDEBYSIDE')
+    squeeze: bpy.props.BoolProperty(
+        name="Squeezed", description="Both images together are as large as one", default=False)
+    use_360: bpy.props.BoolProperty(
+        name="360 Degrees", description="Let the camera see all around, where the render engine can", default=False)
+
+    def run(self, context):
+        camera = targets.rig_for(context, self.object)
+        targets.check_removable(camera)
+        scene = context.scene
+        if self.use_360 and scene.render.engine != 'CYCLES':
+            raise Refused(tr("Only Cycles can see all around in stereo: choose that as the render engine first"))
+        self._set_format(scene, camera)
+        see = around.begin if self.use_360 else around.end
+        see(camera.motus.stereo, camera.data)
+
+    def _set_format(self, scene, camera):
+        render = scene.render
+        if not render.use_multiview:
+            rig.begin_multiview(render, camera.motus.stereo)
+        render.views_format = 'STEREO_3D'
+        for view in render.stereo_views:
+            view.use = True
+        image = render.image_settings
+        image.views_format = 'INDIVIDUAL' if self.format == 'PAIR' else 'STEREO_3D'
+        if self.format == 'PAIR':
+            return
+        image.stereo_3d_format.display_mode = self.format
+        if self.format in {'SIDEBYSIDE', 'TOPBOTTOM'}:
+            image.stereo_3d_format.use_squeezed_frame = self.squeeze
+
+
+classes = (MOTUS_OT_stereo_output,)

@@ -1,0 +1,38 @@
+"""Depths of the visible scene, by rays through a grid over the camera's image."""
+
+from ..core.lazy import numpy as np
+from .rig import axis_matrix
+
+COLUMNS, ROWS = 41, 23
+"""Of rays; the first and last ones lie on the edges of the image."""
+
+
+def take(scene, owner, depsgraph):
+    """(x, depths) of what the middle between the eyes sees: (m,) each, x a fraction of the image's width from its middle."""
+    evaluated = owner.evaluated_get(depsgraph)
+    camera, matrix = evaluated.data, evaluated.matrix_world
+    into_camera = axis_matrix(matrix)
+    out_of_camera = into_camera.inverted()
+    top_right, bottom_right, bottom_left, top_left = camera.view_frame(scene=scene)
+    start, turn = out_of_camera.translation, out_of_camera.to_3x3()
+    places, depths = [], []
+    for row in range(ROWS):
+        left = bottom_left.lerp(top_left, row / (ROWS - 1))
+        right = bottom_right.lerp(top_right, row / (ROWS - 1))
+        for column in range(COLUMNS):
+            share = column / (COLUMNS - 1)
+            ray = left.lerp(right, share)
+            depth = _depth(scene, depsgraph, into_camera, start, turn @ ray, ray, camera)
+            if depth is not None:
+                places.append(share - 0.5)
+                depths.append(depth)
+    return np.array(places), np.array(depths)
+
+
+def _depth(scene, depsgraph, into_camera, start, direction, ray, camera):
+    """Of what a ray meets between the camera's clipping planes; None where that is nothing."""
+    slope = ray.length / -ray.z
+    origin = start + direction.normalized() * (camera.clip_start * slope)
+    reach = max(camera.clip_end - camera.clip_start, 0.0) * slope
+    is_hit, place, *_ = scene.ray_cast(depsgraph, origin, direction, distance=reach)
+    return -(into_camera @ place).z if is_hit else None

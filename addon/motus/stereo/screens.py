@@ -1,0 +1,25 @@
+"""Screens that go by a name, and the native module's view of a rig's screen."""
+
+import math
+
+ITEMS = (
+    ('PHONE', "Phone", "14 cm wide, seen from 30 cm"),
+    ('MONITOR', "Monitor", "60 cm wide, seen from 70 cm"),
+    ('TELEVISION', "Television", "1.2 m wide, seen from 2.5 m"),
+    ('CINEMA', "Cinema", "12 m wide, seen from 15 m"),
+    ('DOME', "Dome", "18 m wide, seen from 9 m"),
+    ('CUSTOM', "Custom", "Width and viewing distance of your own"),
+)
+SIZES = {'PHONE': (0.14, 0.3), 'MONITOR': (0.6, 0.7), 'TELEVISION': (1.2, 2.5), 'CINEMA': (12.0, 15.0), 'DOME': (18.0, 9.0)}
+"""Width and viewing distance, m."""
+
+
+def of(settings):
+    """Keywords of the native module for the screen of a rig."""
+    width, distance = SIZES.get(settings.screen, (settings.screen_width, settings.screen_distance))
+    return {"width": width, "viewing_distance": distance, "eye_separation": settings.eye_separation}
+
+
+def is_sound(screen):
+    """Whether all of its numbers are lengths."""
+    return all(math.isfinite(value) and value > 0.0 for value in screen.values())

@@ -1,0 +1,88 @@
+"""What the rig's solver reads, and the distances of the camera's eyes that it finds."""
+
+import math
+
+from ..core import native
+from ..core.system import Matrix, OwnMatrix, Problem
+from . import lens, rig
+
+NOT_PERSPECTIVE = Problem("The rig needs a perspective camera: with this one the camera's own values count")
+NO_LENS = Problem("Focal length and sensor must be greater than 0")
+NO_FOCUS = Problem("Choose the object that lies on the screen")
+BEHIND = Problem("What shall lie on the screen is at the camera or behind it")
+BAD_RANGE = Problem("Near must be greater than 0, and far greater than near")
+NO_BUDGET = Problem("Near and far parallax are both 0: there is no depth to spend")
+NOT_FINITE = Problem("A setting is not a finite number")
+NOT_CENTRED = Problem("The camera's pivot is not the centre: one eye stands where the camera does", blocking=False)
+PROBLEMS = (NOT_PERSPECTIVE, NO_LENS, NO_FOCUS, BEHIND, BAD_RANGE, NO_BUDGET, NOT_FINITE, NOT_CENTRED)
+INPUTS = (OwnMatrix("matrix"), Matrix("focus", of="focus"))
+PERCENT = 0.01
+
+
+def solve(context, matrix, focus):
+    """Interocular and convergence distance at the context's frame. Never raises for a user's error."""
+    settings, camera = context.settings, context.owner.data
+    if camera.type == 'PANO' and camera.stereo.use_spherical_stereo:
+        return _around(context, matrix, focus)
+    if camera.type != 'PERSP':
+        return NOT_PERSPECTIVE
+    seen = lens.of(camera, context.depsgraph.scene.render, context.frame)
+    if not (math.isfinite(seen.focal_length) and seen.focal_length > 0.0 and seen.sensor_width > 0.0):
+        return NO_LENS
+    mode = camera.stereo.convergence_mode
+    if settings.convergence == 'BUDGET':
+        found = _by_budget(settings, seen, mode)
+    else:
+        found = _by_distance(settings, matrix, focus)
+    if isinstance(found, Problem):
+        return found
+    interocular, distance = found
+    factor = seen.off_axis if mode == 'OFFAXIS' else 1.0
+    context.outputs[:] = interocular, distance * factor
+    return None if camera.stereo.pivot == rig.CENTRE else NOT_CENTRED
+
+
+def _around(context, matrix, focus):
+    """A camera that sees all around: there is no width of which parallax would be a part, and so no budget."""
+    if context.settings.convergence == 'BUDGET':
+        return NOT_PERSPECTIVE
+    found = _by_distance(context.settings, matrix, focus)
+    if isinstance(found, Problem):
+        return found
+    context.outputs[:] = found
+    return None
+
+
+def _by_distance(settings, matrix, focus):
+    """(interocular, distance), or a Problem."""
+    if settings.convergence == 'OBJECT':
+        if focus is None or matrix is None:
+            return NO_FOCUS
+        distance = depth_of(matrix, focus.translation)
+    else:
+        distance = settings.distance
+    if not (math.isfinite(distance) and math.isfinite(settings.interocular)):
+        return NOT_FINITE
+    return (settings.interocular, distance) if distance > 0.0 else BEHIND
+
+
+def _by_budget(settings, seen, mode):
+    """The same from near, far and the parallax that these may have."""
+    near, far = settings.near, settings.far
+    limits = PERCENT * settings.near_parallax, PERCENT * settings.far_parallax
+    if not all(map(math.isfinite, (near, far, *limits))):
+        return NOT_FINITE
+    if not 0.0 < near < far:
+        return BAD_RANGE
+    if mode == 'PARALLEL':
+        # All is in front of the screen: near alone has a budget.
+        return (limits[0] * near * seen.sensor_width / seen.focal_length, far) if limits[0] > 0.0 else NO_BUDGET
+    if not sum(limits) > 0.0:
+        return NO_BUDGET
+    return native.module.solve_depth_budget(near, far, *limits, seen.focal_length, seen.sensor_width)
+
+
+def depth_of(matrix, place):
+    """Of a place in the world along the axis of a camera; below 0 behind it."""
+    backward = matrix.col[2].xyz.normalized()
+    return -(place - matrix.translation).dot(backward)

@@ -1,0 +1,68 @@
+"""Which camera an operator works on. Refusals are sentences."""
+
+from ..core import wiring
+from ..core.refusals import Refused, check_evaluated, check_local, check_unbaked, named
+from ..core.translations import tr
+from . import rig
+
+
+def camera_for(context, name):
+    """The camera of this name, or the active one, else the scene's."""
+    active = context.object if context.object and context.object.type == 'CAMERA' else context.scene.camera
+    found = named(name) if name else active
+    if found is None:
+        raise Refused(tr("Select a camera, or give the scene one"))
+    if found.type != 'CAMERA':
+        raise Refused(tr("{object} is no camera").format(object=found.name))
+    return found
+
+
+def rig_for(context, name):
+    """The same of a camera that has a rig."""
+    found = camera_for(context, name)
+    if not rig.has_rig(found):
+        raise Refused(tr("{object} has no stereo rig").format(object=found.name))
+    return found
+
+
+def focus_for(context, camera, name):
+    """The object of this name, or the one that is selected beside a camera; None without."""
+    if name:
+        return named(name)
+    others = [obj for obj in context.selected_objects if obj != camera]
+    return others[0] if len(others) == 1 else None
+
+
+def check_free(camera):
+    """Refuse a camera that cannot have a rig."""
+    check_local(camera)
+    check_local(camera.data)
+    if camera.motus.bake.is_baked:
+        check_unbaked(camera, camera.motus.stereo)
+    if rig.has_rig(camera):
+        raise Refused(tr("{object} has a stereo rig: remove that first").format(object=camera.name))
+    other = next((one for one in rig.all_rigs() if one.data == camera.data), None)
+    if other:
+        raise Refused(tr("{object} has its lens in common with {other}, which has a stereo rig").format(
+            object=camera.name, other=other.name))
+    if camera.data.type != 'PERSP':
+        raise Refused(tr("{object} is no perspective camera").format(object=camera.name))
+    for distance in ("interocular_distance", "convergence_distance"):
+        wiring.check_property(camera, f"data.stereo.{distance}")
+
+
+def check_removable(camera):
+    """Refuse a camera whose rig must not be changed."""
+    check_local(camera)
+    check_local(camera.data)
+    check_unbaked(camera, camera.motus.stereo)
+
+
+def check_solved(context, camera):
+    """Refuse a rig that does not set the camera's eyes now."""
+    check_evaluated(camera, context.view_layer)
+    problem = wiring.problem(rig.system(), camera, context.view_layer.depsgraph)
+    if problem and problem.blocking:
+        raise Refused(tr(problem.sentence))
+    if camera.data.type != 'PERSP':
+        raise Refused(tr("{object} is no perspective camera").format(object=camera.name))

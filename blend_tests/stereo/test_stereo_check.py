@@ -1,0 +1,139 @@
+"""Measuring depth and checking what an audience would see."""
+
+import bpy
+import numpy as np
+import support
+
+from stereo.stereo_cases import StereoTestCase, camera, go_to, native, square
+
+
+def sentences(obj):
+    return support.addon("stereo.results").of(obj).sentences
+
+
+class Check(StereoTestCase):
+    def setUp(self):
+        super().setUp()
+        self.camera = camera()
+        square("Wall", (0.0, 10.0, 0.0), 40.0)
+
+    def check(self, **keywords):
+        self.assertEqual(bpy.ops.motus.stereo_check(object="Camera", **keywords), {'FINISHED'})
+        return sentences(self.camera)
+
+    def test_divergence_by_how_much(self):
+        self.add(interocular=0.2, distance=5.0, screen='CINEMA')
+        found = native().parallax(10.0, 0.2, 35.0, 36.0, 5.0)
+        by = 100.0 * (found - native().divergence_limit(12.0))
+        self.assertEqual(self.check(range='CURRENT'), (f"Diverges on a 12 m screen by {by:.2g} % in frames 1",))
+
+    def test_what_was_found_is_forgotten(self):
+        results, path = support.addon("stereo.results"), self.save()
+        self.add()
+        self.check(range='CURRENT')
+        bpy.data.objects.remove(self.camera)
+        self.camera = camera()
+        self.add()
+        self.assertIsNone(results.of(self.camera))
+        self.check(range='CURRENT')
+        bpy.ops.wm.open_mainfile(filepath=path)
+        self.assertIsNone(results.of(bpy.data.objects["Camera"]))
+
+    def test_all_is_well(self):
+        self.add(interocular=0.02, distance=8.0, screen='MONITOR')
+        self.assertEqual(self.check(range='CURRENT'), ())
+        result = support.addon("stereo.results").of(self.camera)
+        self.assertAlmostEqual(result.highest, native().parallax(10.0, 0.02, 35.0, 36.0, 8.0), 6)
+        self.assertAlmostEqual(result.shares.sum(), 1.0, 9)
+
+    def test_the_window_on_the_frames_where_it_is_violated(self):
+        self.add(interocular=0.065, distance=8.0, screen='PHONE')
+        pillar = square("Pillar", (0.0, 4.0, 0.0), 0.6)
+        edge = 0.5 * 36.0 / 35.0 * 4.0
+        for frame, x in ((1, 0.0), (10, 0.0), (11, -edge), (20, -edge), (21, 0.0)):
+            pillar.location.x = x
+            pillar.keyframe_insert("location", frame=frame)
+        found = self.check(frame_start=5, frame_end=25)
+        left, = [one for one in found if "window" in one]
+        self.assertIn("left edge", left)
+        self.assertIn("frames 11-20", left)
+
+    def test_toe_in_moves_corners(self):
+        self.add(mode='TOE', interocular=0.3, distance=3.0, screen='PHONE')
+        self.assertTrue(any("Corners" in one for one in self.check(range='CURRENT')))
+
+    def test_nothing_in_view(self):
+        self.add()
+        self.camera.rotation_euler.x = -1.0
+        self.assertEqual(len(self.check(range='CURRENT')), 1)
+        self.assertIn("sees nothing", sentences(self.camera)[0])
+
+    def test_the_frame_stays(self):
+        self.add()
+        go_to(7.5)
+        self.check(frame_start=1, frame_end=3)
+        scene = bpy.context.scene
+        self.assertEqual((scene.frame_current, scene.frame_subframe), (7, 0.5))
+
+
+class Measure(StereoTestCase):
+    def test_near_and_far(self):
+        obj = self.add(convergence='BUDGET')
+        square("Near", (-2.0, 3.0, 0.0), 2.0)
+        square("Wall", (0.0, 12.0, 0.0), 60.0)
+        bpy.ops.motus.stereo_measure(object="Camera", range='CURRENT')
+        np.testing.assert_allclose((obj.motus.stereo.near, obj.motus.stereo.far), (3.0, 12.0), rtol=1e-5)
+
+    def test_over_time_near_goes_ahead_and_stays_below(self):
+        obj = self.add(convergence='BUDGET')
+        square("Wall", (0.0, 12.0, 0.0), 60.0)
+        near = square("Near", (0.0, 8.0, 0.0), 4.0)
+        for frame, depth in ((1, 8.0), (20, 8.0), (21, 3.0), (30, 3.0)):
+            near.location.y = depth
+            near.keyframe_insert("location", frame=frame)
+        bpy.ops.motus.stereo_measure(object="Camera", frame_start=1, frame_end=30, ahead=5)
+        found = []
+        for frame in range(1, 31):
+            go_to(frame)
+            found.append(obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).motus.stereo.near)
+        self.assertAlmostEqual(found[0], 8.0, 4)
+        self.assertLess(found[18], 7.9)
+        for frame, value in enumerate(found, 1):
+            self.assertLessEqual(value, (8.0 if frame <= 20 else 3.0) + 1e-4)
+
+    def test_a_single_depth_leaves_a_budget(self):
+        obj = self.add(convergence='BUDGET')
+        square("Wall", (0.0, 12.0, 0.0), 60.0)
+        bpy.ops.motus.stereo_measure(object="Camera", range='CURRENT')
+        self.assertGreater(obj.motus.stereo.far, obj.motus.stereo.near)
+
+
+class Overlay(StereoTestCase):
+    def test_planes_lie_where_the_eyes_meet(self):
+        obj = self.add(interocular=0.1, distance=3.0, screen='CINEMA')
+        overlay = support.addon("stereo.overlay").overlay
+        loops = [batch for batch in overlay(bpy.context, obj) if batch.kind == 'LINE_STRIP']
+        depths = sorted(float(batch.points[0, 1]) for batch in loops)
+        limits = native().comfortable_parallax(12.0, 15.0)
+        near, far = native().depth_budget(*limits, 0.1, 35.0, 36.0, 3.0)
+        np.testing.assert_allclose(depths, (near, 3.0, far), rtol=1e-5)
+        for batch in loops:
+            width = np.ptp(batch.points[:, 0])
+            self.assertAlmostEqual(width, 36.0 / 35.0 * batch.points[0, 1], 4)
+
+    def test_the_ruler_is_marked_in_half_percents_and_shows_what_is_selected(self):
+        obj = self.add(interocular=0.1, distance=3.0, screen='CINEMA')
+        colors = support.addon("stereo.overlay")
+        bpy.context.scene.motus.show_stereo_planes = bpy.context.scene.motus.show_stereo_volume = False
+        places = {(0.5, 3.05, 0.2): colors.COMFORTABLE, (0.0, 1.2, 0.0): colors.STRAINED, (0.0, 20.0, 0.0): colors.DIVERGING}
+        for index, place in enumerate(places):
+            square(f"Ruled {index}", place).select_set(True)
+        square("Behind", (0.0, -2.0, 0.0)).select_set(True)
+        bpy.context.view_layer.update()
+        scale, *lines = colors.overlay(bpy.context, obj)
+        marks = scale.points[2::2]
+        parallax = native().parallax(marks[:, 1].astype(float), 0.1, 35.0, 36.0, 3.0)
+        np.testing.assert_allclose(parallax / colors.STEP, np.round(parallax / colors.STEP), atol=1e-4)
+        self.assertGreater(len(marks), 10)
+        self.assertEqual({tuple(np.round(line.points[1], 5).tolist()): line.colors for line in lines},
+                         {tuple(np.round(np.array(place, np.float32), 5).tolist()): color for place, color in places.items()})

@@ -1,0 +1,68 @@
+#include "motus/stereo/screen.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "motus/core/numeric.hpp"
+
+namespace motus::stereo {
+namespace {
+
+/// Parallax for which the eyes turn towards each other by `angle`, rad.
+[[nodiscard]] double parallax_at(const Screen& screen, double angle) {
+    const double apart = screen.eye_separation - 2.0 * screen.viewing_distance * std::tan(0.5 * angle);
+    return apart / screen.width;
+}
+
+}  // namespace
+
+void check(const Screen& screen) {
+    require(screen.width > 0.0 && std::isfinite(screen.width), "width must be greater than 0 and finite");
+    require(screen.viewing_distance > 0.0 && std::isfinite(screen.viewing_distance),
+            "viewing_distance must be greater than 0 and finite");
+    require(screen.eye_separation > 0.0 && std::isfinite(screen.eye_separation),
+            "eye_separation must be greater than 0 and finite");
+}
+
+double vergence(const Screen& screen, double parallax) {
+    check(screen);
+    return 2.0 * std::atan2(screen.eye_separation - parallax * screen.width, 2.0 * screen.viewing_distance);
+}
+
+double seen_distance(const Screen& screen, double parallax) {
+    check(screen);
+    const double left = screen.eye_separation - parallax * screen.width;
+    return left > 0.0 ? screen.viewing_distance * screen.eye_separation / left
+                      : std::numeric_limits<double>::infinity();
+}
+
+double divergence_limit(const Screen& screen) {
+    check(screen);
+    return screen.eye_separation / screen.width;
+}
+
+Limits comfortable(const Screen& screen, double angle) {
+    check(screen);
+    constexpr double most = 1.5;  // rad; beyond a quarter turn nothing is seen
+    require(angle > 0.0 && angle < most, "angle must lie between 0 and 1.5 rad");
+    const double on_screen = vergence(screen, 0.0);
+    return {-parallax_at(screen, std::min(on_screen + angle, 2.0 * most)),
+            parallax_at(screen, std::max(on_screen - angle, 0.0))};
+}
+
+Comfort comfort(const Screen& screen, double parallax, double angle) {
+    const Limits limits = comfortable(screen, angle);
+    if (parallax > divergence_limit(screen)) return Comfort::diverging;
+    return parallax < -limits.near || parallax > limits.far ? Comfort::strained : Comfort::comfortable;
+}
+
+double roundness(const Screen& screen, const Eyes& eyes, double depth) {
+    check(screen);
+    // Depth: V e W P' / (e - P W)^2 with P' = t f / (s d^2). Width: W f / (s d) e / (e - P W).
+    const double left = screen.eye_separation - parallax(eyes, depth) * screen.width;
+    if (left <= 0.0) return std::numeric_limits<double>::infinity();
+    return screen.viewing_distance * eyes.interaxial / (depth * left);
+}
+
+}  // namespace motus::stereo
