@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import drivers, dynamics, ik, lattice, look_at, path, pendulum, pull, stereo
+from . import chroma, drivers, dynamics, ik, lattice, look_at, path, pendulum, pull, stereo
 
 SYSTEMS = (
     path.SYSTEM,
@@ -12,5 +12,6 @@ SYSTEMS = (
     pendulum.SYSTEM,
     pendulum.TRAILS,
     stereo.SYSTEM,
+    chroma.FEATURE,
     drivers.FEATURE,
 )

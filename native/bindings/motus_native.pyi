@@ -548,6 +548,13 @@ def noise1(x: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...
 def noise2(xy: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (2,) or (m, 2)
 def noise3(xyz: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  # (3,) or (m, 3)
 
+# --- Colour --------------------------------------------------------------------------------------------------------------
+
+# picture: (rows, columns, 4), scene-linear, taken in float32. color: (3,), green or blue above both other channels.
+def screen_color(picture: ArrayLike) -> _Array | None: ...  # (3,)
+def screen_report(picture: ArrayLike, color: ArrayLike) -> dict[str, float]: ...
+def screen_matte(picture: ArrayLike, color: ArrayLike, balance: float = 0.5) -> _Array: ...  # (rows, columns)
+
 # --- Snow ----------------------------------------------------------------------------------------------------------------
 
 class SnowCollider:

@@ -77,3 +77,23 @@ def has_modifier_inputs():
 def has_modifier_order():
     """Modifiers can be moved in the stack (4.0) without an operator."""
     return "move" in bpy.types.ObjectModifiers.bl_rna.functions
+
+
+def has_compositing_group():
+    """The compositor's nodes are a node group that a scene points to (5.0), not a tree within the scene."""
+    return "compositing_node_group" in bpy.types.Scene.bl_rna.properties
+
+
+def has_compositor_sockets():
+    """Options of the compositor's nodes are sockets (4.5), not properties."""
+    return "clip_black" not in bpy.types.CompositorNodeKeying.bl_rna.properties
+
+
+def has_shader_nodes_in_compositor():
+    """The compositor has the nodes Math and Mix of shaders (5.0), not its own."""
+    return not hasattr(bpy.types, "CompositorNodeMath")
+
+
+def has_blended_surfaces():
+    """Materials say how EEVEE draws what is transparent by `surface_render_method` (4.2), not by a blend and a shadow method."""
+    return "surface_render_method" in bpy.types.Material.bl_rna.properties

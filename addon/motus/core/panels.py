@@ -35,9 +35,10 @@ class SystemPanel:
     """What the panels of a system show, in each editor.
 
     name: of the system. prefix: how the panels' classes begin. editors: {end of the prefix: mixin that says where}.
-    suits(obj): whether the system is for such objects. is_used(obj): whether the object uses it; where this is None, it is
-    a tool, whose panel is there for all that suits, and closed at first. has_settings(obj): whether the object's own
-    settings are shown, with all parts; else `draw` alone is. draw, readouts and actions: (layout, context). adders:
+    owner(context): what the panel is of: the active object, or the scene for a feature of scenes. suits(owner): whether the
+    system is for such. is_used(owner): whether it is used there; where this is None, it is a tool, whose panel is there for all
+    that suits, and closed at first. has_settings(owner): whether the owner's own settings are shown, with all parts; else
+    `draw` alone is. draw, readouts and actions: (layout, context). adders:
     operators that add it, or draw_add(layout, context), which draws them. refresh: operator that wires the owner anew.
     labels: {end of the prefix: label} of editors where it is another one.
     """
@@ -48,6 +49,7 @@ class SystemPanel:
     editors: dict
     suits: Callable
     draw: Callable
+    owner: Callable = lambda context: context.object
     is_used: Optional[Callable] = None
     has_settings: Optional[Callable] = None
     parts: tuple = ()
@@ -61,19 +63,19 @@ class SystemPanel:
     labels: dict = field(default_factory=dict)
 
     def is_shown(self, context):
-        """Whether the context's object has the panel."""
-        obj = context.object
-        return obj is not None and self.suits(obj) and (self.is_used is None or bool(self.is_used(obj)))
+        """Whether the context's owner has the panel."""
+        owner = self.owner(context)
+        return owner is not None and self.suits(owner) and (self.is_used is None or bool(self.is_used(owner)))
 
     def shows_settings(self, context):
-        """Whether the object's own settings, and with them all parts, are drawn."""
+        """Whether the owner's own settings, and with them all parts, are drawn."""
         if native.module is None or not self.is_shown(context):
             return False
-        return self.has_settings is None or bool(self.has_settings(context.object))
+        return self.has_settings is None or bool(self.has_settings(self.owner(context)))
 
     def baked_frames(self, context):
-        """(first, last) of what of the system is baked on the context's object, or on its leader; None without."""
-        return state.frames(registered[self.name], context.object)
+        """(first, last) of what of the system is baked on the context's owner, or on its leader; None without."""
+        return state.frames(registered[self.name], self.owner(context))
 
 
 def classes(panel):
@@ -223,15 +225,15 @@ class _Adding:
         layout = self.layout
         if not ui.draw_native_status(layout):
             return
-        obj = context.object
-        if obj is None:
+        if context.object is None:
             layout.label(text="Select an object", icon='INFO')
-            return
-        layout.label(text=obj.name, icon='OBJECT_DATA', translate=False)
+        else:
+            layout.label(text=context.object.name, icon='OBJECT_DATA', translate=False)
         column = operators.offer(layout.column(), context)
         for system in registered.values():
             for panel in described(system):
-                if panel.suits(obj) and not (panel.is_used and panel.is_used(obj)):
+                owner = panel.owner(context)
+                if owner is not None and panel.suits(owner) and not (panel.is_used and panel.is_used(owner)):
                     draw_add(panel, column, context)
 
 
@@ -275,7 +277,7 @@ def _draw_switches(column, shown, system):
 
 
 def draw_add(panel, layout, context):
-    """The buttons that add a system to the context's object."""
+    """The buttons that add a system to the context's owner."""
     if panel.draw_add:
         panel.draw_add(layout, context)
         return

@@ -22,6 +22,14 @@ class Sidebar:
     bl_category = TAB
 
 
+class CompositorSidebar:
+    """Mixin of panels in the compositor's sidebar."""
+
+    bl_space_type = 'NODE_EDITOR'
+    bl_region_type = 'UI'
+    bl_category = TAB
+
+
 class _Properties:
     """Mixin of panels in the properties editor."""
 

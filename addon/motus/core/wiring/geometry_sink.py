@@ -7,8 +7,8 @@ it is. In Edit Mode, where the points of a mesh come and go before the solver he
 
 import bpy
 
-from .. import capabilities
-from . import made_points, moved_points, node_groups, outbox
+from .. import capabilities, node_groups
+from . import made_points, moved_points, outbox
 
 KEY = "motus_system"
 """Custom property of the node group: name of the system whose sinks have it."""

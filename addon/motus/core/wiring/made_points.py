@@ -7,10 +7,10 @@ evaluated before shares, so that the solver can fill it where it lies.
 
 import bmesh
 
-from .. import capabilities, native
+from .. import capabilities, native, node_groups
 from ..lazy import numpy as np
 from ..stored import Damaged
-from . import attributes, node_groups
+from . import attributes
 from .scratch import scratch
 
 IS_FIRST = False

@@ -1,8 +1,9 @@
 """How the points of the owner's mesh are moved: each by a vector that the hub holds for the point of the same index."""
 
+from .. import node_groups
 from ..lazy import numpy as np
 from ..system import Vertices
-from . import attributes, node_groups
+from . import attributes
 from .scratch import scratch
 
 ATTRIBUTE = "motus_offset"

@@ -1,6 +1,8 @@
-"""Node groups of Geometry Nodes, and the modifiers that have them, in every Blender."""
+"""Node groups, and the modifiers that have them, in every Blender."""
 
-from .. import capabilities
+import bpy
+
+from . import capabilities
 
 
 def add_sockets(group, sockets):
@@ -25,6 +27,19 @@ def set_input(modifier, name, value):
     else:
         modifier[identifier] = value
     modifier.id_data.update_tag()
+
+
+def link(group, source, target):
+    """Connect two sockets; a value stands for a source that is none."""
+    if isinstance(source, bpy.types.NodeSocket):
+        group.links.new(source, target)
+    else:
+        target.default_value = source
+
+
+def input_items(group):
+    """Inputs of a group as its interface has them, by name: with default_value, min_value and max_value."""
+    return {socket.name: socket for socket in _inputs(group)}
 
 
 def add_node(group, kind, **settings):

@@ -1,0 +1,14 @@
+"""Chroma key: footage in front of a green or blue screen over a background, by nodes of the compositor."""
+
+from ..core.system import Feature
+from . import operators, panel, properties
+
+# Blender's own nodes do the keying: nothing here is solved.
+FEATURE = Feature(
+    name="chroma",
+    label="Chroma Key",
+    scene_settings=properties.MOTUS_PG_chroma,
+    classes=(properties.MOTUS_PG_chroma, *operators.classes, *panel.classes),
+    add_menu=("motus.chroma_key_setup",),
+    object_menu=("motus.chroma_key_setup", "motus.chroma_key_measure", "motus.chroma_key_remove"),
+)

@@ -1,0 +1,192 @@
+"""The key in a scene's compositor: nodes around the group, between what was there and the output, and how they are taken back."""
+
+import bpy
+
+from ..core import capabilities, node_groups
+from ..core.refusals import Refused
+from ..core.translations import tr
+from . import group
+
+FOREGROUND, BACKGROUND, MASK = "Footage", "Background", "Garbage Mask"
+"""Names of the nodes that bring pictures and the mask in; Blender may have added a number."""
+
+
+def tree_of(scene):
+    """The compositor's node tree of a scene, or None."""
+    if capabilities.has_compositing_group():
+        return scene.compositing_node_group
+    return scene.node_tree if scene.use_nodes else None
+
+
+def key_of(scene):
+    """The node of a scene's key, or None."""
+    tree = tree_of(scene)
+    if tree is None:
+        return None
+    return next((node for node in tree.nodes if node.type == 'GROUP' and group.is_group(node.node_tree)), None)
+
+
+def node_of(scene, role):
+    """The node that was added for a role, or None."""
+    tree = tree_of(scene)
+    return next((node for node in tree.nodes if node.get(group.KEY) == role), None) if tree else None
+
+
+def prepared(scene, noted):
+    """The scene's tree, made where there is none. noted: settings of the scene, which remember what was made."""
+    tree = tree_of(scene)
+    if tree is not None:
+        if tree.library:
+            raise Refused(tr("The compositor's nodes are linked from another file"))
+        return tree
+    noted.is_tree_made = True
+    if not capabilities.has_compositing_group():
+        # Blender gives a tree without nodes the render and an output; what was there while it was off is kept.
+        scene.use_nodes = True
+        return scene.node_tree
+    tree = scene.compositing_node_group = bpy.data.node_groups.new(f"{scene.name} Compositor", 'CompositorNodeTree')
+    node_groups.add_sockets(tree, [("Image", 'OUTPUT', "NodeSocketColor")])
+    node_groups.add_node(tree, "NodeGroupOutput").location.x = 300.0
+    _show_render(scene, tree)
+    return tree
+
+
+def _show_render(scene, tree):
+    """Connect the output of a tree that was made with the scene's render."""
+    if not any(node.type == 'R_LAYERS' for node in tree.nodes):
+        node = tree.nodes.new("CompositorNodeRLayers")
+        node.scene = scene
+        node_groups.link(tree, node.outputs["Image"], _outlet(tree))
+
+
+def insert(scene, tree, key_group, footage, background, underneath, mask, noted):
+    """Add the key to a tree, before its output. background: an image, laid underneath where that is 'FOOTAGE'. Gives the node."""
+    target = _target(tree)
+    if noted.is_tree_made and underneath != 'RENDER':
+        # Nobody needs it, and it could not be rendered without a camera.
+        for node in [node for node in tree.nodes if node.type == 'R_LAYERS']:
+            tree.nodes.remove(node)
+    before = next((link.from_socket for link in tree.links if link.to_socket == target), None)
+    noted.before_node, noted.before_socket = (before.node.name, before.identifier) if before else ("", "")
+    right = max((node.location.x for node in tree.nodes), default=0.0)
+    frame = _mark(tree.nodes.new("NodeFrame"), "Frame", "Chroma Key")
+    key = _mark(tree.nodes.new("CompositorNodeGroup"), "Key", "Chroma Key")
+    key.node_tree = key_group
+    _link_image(tree, FOREGROUND, footage, 'FIT', key.inputs["Image"])
+    if underneath == 'FOOTAGE':
+        _link_image(tree, BACKGROUND, background, 'CROP', key.inputs["Background"])
+    elif underneath == 'RENDER':
+        if before is None:
+            render = _mark(tree.nodes.new("CompositorNodeRLayers"), "Render", "")
+            render.scene = scene
+            before = render.outputs["Image"]
+        node_groups.link(tree, before, key.inputs["Background"])
+    if mask is not None:
+        # A node without a mask covers all in 4.3.
+        node = _mark(tree.nodes.new("CompositorNodeMask"), MASK, MASK)
+        node.mask = mask
+        node_groups.link(tree, node.outputs[0], key.inputs["Garbage Mask"])
+    node_groups.link(tree, key.outputs["Image"], target)
+    _arrange(tree, frame, key, target.node, right)
+    return key
+
+
+def remove(scene, noted):
+    """Take the key's nodes away, and connect the output with what it had before."""
+    tree = tree_of(scene)
+    key = key_of(scene)
+    groups = {key.node_tree} if key else set()
+    if tree is not None:
+        target = _outlet(tree)
+        was_ours = target is not None and any(group.KEY in link.from_node for link in tree.links if link.to_socket == target)
+        for node in [node for node in tree.nodes if group.KEY in node]:
+            tree.nodes.remove(node)
+        source = _noted_source(tree, noted)
+        if was_ours and source is not None:
+            node_groups.link(tree, source, target)
+        _remove_made_tree(scene, tree, noted)
+    for one in groups:
+        if one.users == 0:
+            bpy.data.node_groups.remove(one)
+
+
+def _remove_made_tree(scene, tree, noted):
+    """A tree that was made for the key goes with it, unless somebody has added nodes."""
+    if not noted.is_tree_made or len(tree.nodes) > 2 or _outlet(tree) is None:
+        return
+    _show_render(scene, tree)
+    if capabilities.has_compositing_group():
+        scene.compositing_node_group = None
+        if tree.users == 0:
+            bpy.data.node_groups.remove(tree)
+    else:
+        scene.use_nodes = False
+
+
+def _noted_source(tree, noted):
+    node = tree.nodes.get(noted.before_node)
+    found = [socket for socket in node.outputs if socket.identifier == noted.before_socket] if node else []
+    return found[0] if found else None
+
+
+def _outlet(tree):
+    """The socket that is rendered, or None."""
+    kind = "NodeGroupOutput" if capabilities.has_compositing_group() else "CompositorNodeComposite"
+    ends = [node for node in tree.nodes if node.bl_idname == kind]
+    ends.sort(key=lambda node: not getattr(node, "is_active_output", True))
+    sockets = [socket for socket in ends[0].inputs if socket.type == 'RGBA'] if ends else []
+    return sockets[0] if sockets else None
+
+
+def _target(tree):
+    """The socket that is rendered, made where there is none."""
+    found = _outlet(tree)
+    if found is not None:
+        return found
+    if capabilities.has_compositing_group():
+        if not any(item.in_out == 'OUTPUT' and item.socket_type == "NodeSocketColor" for item in tree.interface.items_tree
+                   if item.item_type == 'SOCKET'):
+            node_groups.add_sockets(tree, [("Image", 'OUTPUT', "NodeSocketColor")])
+        if not any(node.bl_idname == "NodeGroupOutput" for node in tree.nodes):
+            _mark(tree.nodes.new("NodeGroupOutput"), "Output", "")
+    else:
+        _mark(tree.nodes.new("CompositorNodeComposite"), "Output", "")
+    return _outlet(tree)
+
+
+def _mark(node, role, label):
+    node[group.KEY] = role
+    node.name = role
+    node.label = label
+    return node
+
+
+def _link_image(tree, role, image, framing, target):
+    """A picture or film, brought to the size of the render."""
+    node = _mark(tree.nodes.new("CompositorNodeImage"), role, role)
+    node.image = image
+    if image.source in {'MOVIE', 'SEQUENCE'}:
+        node.frame_duration = max(1, image.frame_duration)
+        node.frame_start = 1
+        node.use_auto_refresh = True
+    scale = _mark(tree.nodes.new("CompositorNodeScale"), f"{role} Size", "")
+    if capabilities.has_compositor_sockets():
+        scale.inputs["Type"].default_value = 'Render Size'
+        scale.inputs["Frame Type"].default_value = framing.title()
+    else:
+        scale.space, scale.frame_method = 'RENDER_SIZE', framing
+    node_groups.link(tree, node.outputs["Image"], scale.inputs["Image"])
+    node_groups.link(tree, scale.outputs["Image"], target)
+
+
+def _arrange(tree, frame, key, end, right):
+    """Place the key's nodes in a frame to the right of all others, and the output behind them."""
+    columns = {"Footage": (0.0, 200.0), "Background": (0.0, -180.0), "Render": (0.0, -180.0), MASK: (0.0, -460.0),
+               "Footage Size": (200.0, 200.0), "Background Size": (200.0, -180.0), "Key": (420.0, 60.0)}
+    for node in tree.nodes:
+        if group.KEY in node and node not in (frame, end):
+            x, y = columns.get(node[group.KEY], (0.0, 0.0))
+            node.location = (right + 260.0 + x, y)
+            node.parent = frame
+    key.width = 220.0
+    end.location.x = max(end.location.x, right + 960.0)

@@ -1,0 +1,193 @@
+"""Operators that set a chroma key up, measure its screen again, and remove it."""
+
+import bpy
+
+from ..core.operators import OBJECT_MODE, Operator
+from ..core.refusals import Refused, check_finite
+from ..core.rows import Row, Rows, is_given
+from ..core.translations import tr
+from . import analysis, compositor, footage, group, plane, scene_settings, settings, setup
+from .properties import VIEWS
+
+
+UNDERNEATH = (
+    ('RENDER', "Render", "What the compositor has shown before: the render, with all that its nodes do"),
+    ('FOOTAGE', "Footage", "Another clip or image"),
+    ('NOTHING', "Nothing", "The picture stays transparent"),
+)
+_BY_KEYWORD = {one.keyword: one for one in settings.OF_KEYING}
+
+
+def _number(keyword):
+    one = _BY_KEYWORD[keyword]
+    if one.is_whole:
+        return bpy.props.IntProperty(
+            name=one.label, description=one.description, default=one.default, min=one.least, max=one.most, soft_max=20,
+            soft_min=max(one.least, -20), subtype='PIXEL')
+    return bpy.props.FloatProperty(
+        name=one.label, description=one.description, default=one.default, min=one.least, max=one.most, subtype='FACTOR')
+
+
+class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_setup"
+    bl_label = "Set Up Chroma Key"
+    bl_description = "Make the green or blue screen of a clip or image transparent, and lay something underneath, in the compositor"
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (
+        Rows(("underneath", "view", "use_scene", "use_plane", Row("plane_distance", when=lambda op: op.use_plane)), title="Set Up"),
+        Rows((Row("color", when=is_given("color")), Row("black", when=is_given("black")), Row("white", when=is_given("white")),
+              "balance", "smooth", "grow", "feather", "despill", "light_wrap"), title="Key"),
+    )
+
+    clip: bpy.props.StringProperty(
+        name="Clip", options={'SKIP_SAVE'},
+        description="The footage: name of an image or movie clip of this file, or path of a file")
+    background: bpy.props.StringProperty(
+        name="Background", options={'SKIP_SAVE'},
+        description="What is laid underneath, named in the same way; empty for the render")
+    mask: bpy.props.StringProperty(
+        name="Garbage Mask", options={'SKIP_SAVE'}, description="Name of a mask, within which all is made transparent")
+    camera: bpy.props.StringProperty(
+        name="Camera", options={'SKIP_SAVE'}, description="Name of the camera that the plane stands before; empty takes the scene's")
+    filepath: bpy.props.StringProperty(
+        name="File", subtype='FILE_PATH', options={'SKIP_SAVE'}, description="Path of the footage, as the file browser gives it")
+    filter_image: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
+    filter_movie: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
+    filter_folder: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
+    underneath: bpy.props.EnumProperty(
+        name="Underneath", description="What shows where the screen was", items=UNDERNEATH, default='RENDER')
+    view: bpy.props.EnumProperty(name="View", description="What the compositor shows", items=VIEWS, default=group.COMPOSITE)
+    use_scene: bpy.props.BoolProperty(
+        name="Set Scene", default=True,
+        description="Give the scene the footage's size, frames and frame rate, and colours that leave the footage as it is")
+    use_plane: bpy.props.BoolProperty(
+        name="Viewport Plane", default=False,
+        description="Show the key in the viewport too, on a plane that fills the camera's view and is not rendered")
+    plane_distance: bpy.props.FloatProperty(
+        name="Plane Distance", description="From the camera to the plane", default=10.0, min=0.001, soft_max=1000.0,
+        subtype='DISTANCE')
+    color: bpy.props.FloatVectorProperty(
+        name="Screen Color", description="Colour of the screen; without it the footage's own is found", subtype='COLOR', size=3,
+        default=(0.05, 0.45, 0.08), min=0.0, soft_max=1.0, options={'SKIP_SAVE'})
+    black: _number("black")
+    white: _number("white")
+    balance: _number("balance")
+    smooth: _number("smooth")
+    grow: _number("grow")
+    feather: _number("feather")
+    despill: _number("despill")
+    light_wrap: bpy.props.FloatProperty(
+        name=settings.WRAP, description="How much of the background's light falls around the subject's edge", default=0.0, min=0.0,
+        max=1.0, subtype='FACTOR')
+
+    @classmethod
+    def check_offer(cls, context):
+        setup.check_free(context.scene)
+
+    def invoke(self, context, _event):
+        if self.clip or self.filepath:
+            return self.execute(context)
+        context.window_manager.fileselect_add(self)
+        return {'RUNNING_MODAL'}
+
+    def run(self, context):
+        try:
+            self._set_up(context)
+        finally:
+            footage.drop_unused()
+
+    def _set_up(self, context):
+        scene = context.scene
+        setup.check_free(scene)
+        check_finite(self, ("color",))
+        if not (self.clip or self.filepath):
+            raise Refused(tr("Name a clip, an image or a file"))
+        image = footage.find(self.clip or self.filepath)
+        underneath, background = self._background()
+        mask, camera = self._mask(), self._camera(scene) if self.use_plane else None
+        color = tuple(self.color) if self.is_given("color") else None
+        found = analysis.measure(image, color)
+        black, white = analysis.clip_levels(found[1])
+        levels = self.black if self.is_given("black") else black, self.white if self.is_given("white") else white
+
+        noted = scene.motus.chroma
+        tree = compositor.prepared(scene, noted)
+        key = compositor.insert(scene, tree, group.build(image.size[0]), image, background, underneath, mask, noted)
+        for one in settings.OF_KEYING:
+            settings.assign(key, one, getattr(self, one.keyword))
+        key.inputs[settings.WRAP].default_value = self.light_wrap
+        noted.view = self.view
+        if self.use_scene:
+            scene_settings.take(scene, image, noted)
+        if camera is not None:
+            noted.plane = plane.add(scene, camera, image, found[0], levels, self.plane_distance)
+        setup.apply_measured(key, noted, found, levels)
+        self.report({'INFO'}, tr("{object} is keyed by its {kind} screen").format(
+            object=image.name, kind=tr("blue") if found[0][2] > found[0][1] else tr("green")))
+        for sentence in analysis.sentences(noted):
+            self.report({'WARNING'}, sentence)
+
+    def _background(self):
+        """(what is underneath, its image or None)."""
+        if self.background:
+            if self.is_given("underneath") and self.underneath != 'FOOTAGE':
+                raise Refused(tr("With a background, footage lies underneath"))
+            return 'FOOTAGE', footage.find(self.background)
+        if self.underneath == 'FOOTAGE':
+            raise Refused(tr("Name the clip or image that is laid underneath"))
+        return self.underneath, None
+
+    def _mask(self):
+        if self.mask and self.mask not in bpy.data.masks:
+            raise Refused(tr("There is no mask {object}").format(object=self.mask))
+        return bpy.data.masks.get(self.mask)
+
+    def _camera(self, scene):
+        found = bpy.data.objects.get(self.camera) if self.camera else scene.camera
+        if found is None or found.type != 'CAMERA':
+            raise Refused(tr("The plane needs a camera to stand before"))
+        return found
+
+
+class MOTUS_OT_chroma_key_measure(Operator, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_measure"
+    bl_label = "Measure Screen"
+    bl_description = "Find the colour of the screen, and levels that clear it, from the footage again"
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows(("keep_color",)),)
+
+    keep_color: bpy.props.BoolProperty(
+        name="Keep Color", description="Only find levels, for the colour that was picked", default=False)
+
+    @classmethod
+    def check_offer(cls, context):
+        setup.key(context.scene)
+
+    def run(self, context):
+        color = None
+        if self.keep_color:
+            place = settings.place_of_input(setup.key(context.scene), settings.COLOR)
+            color = tuple(getattr(*place))[:3] if place else None
+        setup.measure(context.scene, color)
+        for sentence in analysis.sentences(context.scene.motus.chroma):
+            self.report({'WARNING'}, sentence)
+
+
+class MOTUS_OT_chroma_key_remove(Operator, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_remove"
+    bl_label = "Remove Chroma Key"
+    bl_description = "Take the key's nodes and its plane away; the compositor and the scene are what they were before"
+    modes = OBJECT_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        setup.key(context.scene)
+
+    def run(self, context):
+        setup.key(context.scene)
+        setup.remove(context.scene)
+
+
+classes = (MOTUS_OT_chroma_key_setup, MOTUS_OT_chroma_key_measure, MOTUS_OT_chroma_key_remove)

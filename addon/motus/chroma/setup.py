@@ -1,0 +1,68 @@
+"""What setting up, measuring and removing a key consists of."""
+
+from ..core.refusals import Refused
+from ..core.translations import tr
+from . import analysis, compositor, footage, group, plane, scene_settings, settings
+
+
+def check_free(scene):
+    """Refuse a scene of another file, and one that has a key."""
+    check_own(scene)
+    if compositor.key_of(scene) is not None:
+        raise Refused(tr("{scene} has a chroma key already: remove it first").format(scene=scene.name))
+
+
+def check_own(scene):
+    """Refuse a scene of another file."""
+    if scene.library or scene.override_library:
+        raise Refused(tr("{scene} is linked from another file").format(scene=scene.name))
+
+
+def key(scene):
+    """The node of the scene's key. Raises Refused."""
+    check_own(scene)
+    found = compositor.key_of(scene)
+    if found is None:
+        raise Refused(tr("{scene} has no chroma key").format(scene=scene.name))
+    return found
+
+
+def note(noted, report):
+    """Remember what was measured."""
+    for name in ("share", "luminance_spread", "chroma_spread", "spill"):
+        setattr(noted, name, report[name])
+
+
+def apply_measured(node, noted, found, levels):
+    """Give a key a colour and clip levels. found: (colour, report)."""
+    color, report = found
+    note(noted, report)
+    place = settings.place_of_input(node, settings.COLOR)
+    if place is not None:
+        setattr(*place, (*color, 1.0))
+    for name, level in zip(("black", "white"), levels):
+        settings.assign(node, next(one for one in settings.OF_KEYING if one.keyword == name), level)
+    if noted.plane is not None:
+        plane.update(noted.plane, color, levels)
+
+
+def measure(scene, color=None):
+    """Look at the footage of a scene's key again."""
+    node = key(scene)
+    source = compositor.node_of(scene, compositor.FOREGROUND)
+    if source is None or source.image is None:
+        raise Refused(tr("The key has lost its footage"))
+    found = analysis.measure(source.image, color)
+    apply_measured(node, scene.motus.chroma, found, analysis.clip_levels(found[1]))
+    return found
+
+
+def remove(scene):
+    """Take all back that a key has brought."""
+    noted = scene.motus.chroma
+    if noted.plane is not None and group.KEY in noted.plane:
+        plane.remove(noted.plane)
+    compositor.remove(scene, noted)
+    footage.drop_unused()
+    scene_settings.restore(scene, noted)
+    scene.motus.property_unset("chroma")

@@ -1,0 +1,140 @@
+"""Spanish: chroma keys."""
+
+INTERFACE = {
+    "A screen is green or blue: the colour has neither above its other channels":
+        "Una pantalla es verde o azul: en este color ninguno de los dos supera a los demás canales",
+    "Another clip or image": "Otro clip u otra imagen",
+    "Background": "Fondo",
+    "Balance": "Equilibrio",
+    "Black what is clear, white what is opaque, and all between in grey":
+        "Negro lo transparente, blanco lo opaco y gris todo lo intermedio",
+    "Chroma Key": "Croma",
+    "Camera": "Cámara",
+    "Clip": "Clip",
+    "Clip Black": "Recortar negro",
+    "Clip White": "Recortar blanco",
+    "Color Noise": "Ruido de color",
+    "Colour of the screen; without it the footage's own is found":
+        "Color de la pantalla; sin él se busca el de la propia filmación",
+    "Composite": "Composición",
+    "Despill": "Quitar reflejo",
+    "Edge and Light": "Borde y luz",
+    "Feather": "Suavizar borde",
+    "File": "Archivo",
+    "Find the colour of the screen, and levels that clear it, from the footage again":
+        "Vuelve a buscar en la filmación el color de la pantalla y los niveles que la despejan",
+    "Footage": "Filmación",
+    "Frame Rate Base Before": "Base de fotogramas por segundo anterior",
+    "Frame Rate Before": "Fotogramas por segundo anteriores",
+    "Frames Before": "Fotogramas anteriores",
+    "From the camera to the plane": "De la cámara al plano",
+    "Garbage Mask": "Máscara de descarte",
+    "Give the scene the footage's size, frames and frame rate, and colours that leave the footage as it is":
+        "Da a la escena el tamaño, los fotogramas y la cadencia de la filmación, y colores que la dejan como es",
+    "Grow Matte": "Ensanchar mate",
+    "How much of the background's light falls around the subject's edge":
+        "Cuánta luz del fondo cae alrededor del borde del sujeto",
+    "How much of the screen's light is taken from the subject": "Cuánta luz de la pantalla se quita del sujeto",
+    "Key": "Clave",
+    "Keep Color": "Conservar color",
+    "Level of the matte above which all is opaque": "Nivel del mate por encima del cual todo es opaco",
+    "Level of the matte below which all is transparent": "Nivel del mate por debajo del cual todo es transparente",
+    "Light Wrap": "Luz envolvente",
+    "Light of the screen on the subject, 1 for as much as on the screen itself":
+        "Luz de la pantalla sobre el sujeto; 1 es tanta como en la propia pantalla",
+    "Look Before": "Aspecto anterior",
+    "Make the green or blue screen of a clip or image transparent, and lay something underneath, in the compositor":
+        "Vuelve transparente la pantalla verde o azul de un clip o una imagen y pone algo debajo, en el compositor",
+    "Matte": "Mate",
+    "Name a clip, an image or a file": "Nombra un clip, una imagen o un archivo",
+    "Name of a mask, within which all is made transparent": "Nombre de una máscara dentro de la cual todo se vuelve transparente",
+    "Name of the camera that the plane stands before; empty takes the scene's":
+        "Nombre de la cámara ante la que está el plano; vacío, la de la escena",
+    "Name the clip or image that is laid underneath": "Nombra el clip o la imagen que se pone debajo",
+    "Node Before": "Nodo anterior",
+    "Nothing": "Nada",
+    "Only find levels, for the colour that was picked": "Solo busca los niveles, para el color elegido",
+    "Path of the footage, as the file browser gives it": "Ruta de la filmación, tal como la da el explorador de archivos",
+    "Pictures": "Imágenes",
+    "Pixel Aspect Before": "Proporción de píxel anterior",
+    "Pixels by which the matte grows; below 0 it is choked": "Píxeles que crece el mate; por debajo de 0 se encoge",
+    "Pixels over which colour is smoothed before it is keyed, for noise and compressed colour":
+        "Píxeles en los que se suaviza el color antes del croma, contra el ruido y el color comprimido",
+    "Pixels over which the matte's edge is made soft": "Píxeles en los que se suaviza el borde del mate",
+    "Plane": "Plano",
+    "Plane Distance": "Distancia del plano",
+    "Plane before the camera that shows the key in the viewport": "Plano ante la cámara que muestra el croma en la vista 3D",
+    "Render": "Procesamiento",
+    "Resolution Before": "Resolución anterior",
+    "Scene Set": "Escena ajustada",
+    "Screen": "Pantalla",
+    "Screen Color": "Color de pantalla",
+    "Set Scene": "Ajustar escena",
+    "Set Up": "Preparar",
+    "Share of the picture that the screen fills": "Parte de la imagen que ocupa la pantalla",
+    "Show the key in the viewport too, on a plane that fills the camera's view and is not rendered":
+        "Muestra el croma también en la vista 3D, en un plano que llena la vista de la cámara y no se procesa",
+    "Smooth Chroma": "Suavizar color",
+    "Socket Before": "Conector anterior",
+    "Source": "Origen",
+    "Spill": "Reflejo",
+    "Spread of the screen's chromaticity": "Dispersión de la cromaticidad de la pantalla",
+    "Spread of the screen's luminance, over its median": "Dispersión de la luminancia de la pantalla, entre su mediana",
+    "Status": "Estado",
+    "Take the key's nodes and its plane away; the compositor and the scene are what they were before":
+        "Quita los nodos del croma y su plano; el compositor y la escena quedan como estaban",
+    "The compositor's nodes are linked from another file": "Los nodos del compositor están vinculados desde otro archivo",
+    "The compositor's nodes were made for the key": "Los nodos del compositor se hicieron para el croma",
+    "The footage as it is": "La filmación tal como es",
+    "The footage: name of an image or movie clip of this file, or path of a file":
+        "La filmación: nombre de una imagen o un clip de película de este archivo, o ruta de un archivo",
+    "The key has lost its footage": "El croma ha perdido su filmación",
+    "The picture stays transparent": "La imagen queda transparente",
+    "The plane needs a camera to stand before": "El plano necesita una cámara ante la que estar",
+    "The scene was given the footage's size, frames and colours":
+        "La escena recibió el tamaño, los fotogramas y los colores de la filmación",
+    "The screen fills only {percent} % of the picture": "La pantalla ocupa solo el {percent} % de la imagen",
+    "The screen is lit unevenly, by {percent} %: raise Clip Black until the status shows it black":
+        "La pantalla está iluminada de forma desigual, en un {percent} %: sube «Recortar negro» hasta que el estado la muestre negra",
+    "The screen shines on the subject, by {percent} %: lower Clip White until the status shows it white":
+        "La pantalla ilumina al sujeto, en un {percent} %: baja «Recortar blanco» hasta que el estado lo muestre blanco",
+    "The screen's colour is not the same everywhere: raise Smooth Chroma":
+        "El color de la pantalla no es igual en todas partes: sube «Suavizar color»",
+    "The subject over the background": "El sujeto sobre el fondo",
+    "There is no clip, no image and no file {object}": "No hay ningún clip, ninguna imagen ni ningún archivo {object}",
+    "There is no mask {object}": "No hay ninguna máscara {object}",
+    "Tree Made": "Árbol hecho",
+    "Underneath": "Debajo",
+    "Unevenness": "Desigualdad",
+    "View": "Vista",
+    "View Transform Before": "Transformación de vista anterior",
+    "Viewport Plane": "Plano en la vista",
+    "What is laid underneath, named in the same way; empty for the render":
+        "Lo que se pone debajo, nombrado del mismo modo; vacío, el procesamiento",
+    "What shows where the screen was": "Lo que se ve donde estaba la pantalla",
+    "What the compositor has shown before: the render, with all that its nodes do":
+        "Lo que el compositor mostraba antes: el procesamiento, con todo lo que hacen sus nodos",
+    "What the compositor shows": "Lo que muestra el compositor",
+    "What the scene had before the key": "Lo que la escena tenía antes del croma",
+    "Which of the two other channels the screen's channel is compared with: 0 the larger, 1 the smaller":
+        "Con cuál de los otros dos canales se compara el de la pantalla: 0 con el mayor, 1 con el menor",
+    "White where the subject is opaque, black where it is clear": "Blanco donde el sujeto es opaco, negro donde es transparente",
+    "With a background, footage lies underneath": "Con un fondo, lo que hay debajo es filmación",
+    "blue": "azul",
+    "green": "verde",
+    "{object} cannot be read as a picture": "{object} no se puede leer como imagen",
+    "{object} has no colours": "{object} no tiene colores",
+    "{object} is keyed by its {kind} screen": "{object} tiene croma por su pantalla {kind}",
+    "{object} shows no green or blue screen: pick the colour, if there is one":
+        "{object} no muestra ninguna pantalla verde ni azul: elige el color, si la hay",
+    "{scene} has a chroma key already: remove it first": "{scene} ya tiene un croma: quítalo primero",
+    "{scene} has no chroma key": "{scene} no tiene ningún croma",
+    "{scene} is linked from another file": "{scene} está vinculada desde otro archivo",
+}
+
+OPERATORS = {
+    "Measure Screen": "Medir pantalla",
+    "Remove Chroma Key": "Quitar croma",
+    "Set Up Chroma Key": "Preparar croma",
+}
+"""Operators' names have a context of their own in Blender."""

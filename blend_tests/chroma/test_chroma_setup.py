@@ -1,0 +1,249 @@
+"""What setting up a key adds to a scene, what it refuses, and that removing it takes all back."""
+
+import bpy
+from chroma import chroma_cases as cases
+import numpy as np
+import support
+
+compositor = support.addon("chroma.compositor")
+settings = support.addon("chroma.settings")
+capabilities = support.addon("core.capabilities")
+nodes = support.addon("core.node_groups")
+
+
+def footage(folder, color=cases.GREEN, size=(60, 40), name="footage.png"):
+    """A grey square in front of a screen."""
+    picture = np.ones((size[1], size[0], 4)) * (*color, 1.0)
+    if min(size) > 2:
+        picture[size[1] // 4:-size[1] // 4, size[0] // 3:-size[0] // 3, :3] = 0.4
+    return cases.written(picture, folder / name)
+
+
+def state(scene):
+    """All of a scene that a key changes."""
+    render, view, tree = scene.render, scene.view_settings, compositor.tree_of(scene)
+    return (
+        render.resolution_x, render.resolution_y, render.resolution_percentage, render.pixel_aspect_x, render.pixel_aspect_y,
+        scene.frame_start, scene.frame_end, render.fps, render.fps_base, view.view_transform, view.look, scene.use_nodes,
+        None if tree is None else (
+            tree.name, sorted(node.name for node in tree.nodes),
+            sorted((link.from_node.name, link.from_socket.identifier, link.to_node.name, link.to_socket.identifier)
+                   for link in tree.links)),
+        len(bpy.data.node_groups), len(bpy.data.images), len(bpy.data.objects), len(bpy.data.materials), len(bpy.data.meshes),
+        sorted(thing.name for thing in scene.objects))
+
+
+class SetUp(support.SceneTestCase):
+    def set_up(self, **keywords):
+        self.assertEqual(bpy.ops.motus.chroma_key_setup(**keywords), {'FINISHED'})
+        return compositor.key_of(bpy.context.scene)
+
+    def refused(self, sentence, **keywords):
+        before = state(bpy.context.scene)
+        with self.assertRaisesRegex(RuntimeError, sentence):
+            bpy.ops.motus.chroma_key_setup(**keywords)
+        self.assertEqual(state(bpy.context.scene), before)
+
+    def value(self, key, keyword):
+        return getattr(*settings.place(key, next(one for one in settings.OF_KEYING if one.keyword == keyword)))
+
+    def test_one_labelled_group(self):
+        key = self.set_up(clip=footage(self.folder))
+        self.assertEqual((key.label, key.node_tree.name), ("Chroma Key", "Chroma Key"))
+        for name in ("Image", "Background", "Screen Color", "Garbage Mask", "Light Wrap"):
+            self.assertIn(name, key.inputs)
+        np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], cases.GREEN, atol=0.01)
+        for one in settings.OF_KEYING:
+            self.assertIsNotNone(settings.place(key, one), one.keyword)
+        render = bpy.context.scene.render
+        self.assertEqual((render.resolution_x, render.resolution_y, render.resolution_percentage), (60, 40, 100))
+        self.assertEqual(bpy.context.scene.view_settings.view_transform, 'Standard')
+
+    def test_keywords(self):
+        key = self.set_up(
+            clip=footage(self.folder), color=(0.1, 0.5, 0.2), black=0.2, white=0.7, balance=0.3, smooth=2, grow=-1, feather=3,
+            despill=0.5, light_wrap=0.25, view='MATTE')
+        for keyword, wanted in (("black", 0.2), ("white", 0.7), ("balance", 0.3), ("smooth", 2), ("grow", -1), ("feather", 3),
+                                ("despill", 0.5)):
+            self.assertAlmostEqual(self.value(key, keyword), wanted, 5, keyword)
+        self.assertAlmostEqual(key.inputs["Light Wrap"].default_value, 0.25)
+        np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], (0.1, 0.5, 0.2), atol=1e-6)
+        self.assertEqual(bpy.context.scene.motus.chroma.view, 'MATTE')
+
+    def test_views(self):
+        key = self.set_up(clip=footage(self.folder))
+        chroma = bpy.context.scene.motus.chroma
+        self.assertEqual(chroma.view, 'COMPOSITE')
+        for view in ('SOURCE', 'MATTE', 'STATUS', 'COMPOSITE'):
+            chroma.view = view
+            self.assertEqual(chroma.view, view)
+        del key.node_tree["motus_chroma"]
+        self.assertEqual(chroma.view, 'COMPOSITE')
+        chroma.view = 'MATTE'  # there is no key any more: nothing happens
+
+    def test_measured(self):
+        self.set_up(clip=footage(self.folder))
+        chroma = bpy.context.scene.motus.chroma
+        self.assertGreater(chroma.share, 0.6)
+        self.assertLess(chroma.luminance_spread, 0.02)
+        self.assertLess(chroma.spill, 0.01)
+
+    def test_measured_again(self):
+        key = self.set_up(clip=footage(self.folder), color=(0.1, 0.3, 0.2), black=0.5)
+        self.assertEqual(bpy.ops.motus.chroma_key_measure(keep_color=True), {'FINISHED'})
+        np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], (0.1, 0.3, 0.2), atol=1e-6)
+        self.assertLess(self.value(key, "black"), 0.2)
+        self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
+        np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], cases.GREEN, atol=0.01)
+
+    def test_named_images_and_clips(self):
+        path = footage(self.folder)
+        image = bpy.data.images.load(path)
+        image.name = "Own"
+        self.set_up(clip="Own")
+        self.assertEqual(compositor.node_of(bpy.context.scene, "Footage").image, image)
+        bpy.ops.motus.chroma_key_remove()
+        self.assertIn("Own", bpy.data.images, "what was there before stays")
+        bpy.data.movieclips.load(path).name = "Clip"
+        self.set_up(clip="Clip")
+
+    # --- what is there already ---------------------------------------------------------------------------------------
+
+    def own_tree(self):
+        """A compositor of the user's: the render through a blur."""
+        scene = bpy.context.scene
+        tree = compositor.prepared(scene, scene.motus.chroma)
+        scene.motus.property_unset("chroma")
+        target = compositor._outlet(tree)
+        source = next(link.from_socket for link in tree.links if link.to_socket == target)
+        blur = tree.nodes.new("CompositorNodeBlur")
+        blur.name = "Own Blur"
+        nodes.link(tree, source, blur.inputs["Image"])
+        nodes.link(tree, blur.outputs["Image"], target)
+        return tree
+
+    def test_nodes_that_are_there_stay(self):
+        tree = self.own_tree()
+        before = state(bpy.context.scene)
+        key = self.set_up(clip=footage(self.folder))
+        self.assertEqual(compositor.tree_of(bpy.context.scene), tree)
+        self.assertEqual(key.inputs["Background"].links[0].from_node.name, "Own Blur")
+        self.assertEqual(compositor._outlet(tree).links[0].from_node, key)
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.assertEqual(state(bpy.context.scene), before)
+
+    def test_all_is_taken_back(self):
+        scene = bpy.context.scene
+        scene.render.resolution_x, scene.frame_end, scene.render.fps = 1234, 77, 25
+        scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        scene.collection.objects.link(scene.camera)
+        path, behind = footage(self.folder), footage(self.folder, name="behind.png")
+        for keywords in ({}, {"background": behind}, {"underneath": 'NOTHING'}, {"use_plane": True}, {"use_scene": False}):
+            with self.subTest(**keywords):
+                before = state(scene)
+                self.set_up(clip=path, **keywords)
+                self.assertNotEqual(state(scene), before)
+                self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+                self.assertEqual(state(scene), before)
+
+    def test_nodes_that_were_added_since_stay(self):
+        self.set_up(clip=footage(self.folder))
+        tree = compositor.tree_of(bpy.context.scene)
+        tree.nodes.new("CompositorNodeBlur").name = "Later"
+        bpy.ops.motus.chroma_key_remove()
+        self.assertIn("Later", compositor.tree_of(bpy.context.scene).nodes)
+
+    def test_without_an_output(self):
+        tree = self.own_tree()
+        tree.nodes.remove(compositor._outlet(tree).node)
+        key = self.set_up(clip=footage(self.folder))
+        self.assertEqual(compositor._outlet(tree).links[0].from_node, key)
+        self.assertEqual(key.inputs["Background"].links[0].from_node.type, 'R_LAYERS')
+
+    def test_saved_and_opened(self):
+        self.set_up(clip=footage(self.folder), grow=2, view='STATUS')
+        path = self.save()
+        bpy.ops.wm.open_mainfile(filepath=path)
+        scene = bpy.context.scene
+        self.assertEqual(self.value(compositor.key_of(scene), "grow"), 2)
+        self.assertEqual(scene.motus.chroma.view, 'STATUS')
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+
+    def test_a_group_that_somebody_has_taken_apart(self):
+        key = self.set_up(clip=footage(self.folder))
+        key.node_tree.nodes.clear()
+        for one in settings.OF_KEYING:
+            settings.assign(key, one, one.default)
+        bpy.context.scene.motus.chroma.view = 'MATTE'
+        self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+
+    # --- the plane ---------------------------------------------------------------------------------------------------
+
+    def test_plane_fills_the_view(self):
+        scene = bpy.context.scene
+        camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        scene.collection.objects.link(camera)
+        camera.location, camera.rotation_euler = (1.0, 2.0, 3.0), (0.5, 0.2, 1.0)
+        for kind in ('PERSP', 'ORTHO'):
+            camera.data.type = kind
+            self.set_up(clip=footage(self.folder), use_plane=True, camera="Camera", plane_distance=7.0)
+            plane = scene.motus.chroma.plane
+            bpy.context.view_layer.update()
+            from bpy_extras.object_utils import world_to_camera_view
+            seen = [world_to_camera_view(scene, camera, plane.matrix_world @ vertex.co) for vertex in plane.data.vertices]
+            np.testing.assert_allclose(sorted((round(p.x), round(p.y)) for p in seen), [(0, 0), (0, 1), (1, 0), (1, 1)])
+            np.testing.assert_allclose([p.z for p in seen], 7.0, rtol=1e-5)
+            np.testing.assert_allclose([(p.x - round(p.x), p.y - round(p.y)) for p in seen], 0.0, atol=1e-5)
+            self.assertTrue(plane.hide_render)
+            self.assertGreater(plane.data.polygons[0].normal.z, 0.99)
+            bpy.ops.motus.chroma_key_remove()
+
+    def test_plane_that_was_deleted(self):
+        bpy.context.scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        self.set_up(clip=footage(self.folder), use_plane=True)
+        bpy.data.objects.remove(bpy.context.scene.motus.chroma.plane)
+        self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+
+    # --- what is refused ---------------------------------------------------------------------------------------------
+
+    def test_missing_files(self):
+        self.refused("no clip, no image and no file", clip=str(self.folder / "none.mp4"))
+        self.refused("no clip, no image and no file", clip=footage(self.folder), background="none.png")
+        self.refused("Name a clip")
+        self.refused("Name the clip or image that is laid underneath", clip=footage(self.folder), underneath='FOOTAGE')
+        self.refused("There is no mask", clip=footage(self.folder), mask="Nobody")
+        self.refused("needs a camera", clip=footage(self.folder), use_plane=True)
+        broken = self.folder / "broken.png"
+        broken.write_text("no picture", encoding="utf-8")
+        self.refused("cannot be read as a picture", clip=str(broken))
+
+    def test_pictures_without_a_screen(self):
+        self.refused("no green or blue screen", clip=footage(self.folder, color=(0.4, 0.3, 0.2)))
+        self.refused("no green or blue screen", clip=footage(self.folder, color=(0.4, 0.4, 0.4), size=(1, 1), name="one.png"))
+        self.refused("green or blue", clip=footage(self.folder), color=(0.5, 0.4, 0.1))
+
+    def test_one_pixel(self):
+        key = self.set_up(clip=footage(self.folder, size=(1, 1)))
+        np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], cases.GREEN, atol=0.01)
+
+    def test_twice(self):
+        self.set_up(clip=footage(self.folder))
+        self.refused("has a chroma key already", clip=footage(self.folder))
+
+    def test_nothing_to_remove(self):
+        for operator in (bpy.ops.motus.chroma_key_remove, bpy.ops.motus.chroma_key_measure):
+            with self.assertRaisesRegex(RuntimeError, "has no chroma key"):
+                operator()
+
+    def test_linked_scene(self):
+        path = self.save()
+        with bpy.data.libraries.load(path, link=True) as (there, wanted):
+            wanted.scenes = there.scenes[:1]
+        own = bpy.context.window.scene
+        bpy.context.window.scene = wanted.scenes[0]
+        try:
+            self.refused("linked from another file", clip=footage(self.folder))
+        finally:
+            bpy.context.window.scene = own

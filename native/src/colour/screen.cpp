@@ -1,0 +1,278 @@
+#include "motus/colour/screen.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "motus/core/numeric.hpp"
+
+namespace motus::colour {
+namespace {
+
+constexpr double least_share = 0.02;
+constexpr double least_saturation = 0.25;
+constexpr double least_value = 0.01;
+
+/// Hue, saturation and value; the hue in degrees, [0, 360), 0 for grey.
+struct Hsv {
+    double hue = 0.0;
+    double saturation = 0.0;
+    double value = 0.0;
+};
+
+[[nodiscard]] Hsv hsv_of(const glm::dvec3& color) {
+    const double most = std::max({color.x, color.y, color.z}), least = std::min({color.x, color.y, color.z});
+    const double range = most - least;
+    if (!(range > 0.0) || !(most > 0.0)) return {.value = most};
+    double hue = color.x == most   ? (color.y - color.z) / range
+                 : color.y == most ? 2.0 + (color.z - color.x) / range
+                                   : 4.0 + (color.x - color.y) / range;
+    if (hue < 0.0) hue += 6.0;
+    return {60.0 * hue, std::min(range / most, 1.0), most};
+}
+
+/// Degrees between two hues, [0, 180].
+[[nodiscard]] double hue_distance(double a, double b) {
+    const double apart = std::abs(a - b);
+    return std::min(apart, 360.0 - apart);
+}
+
+[[nodiscard]] double luminance(const glm::dvec3& color) {
+    return 0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z;  // Rec. 709
+}
+
+/// By how much the screen's channel, 1 or 2, is above a mixture of the others.
+[[nodiscard]] double excess(const glm::dvec3& color, glm::length_t channel, double balance) {
+    const double one = color.x, other = color[3 - channel];
+    return color[channel] - (balance * std::min(one, other) + (1.0 - balance) * std::max(one, other));
+}
+
+/// The same, weighted by how far the mixture is from white, as Blender's node Keying has it.
+[[nodiscard]] double saturation(const glm::dvec3& color, glm::length_t channel, double balance) {
+    const double found = excess(color, channel, balance);
+    return found * std::abs(1.0 - (color[channel] - found));
+}
+
+[[nodiscard]] glm::length_t channel_of(const glm::dvec3& screen) {
+    return screen.y >= screen.z ? 1 : 2;
+}
+
+/// Weight of a pixel in the search for the screen: subjects stand in the middle.
+[[nodiscard]] double border_weight(std::size_t index, const Picture& picture) {
+    const std::size_t height = picture.pixels.size() / picture.width;
+    const auto off_middle = [](std::size_t place, std::size_t count) {
+        return std::abs(2.0 * (static_cast<double>(place) + 0.5) / static_cast<double>(count) - 1.0);
+    };
+    const double farthest =
+        std::max(off_middle(index % picture.width, picture.width), off_middle(index / picture.width, height));
+    return 0.25 + 0.75 * smooth_step((farthest - 0.4) / 0.5);
+}
+
+/// A value that counts as often as its weight says.
+struct Weighted {
+    double value = 0.0;
+    double weight = 1.0;
+};
+
+/// The value below which half of the weight lies. Orders the values, of which there is at least one.
+[[nodiscard]] double median(std::span<Weighted> values) {
+    std::ranges::sort(values, {}, &Weighted::value);
+    double half = 0.0;
+    for (const Weighted& one : values) half += 0.5 * one.weight;
+    for (const Weighted& one : values) {
+        half -= one.weight;
+        if (half <= 0.0) return one.value;
+    }
+    return values.back().value;
+}
+
+/// The value of which `share` of the values are smaller. Orders the values, of which there is at least one.
+[[nodiscard]] double quantile(std::vector<double>& values, double share) {
+    const auto index = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+    std::nth_element(values.begin(), values.begin() + index, values.end());
+    return values[static_cast<std::size_t>(index)];
+}
+
+constexpr std::size_t bins = 72;
+constexpr double degrees_a_bin = 360.0 / bins;
+
+/// The hue of most weight among green and blue ones, in degrees; none if there is none of these.
+[[nodiscard]] std::optional<double> screen_hue(std::span<const Weighted> hues) {
+    std::array<double, bins> histogram{};
+    for (const Weighted& one : hues)
+        histogram[static_cast<std::size_t>(one.value / degrees_a_bin) % bins] += one.weight;
+    std::size_t best = 0;
+    double most = 0.0;
+    for (std::size_t i = 0; i < bins; ++i) {
+        // Three bins at once: a hue on the border between two of them is no less frequent.
+        const double here = histogram[(i + bins - 1) % bins] + 2.0 * histogram[i] + histogram[(i + 1) % bins];
+        if (here > most) {
+            most = here;
+            best = i;
+        }
+    }
+    if (most == 0.0) return std::nullopt;
+    return (static_cast<double>(best) + 0.5) * degrees_a_bin;
+}
+
+[[nodiscard]] bool is_candidate(const Hsv& hsv) {
+    constexpr double first_green = 75.0, last_blue = 270.0;
+    return hsv.saturation > least_saturation && hsv.value > least_value && hsv.hue >= first_green &&
+           hsv.hue <= last_blue;
+}
+
+/// What a pixel of a judged picture is of.
+enum class Kind : std::uint8_t { screen, subject };
+
+[[nodiscard]] Kind kind_of(const glm::dvec3& pixel, const glm::dvec3& screen) {
+    constexpr double same_hue = 25.0;
+    const Hsv here = hsv_of(pixel), wanted = hsv_of(screen);
+    const bool is_alike = hue_distance(here.hue, wanted.hue) < same_hue &&
+                          here.saturation > 0.7 * wanted.saturation && here.value > 0.3 * wanted.value;
+    return is_alike ? Kind::screen : Kind::subject;
+}
+
+/// Whether all pixels at most `reach` away, those beyond the border left out, are of the kind.
+[[nodiscard]] bool is_inside(std::span<const Kind> kinds, std::size_t width, std::size_t index,
+                             std::size_t reach, Kind kind) {
+    const std::size_t height = kinds.size() / width, x = index % width, y = index / width;
+    for (std::size_t row = y - std::min(y, reach); row <= std::min(y + reach, height - 1); ++row)
+        for (std::size_t column = x - std::min(x, reach); column <= std::min(x + reach, width - 1); ++column)
+            if (kinds[row * width + column] != kind) return false;
+    return true;
+}
+
+/// Means of the colours at most `reach` away along a line of pixels, which begins at `first` and goes on
+/// every `step`.
+void smooth_line(std::span<glm::dvec3> colors, std::size_t first, std::size_t step, std::size_t count,
+                 std::size_t reach) {
+    std::vector<glm::dvec3> sums(count + 1, glm::dvec3(0.0));
+    for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + colors[first + i * step];
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t from = i - std::min(i, reach), to = std::min(i + reach + 1, count);
+        colors[first + i * step] = (sums[to] - sums[from]) / static_cast<double>(to - from);
+    }
+}
+
+/// Of which kind each pixel is, by the mean colour around it: noise does not change it.
+[[nodiscard]] std::vector<Kind> kinds_of(const Picture& picture, const glm::dvec3& color, std::size_t reach) {
+    const std::size_t height = picture.pixels.size() / picture.width;
+    std::vector<glm::dvec3> smoothed(picture.pixels.begin(), picture.pixels.end());
+    for (std::size_t row = 0; row < height; ++row)
+        smooth_line(smoothed, row * picture.width, 1, picture.width, reach);
+    for (std::size_t column = 0; column < picture.width; ++column)
+        smooth_line(smoothed, column, picture.width, height, reach);
+    std::vector<Kind> kinds(smoothed.size());
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+        kinds[i] = picture.pixels[i].w < 0.5F ? Kind::subject : kind_of(smoothed[i], color);
+    return kinds;
+}
+
+/// Numbers of all pixels of the screen.
+struct ScreenNumbers {
+    std::vector<double> luminances, reds, greens, mattes;
+};
+
+void judge_evenness(ScreenNumbers& found, Report& report) {
+    const double middle = quantile(found.luminances, 0.5);
+    if (middle > 0.0)
+        report.luminance_spread =
+            (quantile(found.luminances, 0.95) - quantile(found.luminances, 0.05)) / middle;
+    std::vector<double> reds = found.reds, greens = found.greens;
+    const double red = quantile(reds, 0.5), green = quantile(greens, 0.5);
+    std::vector<double> distances(found.reds.size());
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const double r = found.reds[i] - red, g = found.greens[i] - green;
+        distances[i] = std::sqrt(r * r + g * g + (r + g) * (r + g));
+    }
+    report.chroma_spread = quantile(distances, 0.95);
+}
+
+}  // namespace
+
+std::optional<glm::dvec3> screen_color(const Picture& picture) {
+    std::vector<Weighted> hues;
+    std::vector<std::size_t> places;
+    double whole = 0.0;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        const double weight = border_weight(i, picture);
+        whole += weight;
+        const Hsv hsv = hsv_of(glm::dvec3(picture.pixels[i]));
+        // What is transparent already is no screen.
+        if (picture.pixels[i].w < 0.5F || !is_candidate(hsv)) continue;
+        hues.push_back({hsv.hue, weight * hsv.saturation});
+        places.push_back(i);
+    }
+    const std::optional<double> hue = screen_hue(hues);
+    if (!hue) return std::nullopt;
+
+    constexpr double same_hue = 20.0;
+    std::array<std::vector<Weighted>, 3> channels;
+    double found = 0.0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (hue_distance(hues[i].value, *hue) > same_hue) continue;
+        found += border_weight(places[i], picture);
+        for (glm::length_t channel = 0; channel < 3; ++channel)
+            channels[static_cast<std::size_t>(channel)].push_back(
+                {static_cast<double>(picture.pixels[places[i]][channel]), hues[i].weight});
+    }
+    if (found < least_share * whole) return std::nullopt;
+    const glm::dvec3 color{median(channels[0]), median(channels[1]), median(channels[2])};
+    if (!is_screen_color(color)) return std::nullopt;
+    return color;
+}
+
+bool is_screen_color(const glm::dvec3& color) {
+    if (!is_finite(color) || !(std::max(color.y, color.z) > 0.0)) return false;
+    const glm::length_t channel = channel_of(color);
+    return excess(color, channel, 0.0) > 0.0 && std::max(color.x, color[3 - channel]) < 1.0;
+}
+
+double matte(const glm::dvec3& pixel, const glm::dvec3& screen, double balance) {
+    const glm::length_t channel = channel_of(screen);
+    return std::clamp(1.0 - saturation(pixel, channel, balance) / saturation(screen, channel, balance), 0.0,
+                      1.0);
+}
+
+Report judge_screen(const Picture& picture, const glm::dvec3& color) {
+    require(is_screen_color(color), "color must be a green or a blue");
+    const glm::length_t channel = channel_of(color);
+    // Neither screen nor subject is where the two may be mixed.
+    constexpr std::size_t reach = 2;
+    const std::vector<Kind> kinds = kinds_of(picture, color, reach);
+    ScreenNumbers screen;
+    std::vector<double> subject;
+    double spill = 0.0;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (picture.pixels[i].w < 0.5F || !is_inside(kinds, picture.width, i, reach, kinds[i])) continue;
+        const glm::dvec3 pixel(picture.pixels[i]);
+        if (kinds[i] == Kind::subject) {
+            subject.push_back(matte(pixel, color));
+            spill += std::max(0.0, excess(pixel, channel, 0.0));
+            continue;
+        }
+        const double sum = pixel.x + pixel.y + pixel.z;
+        screen.luminances.push_back(luminance(pixel));
+        screen.reds.push_back(pixel.x / sum);
+        screen.greens.push_back(pixel.y / sum);
+        screen.mattes.push_back(matte(pixel, color));
+    }
+
+    Report report;
+    report.share =
+        static_cast<double>(std::ranges::count(kinds, Kind::screen)) / static_cast<double>(kinds.size());
+    if (!screen.mattes.empty()) {
+        judge_evenness(screen, report);
+        report.black = std::min(quantile(screen.mattes, 0.98), 0.9);
+    }
+    if (!subject.empty()) {
+        report.spill = spill / static_cast<double>(subject.size()) / excess(color, channel, 0.0);
+        report.white = quantile(subject, 0.02);
+    }
+    report.white = std::clamp(report.white, report.black + 0.1, 1.0);
+    return report;
+}
+
+}  // namespace motus::colour
