@@ -18,7 +18,7 @@ void bind_picker(pybind11::module_& m);
 void bind_pull(pybind11::module_& m);
 void bind_lattice(pybind11::module_& m);
 void bind_noise(pybind11::module_& m);
-void bind_screen(pybind11::module_& m);
+void bind_colour(pybind11::module_& m);
 void bind_snow(pybind11::module_& m);
 void bind_stereo(pybind11::module_& m);
 void bind_pendulum(pybind11::module_& m);

@@ -25,7 +25,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_pull(m);
     bind_lattice(m);
     bind_noise(m);
-    bind_screen(m);
+    bind_colour(m);
     bind_snow(m);
     bind_stereo(m);
     bind_pendulum(m);

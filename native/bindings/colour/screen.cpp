@@ -102,7 +102,7 @@ struct Pixels {
 
 }  // namespace
 
-void bind_screen(py::module_& m) {
+void bind_colour(py::module_& m) {
     m.def("screen_color", &color_of_screen, "picture"_a, R"(
 Colour of the green or blue screen in a picture, or None if there is none on at least a fiftieth of it.
 
