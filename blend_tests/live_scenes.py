@@ -13,7 +13,7 @@ FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, things with dynamics, pins, a pulled lattice, pendulums, a stereo camera; and users' drivers."""
+    """A follower, a train, an arm, a figure that looks, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo camera; and users' drivers."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
     for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
         target.location = place
@@ -23,6 +23,7 @@ def build():
     _dynamics()
     _meshes()
     _pendulums()
+    _snow()
     _stereo()
     bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
     bpy.context.view_layer.update()
@@ -100,6 +101,15 @@ def _pendulums():
     hook.keyframe_insert("motus.pendulum.speed", frame=1)
     bpy.ops.motus.pendulum_add(kind='FAN', count=3, use_trails=True, location=(0.0, -8.0, 3.0))
     bpy.context.object.select_set(False)
+
+
+def _snow():
+    bpy.ops.motus.snow_add(preset='GENTLE', rate=20.0, lifetime=2.0, look='POINTS', location=(0.0, 8.0, 5.0))
+    cloud = bpy.context.object
+    for frame, place in ((1, -1.0), (40, 1.0)):
+        cloud.location.x = place
+        cloud.keyframe_insert("location", frame=frame)
+    cloud.select_set(False)
 
 
 def _stereo():

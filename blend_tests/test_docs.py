@@ -99,6 +99,20 @@ class ExamplesTest(support.SceneTestCase):
         self.assertFalse(lamp.animation_data and lamp.animation_data.drivers)
         self.assertEqual([curve.data_path for curve in lamp.data.animation_data.drivers], ["energy"])
 
+    def test_the_scripted_example_snows(self):
+        scripted, = [code for code in examples(DOCS / "snow.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": seen.append}
+        before = set(bpy.data.objects)
+        exec(compile(scripted, "snow.md", "exec"), scope)
+        # 500 a second, for 9 seconds more or less.
+        self.assertAlmostEqual(seen[0], 4500, delta=100)
+        self.assertEqual(set(bpy.data.objects), before)
+
+    def test_the_native_example_of_snow_runs(self):
+        scope = self.run_native("snow.md")
+        self.assertEqual(scope["flakes"]["position"].shape, (5000, 3))
+
     def test_the_scripted_example_drags_the_pendulum(self):
         scripted, = [code for code in examples(DOCS / "pendulums.md") if "bpy.ops.motus" in code]
         seen = []

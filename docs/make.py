@@ -15,6 +15,7 @@ import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
 import pendulum_pictures  # noqa: E402
 import pull_pictures  # noqa: E402
+import snow_pictures  # noqa: E402
 import stereo_pictures  # noqa: E402
 import support  # noqa: E402
 
@@ -25,6 +26,6 @@ pictures = HERE / "pictures"
 for render in (
         path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
         lattice_pictures.render_all, dynamics_pictures.render_all, pendulum_pictures.render_all,
-        stereo_pictures.render_all, demo_pictures.render_all):
+        snow_pictures.render_all, stereo_pictures.render_all, demo_pictures.render_all):
     for picture in render(pictures):
         print(f"docs/pictures/{picture.name}")

@@ -1,6 +1,6 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import chroma, drivers, dynamics, ik, lattice, look_at, path, pendulum, pull, stereo
+from . import chroma, drivers, dynamics, ik, lattice, look_at, path, pendulum, pull, snow, stereo
 
 SYSTEMS = (
     path.SYSTEM,
@@ -11,6 +11,7 @@ SYSTEMS = (
     lattice.SYSTEM,
     pendulum.SYSTEM,
     pendulum.TRAILS,
+    snow.SYSTEM,
     stereo.SYSTEM,
     chroma.FEATURE,
     drivers.FEATURE,

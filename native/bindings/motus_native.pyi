@@ -7,7 +7,7 @@ name is its manual.
 """
 
 from enum import IntEnum
-from typing import Literal, Sequence, Union, overload
+from typing import Callable, Literal, Sequence, Union, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -624,7 +624,8 @@ class Snow:
         self,
         time: float,
         fields: Sequence[_FlakeField] | None = None,  # None: those in out, or all
-        out: dict[str, NDArray] | None = None,  # C-contiguous, m rows or more, written into
+        # C-contiguous, m rows or more, written into; or a function of m that gives them
+        out: dict[str, NDArray] | Callable[[int], dict[str, NDArray]] | None = None,
     ) -> dict[str, NDArray]: ...
     # By time: float64 time (n,), int64 id (n,), float32 position (n, 3), int64 triangle (n,), -1 for the ground.
     def landings(self, end: float) -> dict[str, NDArray]: ...

@@ -13,7 +13,7 @@ from . import copies, deleted
 from .lazy import numpy as np
 from .per_thread import kept
 from .stored import Damaged
-from .wiring.scratch import scratch
+from .scratch import scratch
 
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
 """Bone.inherit_scale as motus::InheritScale; Blender's own numbers are others."""

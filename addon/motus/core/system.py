@@ -250,12 +250,15 @@ class Points:
     shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; or 'TUBES' around such.
     space: 'WORLD', in which the points stay where they are while the owner moves, or 'LOCAL', the owner's.
     capacity: more points than that there never are.
+    unneeded: says of settings which attributes' names there is no need for: points have them neither, nor the time that they
+    take. It may depend on settings alone whose change wires anew (settings.rewire).
     """
 
     attributes: tuple = ()
     shape: str = 'POINTS'
     space: str = 'WORLD'
     capacity: int = 1 << 22
+    unneeded: Callable = lambda _settings: ()
 
 
 @dataclass(frozen=True)

@@ -57,6 +57,13 @@ SCENES = (
         ambience=0.6,
     ),
     DemoScene(
+        name="snow", identifier="SNOW", module="evening", label="Quiet Evening",
+        description="Snow that falls on a cabin at the edge of a wood, without a cache",
+        stills=(("Evening Camera", 4.0), ("Evening Camera", 1.0), ("Evening Camera", 8.0)),
+        film=(0.0, 10.0),
+        ambience=1.0,
+    ),
+    DemoScene(
         name="stereo", identifier="STEREO", module="colonnade", label="Stereo Colonnade",
         description="An aeroplane between columns at several depths, filmed by a stereo camera that looks after it",
         stills=(("Stereo Camera", 4.0), ("Stereo Camera", 4.0), ("Stereo Camera", 7.4)),

@@ -341,15 +341,16 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
 }
 
 [[nodiscard]] py::dict evaluate(const Snow& self, const py::object& given_time, const py::object& fields,
-                                const py::object& out) {
+                                const py::object& given_out) {
     const double time = number(given_time, "time");
-    if (!out.is_none() && !py::isinstance<py::dict>(out)) wrong_type(out, "out", "a dict of arrays");
-    const std::vector<Field> names = wanted(fields, out);
     const snow::Living living = [&] {
         const py::gil_scoped_release released;
         return self.living(time);
     }();
     const auto count = static_cast<py::ssize_t>(living.count);
+    const py::object out = PyCallable_Check(given_out.ptr()) != 0 ? given_out(count) : given_out;
+    if (!out.is_none() && !py::isinstance<py::dict>(out)) wrong_type(out, "out", "a dict of arrays");
+    const std::vector<Field> names = wanted(fields, out);
     py::dict result;
     snow::Fields rows;
     for (const Field& field : names) {
@@ -438,7 +439,8 @@ The flakes that live at `time`, s, as a dict of arrays in the order of their num
 (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).
 
 fields: names of those wanted; None: those in out, or all.
-out: a dict of C-contiguous arrays of m rows or more, written into; the result has views of their first m rows.
+out: a dict of C-contiguous arrays of m rows or more, written into, or a function that is called with m and gives one; the
+result has views of their first m rows.
 The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.)");
 
     py::class_<Cover>(m, "SnowCover", py::module_local(), R"(

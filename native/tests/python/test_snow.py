@@ -44,6 +44,20 @@ class SnowTest(unittest.TestCase):
             self.assertFalse(array[count:].any(), name)
         self.assertEqual(set(snow.evaluate(7.0, ["age", "id"], out)), {"age", "id"})
 
+    def test_a_function_gives_the_arrays(self):
+        snow, counts = native.Snow(rate=1000, random_lifetime=True), []
+
+        def room(count):
+            counts.append(count)
+            return {"position": np.zeros((count, 3), np.float32)}
+
+        found = snow.evaluate(7.0, out=room)
+        np.testing.assert_array_equal(found["position"], snow.evaluate(7.0)["position"])
+        self.assertEqual(counts, [len(found["position"])])
+        for wrong in (lambda count: 1, lambda: {}):
+            with self.assertRaises(TypeError):
+                snow.evaluate(7.0, out=wrong)
+
     def test_emitter_and_bursts(self):
         matrices = np.tile(np.eye(4), (2, 1, 1))
         matrices[1, :3, 3] = 10.0, 0.0, 5.0

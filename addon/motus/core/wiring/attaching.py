@@ -43,7 +43,7 @@ def _wire(system, owner, group):
     if uses_attribute:
         attribute_sink.prepare(system, hub.data, owner, group)
     elif system.has_modifier:
-        geometry_sink.prepare(system, hub.data)
+        geometry_sink.prepare(system, hub.data, of_owner(system, owner))
     outbox.create(system, hub.data, group, uses_attribute)
     if carriers.has_outlet(system, owner):
         outbox.create_outlet(system, owner, hub.data)

@@ -15,10 +15,10 @@ from bpy.app.handlers import persistent
 
 from .. import native, stored
 from ..lazy import numpy as np
+from ..scratch import scratch
 from ..stored import Damaged
 from ..system import Variable, groups_of, systems
 from . import attributes, drivers, marks, outbox
-from .scratch import scratch
 
 ATTRIBUTE = "motus_transform"
 STILL_KEY = "motus_still"

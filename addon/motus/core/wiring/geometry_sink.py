@@ -15,9 +15,9 @@ KEY = "motus_system"
 HUB = "Hub"
 
 
-def prepare(system, mesh):
-    """Give a hub's mesh the attributes that the solver fills."""
-    _kind(system).prepare(system, mesh)
+def prepare(system, mesh, settings):
+    """Give a hub's mesh the attributes that the solver fills for an owner with these settings."""
+    _kind(system).prepare(system, mesh, settings)
 
 
 def add(system, owner, hub):

@@ -9,9 +9,9 @@ import bmesh
 
 from .. import capabilities, native, node_groups
 from ..lazy import numpy as np
+from ..scratch import scratch
 from ..stored import Damaged
 from . import attributes
-from .scratch import scratch
 
 IS_FIRST = False
 """The modifier is added behind those that the owner has: these shape what the owner has by itself."""
@@ -21,7 +21,7 @@ TUBE_SIDES = 8
 RADIUS = "radius"
 
 _forms = {}
-"""(system's name, attributes) -> an empty BMesh with them, of which meshes are made that have them."""
+"""(system's name, (name, kind) of its attributes) -> an empty BMesh with them, of which meshes are made that have them."""
 _TYPES = {'FLOAT': 'FLOAT', 'INT': 'INT', 'VECTOR': 'FLOAT_VECTOR', 'COLOR': 'FLOAT_COLOR', 'QUATERNION': 'QUATERNION'}
 """Kind of an attribute -> its type, in Blenders that have it."""
 
@@ -30,7 +30,7 @@ class Room:
     """What the solver asks for points. is_full: for more than there may be."""
 
     def __init__(self, system, carrier, _inputs, context):
-        self._system, self._made, self._carrier = system, system.makes_points, carrier
+        self._system, self._made, self._carrier, self._settings = system, system.makes_points, carrier, context.settings
         self._found, self._staged = None, ()
         self.is_full = False
         context.points = self._points
@@ -38,10 +38,10 @@ class Room:
     def _points(self, count):
         self.is_full = count > self._made.capacity
         count = min(count, self._made.capacity)
-        _resize(self._system, self._carrier, int(count))
+        present = _resize(self._system, self._carrier, int(count), self._settings)
         self._staged = []
         self._found = {"position": self._positions(count)}
-        for name, kind in self._made.attributes:
+        for name, kind in present:
             self._found[name] = self._rotations(name, count) if _is_staged(kind) else attributes.memory(
                 self._carrier, name, _TYPES[kind])
         return self._found
@@ -72,10 +72,12 @@ class Room:
             _join(self._carrier, self._found["curve"])
 
 
-def prepare(system, mesh):
+def prepare(system, mesh, settings):
     """Give a hub's mesh the attributes of the points."""
+    unneeded = system.makes_points.unneeded(settings)
     for name, kind in system.makes_points.attributes:
-        mesh.attributes.new(name, _type(kind), 'POINT')
+        if name not in unneeded:
+            mesh.attributes.new(name, _type(kind), 'POINT')
 
 
 def write_nothing(_system, carrier):
@@ -131,7 +133,7 @@ def _as_tubes(made, group, curves):
 
 def _link_radius(made, group, node, name):
     if (RADIUS, 'FLOAT') in made.attributes:
-        group.links.new(node_groups.named_attribute(group, RADIUS, 'FLOAT'), node.inputs[name])
+        group.links.new(node_groups.add_node(group, "GeometryNodeInputRadius").outputs[0], node.inputs[name])
 
 
 def _type(kind):
@@ -143,19 +145,29 @@ def _is_staged(kind):
     return kind == 'QUATERNION' and not capabilities.has_quaternion_attributes()
 
 
-def _resize(system, carrier, count):
-    """Give an evaluated mesh the attributes of the points, and so many of these, whose content is undefined."""
-    key = system.name, system.makes_points.attributes
-    form = _forms.get(key)
+def _resize(system, carrier, count, settings):
+    """Give an evaluated mesh the attributes of the points, and so many of these, whose content is undefined.
+
+    Returns which attributes these are: pairs of name and kind.
+    """
+    mesh, made = carrier.original, system.makes_points
+    names = mesh.attributes.keys()
+    present = tuple(one for one in made.attributes if one[0] in names)
+    if len(present) < len(made.attributes):
+        missing = {name for name, _ in made.attributes}.difference(names)
+        if not missing.issubset(made.unneeded(settings)):
+            raise Damaged("another form than that of the points")
+    form = _forms.get((system.name, present))
     if form is None:
-        form = _forms[key] = _form_of(system, carrier.original)
+        form = _forms[system.name, present] = _form_of(mesh, present)
     # Of all that empties a mesh this alone leaves it the driver that is being evaluated.
     form.to_mesh(carrier)
     carrier.vertices.add(count)
+    return present
 
 
-def _form_of(system, mesh):
-    declared = dict(system.makes_points.attributes)
+def _form_of(mesh, present):
+    declared = dict(present)
     own = {"position", *(one.name for one in mesh.attributes if one.name.startswith("."))}
     if len(mesh.vertices) or not own.union(declared).issuperset(mesh.attributes.keys()):
         raise Damaged("another form than that of the points")

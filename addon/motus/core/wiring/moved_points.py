@@ -2,9 +2,9 @@
 
 from .. import node_groups
 from ..lazy import numpy as np
+from ..scratch import scratch
 from ..system import Vertices
 from . import attributes
-from .scratch import scratch
 
 ATTRIBUTE = "motus_offset"
 IS_FIRST = True
@@ -30,7 +30,7 @@ class Room:
         _write(self._carrier, self._offsets)
 
 
-def prepare(_system, mesh):
+def prepare(_system, mesh, _settings):
     """Give a hub's mesh the attribute that the solver fills."""
     mesh.attributes.new(ATTRIBUTE, 'FLOAT_VECTOR', 'POINT')
 

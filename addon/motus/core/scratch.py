@@ -1,7 +1,7 @@
 """Arrays that a thread uses again for every solve: fresh ones would have their memory mapped anew on each frame."""
 
-from ..lazy import numpy as np
-from ..per_thread import kept
+from .lazy import numpy as np
+from .per_thread import kept
 
 
 def scratch(name, shape, dtype):

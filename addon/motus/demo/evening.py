@@ -1,0 +1,109 @@
+"""The scene "Motus Snow": a quiet evening at the edge of a wood, a cabin with lit windows, and snow that falls."""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+from . import evening_land, evening_props, materials, shapes, staging
+
+SCENE_NAME = "Motus Snow"
+FRAMES_PER_SECOND = 24
+SECONDS = 10
+
+# Sky colours from the horizon to the zenith: (sine of the elevation, linear rgb).
+SKY_STOPS = (
+    (0.0, (0.50, 0.33, 0.34)),
+    (0.10, (0.24, 0.25, 0.40)),
+    (0.35, (0.055, 0.095, 0.23)),
+    (1.0, (0.012, 0.028, 0.095)),
+)
+SKY_STRENGTH = 0.55
+MOON_COLOR, MOON_STRENGTH, MOON_ROTATION = (0.55, 0.68, 1.0), 0.45, (0.75, 0.15, 0.9)
+VIEWS = (("AgX", "AgX - Medium High Contrast", 0.9), ("Filmic", "Medium High Contrast", 0.6))
+# Name, place, half width, flakes a second, seed: over the whole place, and a few more before the camera.
+CLOUDS = (
+    ("Snowfall", (0.0, 12.0, 10.0), 15.0, 2600.0, 0),
+    ("Near Snowfall", (0.0, -2.5, 6.0), 4.5, 220.0, 1),
+)
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.2, -8.6, 1.75)), Vector((-0.5, 12.0, 2.35)), 36.0
+CAMERA_TRAVEL = 1.1  # m to the left, in the whole scene
+
+
+def build(context):
+    """Build the scene, show it in the window and return it."""
+    scene = bpy.data.scenes.new(SCENE_NAME)
+    context.window.scene = scene
+    scene.render.fps = FRAMES_PER_SECOND
+    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
+    scene.frame_start, scene.frame_end = 1, SECONDS * FRAMES_PER_SECOND
+    scene.frame_set(1)
+    land, snow = (staging.new_collection(scene, name) for name in ("Evening", "Snowfall"))
+    scene.world = _world()
+    _set_view(scene)
+    _add_moon(land)
+    lying = evening_land.snow_material()
+    evening_land.build(land, lying)
+    evening_props.build(land, lying)
+    _add_camera(scene, land)
+    _add_snow(context, snow)
+    scene.frame_set(1)
+    return scene
+
+
+def _world():
+    """The last light of the day."""
+    world = bpy.data.worlds.new("Motus Dusk")
+    if not world.use_nodes:
+        world.use_nodes = True
+    world.node_tree.nodes.clear()
+    shader = materials.Shader(world.node_tree)
+    direction = shader.add("ShaderNodeTexCoord").outputs["Generated"]
+    height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
+    color = shader.ramp(shader.math("MAXIMUM", height, 0.0), SKY_STOPS)
+    background = shader.add("ShaderNodeBackground", {"Color": color, "Strength": SKY_STRENGTH})
+    output = shader.add("ShaderNodeOutputWorld")
+    shader.feed(output.inputs["Surface"], background.outputs[0])
+    return world
+
+
+def _set_view(scene):
+    view = scene.view_settings
+    for transform, look, exposure in VIEWS:
+        try:
+            view.view_transform = transform
+            view.look = look
+        except TypeError:  # this Blender does not know the name
+            continue
+        view.exposure = exposure
+        break
+
+
+def _add_moon(collection):
+    lamp = bpy.data.lights.new("Moon", "SUN")
+    lamp.energy, lamp.color, lamp.angle = MOON_STRENGTH, MOON_COLOR, math.radians(4.0)
+    shapes.link_object(collection, "Moon", lamp).rotation_euler = MOON_ROTATION
+
+
+def _add_snow(context, collection):
+    """Gentle snow, by the public operator."""
+    view_layer = context.view_layer
+    view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
+    for name, place, radius, rate, seed in CLOUDS:
+        if bpy.ops.motus.snow_add(
+                preset="GENTLE", location=place, cone_radius=radius, rate=rate, seed=seed) != {"FINISHED"}:
+            raise RuntimeError("The snow could not be added")
+        context.object.name = name
+
+
+def _add_camera(scene, collection):
+    """A camera that moves slowly to the side."""
+    data = bpy.data.cameras.new("Evening Camera")
+    data.lens = CAMERA_LENS
+    camera = shapes.link_object(collection, "Evening Camera", data)
+    for frame, side in ((scene.frame_start, 0.5), (scene.frame_end, -0.5)):
+        camera.location = CAMERA_PLACE + Vector((side * CAMERA_TRAVEL, 0.0, 0.0))
+        camera.rotation_euler = (CAMERA_AIM - camera.location).to_track_quat("-Z", "Y").to_euler()
+        camera.keyframe_insert("location", frame=frame)
+        camera.keyframe_insert("rotation_euler", frame=frame)
+    scene.camera = camera

@@ -1,0 +1,23 @@
+"""Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
+
+from ..core.system import System
+from . import operators, overlay, panel, presets, properties, solve
+
+SYSTEM = System(
+    name="snow",
+    label="Snow",
+    settings=properties.MOTUS_PG_snow,
+    classes=(
+        # The group before the one that holds it.
+        properties.MOTUS_PG_snow_stop, properties.MOTUS_PG_snow,
+        *operators.classes, *presets.classes, *panel.classes,
+    ),
+    inputs=solve.INPUTS,
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    makes_points=solve.POINTS,
+    unbakeable=solve.UNBAKEABLE.sentence,
+    overlay=overlay.overlay,
+    add_menu=("motus.snow_add",),
+    object_menu=("motus.snow_remove",),
+)

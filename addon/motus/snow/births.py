@@ -1,0 +1,98 @@
+"""Where the emitter is when flakes are born: its motion over time, and the faces that flakes leave."""
+
+import hashlib
+import math
+from typing import Any, NamedTuple
+
+from ..core import tracks
+from ..core.lazy import numpy as np
+
+BLOCK = 256
+"""Frames. Motions are read by whole blocks, so that what is read stays the same for a while."""
+LONGEST = 4096
+"""Frames of a motion that are read at once, whatever frame it is."""
+PARTS = 4
+"""Samples from one frame, or key, to the next, between which the library goes on linearly and turns evenly."""
+
+
+class Poses(NamedTuple):
+    """Where the emitter is over time. stamp: hashable, of all that the samples were read from."""
+
+    stamp: Any
+    seconds: Any
+    matrices: Any
+
+    def __eq__(self, other):
+        return self.stamp == other.stamp
+
+    def __hash__(self):
+        return hash(self.stamp)
+
+
+class Faces(NamedTuple):
+    """Triangles in the space of their object. stamp: of their content."""
+
+    stamp: Any
+    positions: Any
+    triangles: Any
+
+    __eq__, __hash__ = Poses.__eq__, Poses.__hash__
+
+
+def track(obj, scene):
+    """The Track of what flakes are born at."""
+    return tracks.world_track(obj, scene)
+
+
+def standing(matrix):
+    """Poses of an emitter that has always been where it is."""
+    rows = np.array(matrix, float)
+    return Poses(rows.tobytes(), np.zeros(1), rows[None])
+
+
+def moving(moved, frame, longest, start_frame, fps):
+    """Poses of an emitter at which the flakes that there are on a frame were born; None where they are not finite.
+
+    moved: a Track that is known. longest: seconds that a flake lives, at most.
+    """
+    first, last = _span(moved.extent, frame - longest * fps, frame)
+    name = "snow", first, last, start_frame, fps
+    found = tracks.kept(moved, name, lambda: _sampled(moved, first, last, start_frame, fps))
+    if not np.isfinite(found[1]).all():
+        return None
+    # Where nobody can tell whether the motion is still the same, these are poses like no others.
+    return Poses((moved.stamp, name) if moved.stamp is not None else object(), *found)
+
+
+def _span(extent, first, last):
+    """Frames over which the motion is read: all of a short one, or the blocks that hold what is asked for."""
+    start, end = extent if extent else (last, last)
+    if not end - start <= LONGEST:
+        start = min(max(start, BLOCK * math.floor(first / BLOCK)), BLOCK * math.floor(last / BLOCK))
+        end = max(min(end, BLOCK * (math.floor(last / BLOCK) + 1)), start)
+    return start, end
+
+
+def _sampled(moved, first, last, start_frame, fps):
+    edges = np.unique(np.array([first, *moved.bounds(first, last), last], float))
+    parts = np.arange(PARTS) / PARTS
+    frames = np.append((edges[:-1, None] + np.diff(edges)[:, None] * parts).ravel(), edges[-1])
+    seconds, places = np.unique((frames - start_frame) / fps, return_index=True)
+    return seconds, moved.values(frames[places])
+
+
+def faces(mesh):
+    """The Faces of an evaluated mesh; None where it has no area."""
+    mesh.calc_loop_triangles()
+    count = len(mesh.loop_triangles)
+    positions = np.empty(3 * len(mesh.vertices), np.float32)
+    triangles = np.empty(3 * count, np.int32)
+    areas = np.empty(count, np.float32)
+    mesh.vertices.foreach_get("co", positions)
+    mesh.loop_triangles.foreach_get("vertices", triangles)
+    mesh.loop_triangles.foreach_get("area", areas)
+    if not (np.isfinite(positions).all() and (areas > 0.0).any()):
+        return None
+    stamp = hashlib.blake2b(positions, digest_size=16)
+    stamp.update(triangles)
+    return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3))

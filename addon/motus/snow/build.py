@@ -1,0 +1,59 @@
+"""Making emitters and taking them away."""
+
+import math
+
+import bpy
+from mathutils import Euler
+
+from ..core import wiring
+from ..core.system import forget, registered
+from ..core.translations import tr
+from . import look
+
+DOWN = Euler((math.pi, 0.0, 0.0))
+# Edges that show where an emitter is and to where flakes leave: a square and an arrow. Edges are not rendered.
+MARK = (
+    [(-0.5, -0.5, 0.0), (0.5, -0.5, 0.0), (0.5, 0.5, 0.0), (-0.5, 0.5, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, 0.6),
+     (0.1, 0.0, 0.45), (-0.1, 0.0, 0.45)],
+    [(0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (5, 7)], [])
+
+
+def system():
+    """The registered System."""
+    return registered["snow"]
+
+
+def new_emitter(context, place):
+    """An emitter without settings, that faces down."""
+    name = tr("Snow")
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(*MARK)
+    emitter = bpy.data.objects.new(name, mesh)
+    emitter.location, emitter.rotation_euler = place, DOWN
+    (context.collection or context.scene.collection).objects.link(emitter)
+    emitter.motus.snow.has_made_emitter = True
+    return emitter
+
+
+def wire(emitter):
+    """Let an emitter with its settings snow."""
+    wiring.attach(system(), emitter)
+    look.dress(emitter)
+
+
+def remove(emitter, keeps_object):
+    """Take the snow off an emitter, and the emitter away where it was made for it."""
+    was_made = emitter.motus.snow.has_made_emitter
+    look.drop(emitter)
+    wiring.detach(system(), emitter)
+    forget(system(), emitter)
+    if not was_made or keeps_object:
+        return
+    mesh = emitter.data
+    for child in list(emitter.children):
+        place = child.matrix_world.copy()
+        child.parent = None
+        child.matrix_world = place
+    bpy.data.objects.remove(emitter)
+    if mesh.users == 0:
+        bpy.data.meshes.remove(mesh)

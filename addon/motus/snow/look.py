@@ -1,0 +1,255 @@
+"""What flakes look like: a modifier behind the snow's own puts instances on its points."""
+
+import math
+
+import bpy
+
+from ..core import capabilities, node_groups, wiring
+from ..core.system import registered
+
+KEY = "motus_flakes"
+"""Custom property of what is made here, by which it is found again: which of these it is."""
+GROUP = MODIFIER = "Motus Flakes"
+ICE, GLOW, WHITE = "Motus Flake", "Motus Spark", "Motus Flake Points"
+"""Materials."""
+OBJECT, COLLECTION = "Flake", "Flakes"
+GLOW_STRENGTH = 12.0
+
+# Of a crystal's arm along +X, of a flake of radius 1: half the width of the arm at its foot and near its tip, and
+# (foot, length, half the width) of the twigs, which leave it by 60 degrees.
+ARM_WIDTHS = 0.075, 0.05
+TIP = 0.93
+TWIGS = (0.32, 0.22, 0.045), (0.52, 0.30, 0.045), (0.74, 0.17, 0.035)
+CORE = 0.2
+# Of a petal of radius 1: (along, half the width, how far it is bent up) from its foot to its tip.
+PETAL = (-0.9, 0.12, 0.22), (-0.3, 0.55, 0.02), (0.35, 0.75, 0.0), (0.85, 0.45, 0.14)
+
+
+def dress(owner):
+    """Let the flakes of an emitter look as its settings say."""
+    settings = owner.motus.snow
+    if settings.look == 'POINTS':
+        undress(owner)
+        _set_points_material(owner, _white())
+        return
+    _set_points_material(owner, None)
+    found = _modifier(owner)
+    if found is None:
+        found = owner.modifiers.new(MODIFIER, 'NODES')
+        found.node_group = _group()
+        found.show_expanded = False
+    chosen = _shape(settings.look) if settings.look in _SHAPES else settings.flake if settings.look == 'OBJECT' else None
+    node_groups.set_input(found, OBJECT, chosen)
+    node_groups.set_input(found, COLLECTION, settings.flakes if settings.look == 'COLLECTION' else None)
+    _drop_unused()
+
+
+def undress(owner):
+    """Leave the flakes bare points, and remove what nobody else needs."""
+    found = _modifier(owner)
+    if found is not None:
+        # With a modifier that is removed Blender 5 does not count the users down.
+        node_groups.set_input(found, OBJECT, None)
+        node_groups.set_input(found, COLLECTION, None)
+        group = found.node_group
+        owner.modifiers.remove(found)
+        if group.users == 0:
+            bpy.data.node_groups.remove(group)
+    _drop_unused()
+
+
+def drop(owner):
+    """Take all of it back."""
+    _set_points_material(owner, None)
+    undress(owner)
+
+
+def _set_points_material(owner, material):
+    system = registered["snow"]
+    if wiring.points_place(system, owner) is not None:  # somebody may have removed the modifier
+        wiring.set_points_material(system, owner, material)
+
+
+def _modifier(owner):
+    """The modifier that puts instances on an emitter's points; None where it has none."""
+    return next((one for one in owner.modifiers if one.type == 'NODES' and one.node_group is not None
+                 and one.node_group.get(KEY) == GROUP), None)
+
+
+def _own(collection, what):
+    """What was made here before, of this file; None where there is none."""
+    return next((one for one in collection if one.get(KEY) == what and one.library is None), None)
+
+
+def _drop_unused():
+    """Remove shapes and materials where no emitter has them any more."""
+    for look in _SHAPES:
+        shape = _own(bpy.data.objects, look)
+        if shape is not None and shape.users == 0:
+            mesh = shape.data
+            bpy.data.objects.remove(shape)
+            if mesh is not None and mesh.users == 0:
+                bpy.data.meshes.remove(mesh)
+    for name in (ICE, GLOW, WHITE):
+        material = _own(bpy.data.materials, name)
+        if material is not None and material.users == 0:
+            bpy.data.materials.remove(material)
+
+
+# --- the nodes -------------------------------------------------------------------------------------------------------
+
+
+def _group():
+    """The node group of all emitters in this file."""
+    found = _own(bpy.data.node_groups, GROUP)
+    if found is not None and node_groups.has_inputs(found, {"Geometry", OBJECT, COLLECTION}):
+        return found
+    group = bpy.data.node_groups.new(GROUP, 'GeometryNodeTree')
+    group[KEY] = GROUP
+    node_groups.add_sockets(group, (
+        ("Geometry", 'INPUT', "NodeSocketGeometry"), (OBJECT, 'INPUT', "NodeSocketObject"),
+        (COLLECTION, 'INPUT', "NodeSocketCollection"), ("Geometry", 'OUTPUT', "NodeSocketGeometry")))
+    start, end = (node_groups.add_node(group, kind) for kind in ("NodeGroupInput", "NodeGroupOutput"))
+    # Which of several shapes an instance is follows from the attribute "id", where nothing else is linked.
+    # The flakes are within an instance, which stands still in the world; the emitter's own mesh stays as it is.
+    parts = node_groups.add_node(group, "GeometryNodeSeparateComponents")
+    shapes = _shapes(group, start)
+    instances = node_groups.add_node(group, "GeometryNodeInstanceOnPoints")
+    instances.inputs["Pick Instance"].default_value = True
+    turn = 'QUATERNION' if capabilities.has_quaternion_attributes() else 'FLOAT_VECTOR'
+    join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
+    for source, target in (
+            (start.outputs["Geometry"], parts.inputs[0]), (parts.outputs["Instances"], instances.inputs["Points"]),
+            (shapes, instances.inputs["Instance"]),
+            (node_groups.named_attribute(group, "turn", turn), instances.inputs["Rotation"]),
+            (node_groups.add_node(group, "GeometryNodeInputRadius").outputs[0], instances.inputs["Scale"]),
+            (parts.outputs["Mesh"], join.inputs["Geometry"]), (instances.outputs["Instances"], join.inputs["Geometry"]),
+            (join.outputs["Geometry"], end.inputs["Geometry"])):
+        group.links.new(source, target)
+    end.location.x = 200.0 * len(group.nodes)
+    return group
+
+
+def _shapes(group, start):
+    """Socket of the instances that flakes choose among: the object, or those of the collection."""
+    single = node_groups.add_node(group, "GeometryNodeObjectInfo", transform_space='ORIGINAL')
+    single.inputs["As Instance"].default_value = True
+    several = node_groups.add_node(group, "GeometryNodeCollectionInfo", transform_space='ORIGINAL')
+    several.inputs["Separate Children"].default_value = True
+    several.inputs["Reset Children"].default_value = True
+    join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
+    group.links.new(start.outputs[OBJECT], single.inputs["Object"])
+    group.links.new(start.outputs[COLLECTION], several.inputs["Collection"])
+    group.links.new(single.outputs["Geometry"], join.inputs["Geometry"])
+    group.links.new(several.outputs[0], join.inputs["Geometry"])
+    return join.outputs["Geometry"]
+
+
+# --- the shapes ------------------------------------------------------------------------------------------------------
+
+
+def _shape(look):
+    """The shape of this file that goes by the name of a look: an object in no collection, which modifiers alone show."""
+    found = _own(bpy.data.objects, look)
+    if found is not None:
+        return found
+    name, build, material = _SHAPES[look]
+    mesh = bpy.data.meshes.new(name)
+    vertices, faces = build()
+    mesh.from_pydata(vertices, [], faces)
+    mesh.materials.append(material())
+    shape = bpy.data.objects.new(name, mesh)
+    shape[KEY] = look
+    return shape
+
+
+def _crystal():
+    """Vertices and faces of a flat crystal of radius 1 in the XY plane."""
+    vertices, faces = [], []
+    for arm in range(6):
+        angle = arm * math.pi / 3.0
+        foot, tip = ARM_WIDTHS
+        _add(vertices, faces, angle, ((0.0, -foot), (TIP, -tip), (1.0, 0.0), (TIP, tip), (0.0, foot)))
+        for start, length, width in TWIGS:
+            for side in (1.0, -1.0):
+                _add(vertices, faces, angle, _twig(start, length, width, side))
+    corners = [(CORE * math.cos(corner * math.pi / 3.0), CORE * math.sin(corner * math.pi / 3.0)) for corner in range(6)]
+    _add(vertices, faces, math.pi / 6.0, corners)
+    return vertices, faces
+
+
+def _twig(start, length, width, side):
+    """Corners of a twig beside the arm, pointed at its end."""
+    along = math.cos(math.pi / 3.0), side * math.sin(math.pi / 3.0)
+    across = -along[1] * side, along[0] * side
+    outline = ((0.0, -width), (0.85 * length, -0.8 * width), (length, 0.0), (0.85 * length, 0.8 * width), (0.0, width))
+    corners = [(start + far * along[0] + off * across[0], far * along[1] + off * across[1]) for far, off in outline]
+    return corners if side > 0.0 else corners[::-1]
+
+
+def _add(vertices, faces, angle, corners):
+    cosine, sine = math.cos(angle), math.sin(angle)
+    faces.append(tuple(range(len(vertices), len(vertices) + len(corners))))
+    vertices.extend((cosine * x - sine * y, sine * x + cosine * y, 0.0) for x, y in corners)
+
+
+def _petal():
+    """A petal, bent up at its ends and notched at its tip."""
+    vertices = [place for x, width, z in PETAL for place in ((x, -width, z + 0.1), (x, 0.0, z), (x, width, z + 0.1))]
+    rows = range(len(PETAL) - 1)
+    return vertices, [(3 * row + side, 3 * row + 3 + side, 3 * row + 4 + side, 3 * row + 1 + side)
+                      for row in rows for side in (0, 1)]
+
+
+def _speck():
+    """An octahedron."""
+    vertices = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+    return vertices, [(0, 2, 4), (2, 1, 4), (1, 3, 4), (3, 0, 4), (2, 0, 5), (1, 2, 5), (3, 1, 5), (0, 3, 5)]
+
+
+def _ice():
+    """A surface in the flake's colour, which instances have from the points that they stand on."""
+    return _own(bpy.data.materials, ICE) or _material(ICE, "ShaderNodeBsdfDiffuse", has_tint=True)
+
+
+def _glow():
+    """Light in the flake's colour."""
+    found = _own(bpy.data.materials, GLOW)
+    if found is None:
+        found = _material(GLOW, "ShaderNodeEmission", has_tint=True)
+        next(node for node in found.node_tree.nodes if node.type == 'EMISSION').inputs["Strength"].default_value = GLOW_STRENGTH
+    return found
+
+
+def _white():
+    """White, as Cycles reads no colours of bare points."""
+    return _own(bpy.data.materials, WHITE) or _material(WHITE, "ShaderNodeBsdfDiffuse", has_tint=False)
+
+
+def _material(name, kind, has_tint):
+    """A new material of one shader, white or in the colour of the instance. Few nodes, for the file's sake."""
+    material = bpy.data.materials.new(name)
+    material[KEY] = name
+    if not material.use_nodes:
+        material.use_nodes = True
+    nodes, links = material.node_tree.nodes, material.node_tree.links
+    nodes.clear()
+    shader, output = nodes.new(kind), nodes.new("ShaderNodeOutputMaterial")
+    output.location.x = 200.0
+    links.new(shader.outputs[0], output.inputs["Surface"])
+    shader.inputs["Color"].default_value = 0.92, 0.95, 1.0, 1.0
+    if has_tint:
+        tint = nodes.new("ShaderNodeAttribute")
+        tint.attribute_name, tint.attribute_type = "tint", 'INSTANCER'
+        tint.location.x = -200.0
+        links.new(tint.outputs["Color"], shader.inputs["Color"])
+    return material
+
+
+_SHAPES = {
+    'FLAKE': ("Motus Flake", _crystal, _ice),
+    'PETAL': ("Motus Petal", _petal, _ice),
+    'SPECK': ("Motus Speck", _speck, _ice),
+    'SPARK': ("Motus Spark", _speck, _glow),
+}
+"""Look -> name, function that gives vertices and faces, function that gives the material."""

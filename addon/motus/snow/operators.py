@@ -1,0 +1,245 @@
+"""Operators that add snow, give it another look, and take it away."""
+
+import dataclasses
+
+import bpy
+from mathutils import Vector
+
+from ..core import libraries, wiring
+from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named
+from ..core.rows import Rows
+from ..core.translations import tr
+from . import build, flakes, look, presets, rows
+from .properties import KEYWORDS, SnowKeywords
+
+ABOVE = 6.0  # m, of an emitter that is added by hand, over the 3D cursor
+_OBJECT = "Name of the emitter; empty takes the active object"
+
+
+def _name(name, description):
+    return bpy.props.StringProperty(name=name, description=description, options={'SKIP_SAVE'})
+
+
+def _preset():
+    return bpy.props.EnumProperty(
+        name="Preset", description="Settings that go by a name", items=presets.ITEMS, default=presets.PLAIN)
+
+
+def _is_custom(operator):
+    return operator.preset == presets.PLAIN
+
+
+class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
+    bl_idname = "motus.snow_add"
+    bl_label = "Add Snow"
+    bl_description = "Let flakes fall from an emitter, or leave the faces of a mesh, without a cache"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    preset: _preset()
+    surface: _name("Mesh", "Name of a mesh object whose faces flakes leave")
+    flake: _name("Flake", "Name of the object that flakes are instances of")
+    flakes: _name("Flakes", "Name of the collection whose objects flakes are instances of")
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Of the emitter; the 3D cursor's, where it is not given", size=3, subtype='XYZ',
+        unit='LENGTH', options={'SKIP_SAVE'})
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows(("preset",), title="Preset"),
+            *(dataclasses.replace(group, when=_is_custom) for group in rows.ALL))
+
+    def invoke(self, context, _event):
+        # By hand: snow that looks like snow at once, and falls on what is there.
+        if not self.is_given("preset"):
+            self.preset = 'GENTLE'
+        if not self.is_given("location") and not self.surface:
+            self.location = context.scene.cursor.location + Vector((0.0, 0.0, ABOVE))
+        return self.execute(context)
+
+    def run(self, context):
+        check_finite(self, (*KEYWORDS, "location"))
+        surface = _surface(self.surface) if self.surface else None
+        chosen = self._chosen()
+        keywords = self.given(KEYWORDS)
+        place = Vector(self.location) if self.is_given("location") else context.scene.cursor.location.copy()
+        emitter = build.new_emitter(context, place)
+        settings = emitter.motus.snow
+        presets.put(settings, self.preset, context.scene)
+        for name, value in (keywords | chosen).items():
+            setattr(settings, name, value)
+        if surface is not None:
+            settings.shape, settings.surface = 'SURFACE', surface
+        try:
+            _check_count(settings)
+        except Refused:
+            build.remove(emitter, False)
+            raise
+        build.wire(emitter)
+        for obj in context.selected_objects:
+            obj.select_set(False)
+        emitter.select_set(True)
+        context.view_layer.objects.active = emitter
+        _report(self, context, emitter)
+
+    def _chosen(self):
+        """Settings of what flakes look like, where it was named."""
+        if self.flake and self.flakes:
+            raise Refused(tr("Name an object or a collection, not both"))
+        if self.flake:
+            return {"look": 'OBJECT', "flake": named(self.flake)}
+        if self.flakes:
+            found = bpy.data.collections.get(self.flakes)
+            if found is None:
+                raise Refused(tr("There is no collection {collection}").format(collection=self.flakes))
+            return {"look": 'COLLECTION', "flakes": found}
+        return {}
+
+
+def _surface(name):
+    found = named(name)
+    if found.type != 'MESH':
+        raise Refused(tr("{object} is no mesh").format(object=found.name))
+    if not found.data.polygons and not found.modifiers:
+        raise Refused(tr("{object} has no faces").format(object=found.name))
+    return found
+
+
+def _check_count(settings):
+    """Refuse more flakes than there can be."""
+    count = flakes.most(settings)
+    if not count <= flakes.MOST:
+        memory = f"{count * flakes.BYTES / 2 ** 30:.3g} GB" if count < INFINITE else "∞"
+        raise Refused(tr("{count} flakes at once would need {memory}; there can be {most}").format(
+            count=f"{count:.3g}", memory=memory, most=f"{flakes.MOST:,}"))
+
+
+def _report(operator, context, emitter):
+    context.view_layer.update()
+    problem = wiring.problem(build.system(), emitter, context.view_layer.depsgraph)
+    if problem:
+        operator.report({'WARNING'}, tr(problem.sentence))
+
+
+def emitter_for(context, name):
+    """The emitter of this name, or the active one; refuses what has no snow."""
+    found = named(name) if name else context.object
+    if found is None or not found.motus.snow.is_active:
+        raise Refused(tr("Nothing here snows"))
+    check_local(found)
+    check_unbaked(found, found.motus.snow)
+    return found
+
+
+class MOTUS_OT_snow_remove(Operator, bpy.types.Operator):
+    bl_idname = "motus.snow_remove"
+    bl_label = "Remove Snow"
+    bl_description = "Take the snow away, with the emitter that was made for it"
+
+    object: object_keyword("Name of the emitter; empty takes the selected ones")
+    keep_object: bpy.props.BoolProperty(
+        name="Keep Emitter", description="Keep the emitter, without its snow", default=False)
+
+    modes = OBJECT_MODE
+    redo = (Rows(("keep_object",)),)
+
+    @classmethod
+    def check_offer(cls, context):
+        cls._found(context, "")
+
+    def run(self, context):
+        found = self._found(context, self.object)
+        for one in found:
+            emitter_for(context, one.name)
+        names = ", ".join(one.name for one in found)
+        for one in found:
+            build.remove(one, self.keep_object)
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=names))
+
+    @staticmethod
+    def _found(context, name):
+        if name:
+            return [emitter_for(context, name)]
+        selected = context.selected_objects or [one for one in [context.object] if one]
+        found = [one for one in selected if one.motus.snow.is_active]
+        if not found:
+            raise Refused(tr("Nothing here snows"))
+        return found
+
+
+class _OnEmitter(Operator):
+    """Operators on the emitter that is named, or the active one."""
+
+    object: object_keyword(_OBJECT)
+
+    @classmethod
+    def check_offer(cls, context):
+        emitter_for(context, "")
+
+
+class MOTUS_OT_snow_preset(_OnEmitter, bpy.types.Operator):
+    bl_idname = "motus.snow_preset"
+    bl_label = "Kind of Snow"
+    bl_description = "Give an emitter the settings that go by a name"
+
+    preset: _preset()
+
+    redo = (Rows(("preset",)),)
+
+    def run(self, context):
+        emitter = emitter_for(context, self.object)
+        presets.put(emitter.motus.snow, self.preset, context.scene)
+
+
+class MOTUS_OT_snow_stop_add(_OnEmitter, bpy.types.Operator):
+    bl_idname = "motus.snow_stop_add"
+    bl_label = "Add Color"
+    bl_description = "Add a colour at the end of the gradient"
+
+    def run(self, context):
+        stops = emitter_for(context, self.object).motus.snow.stops
+        last = stops[-1] if stops else None
+        # What is added comes last, so its position is kept apart from the one before.
+        color = tuple(last.color) if last else None
+        if last and last.position >= 1.0 and len(stops) > 1:
+            last.position = 0.5 * (stops[-2].position + 1.0)
+        stop = stops.add()
+        stop.position = 1.0 if color else 0.0
+        if color:
+            stop.color = color
+
+
+class MOTUS_OT_snow_stop_remove(_OnEmitter, bpy.types.Operator):
+    bl_idname = "motus.snow_stop_remove"
+    bl_label = "Remove Color"
+    bl_description = "Remove a colour from the gradient"
+
+    index: bpy.props.IntProperty(
+        name="Index", description="Of the colour in the list; -1 for the last one", default=-1, min=-1,
+        options={'SKIP_SAVE'})
+
+    def run(self, context):
+        emitter = emitter_for(context, self.object)
+        stops = emitter.motus.snow.stops
+        index = self.index if self.index >= 0 else len(stops) - 1
+        if not 0 <= index < len(stops):
+            raise Refused(tr("The gradient has no such colour"))
+        if index < libraries.count_from_library(emitter, "motus.snow.stops"):
+            raise Refused(tr("The colour is the library's, and cannot be removed"))
+        stops.remove(index)
+        wiring.touch(build.system(), emitter)
+
+
+class MOTUS_OT_snow_refresh(_OnEmitter, bpy.types.Operator):
+    bl_idname = "motus.snow_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the emitter again"
+
+    def run(self, context):
+        emitter = emitter_for(context, self.object)
+        wiring.refresh(build.system(), emitter)
+        look.dress(emitter)
+
+
+classes = (MOTUS_OT_snow_add, MOTUS_OT_snow_remove, MOTUS_OT_snow_preset, MOTUS_OT_snow_stop_add,
+           MOTUS_OT_snow_stop_remove, MOTUS_OT_snow_refresh)

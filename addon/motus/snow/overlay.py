@@ -1,0 +1,68 @@
+"""What the viewport shows of an emitter: the shape that flakes are born in, and to where they leave."""
+
+import math
+
+from ..core.lazy import numpy as np
+from ..core.overlay import Batch, Overlay
+
+COLOR = (0.55, 0.80, 1.0, 0.9)
+STEPS = 48
+
+
+def _batches(context, obj):
+    if not obj.motus.snow.is_active or obj.motus.snow.shape == 'SURFACE':
+        return []
+    settings = obj.motus.snow
+    matrix = np.array(obj.evaluated_get(context.evaluated_depsgraph_get()).matrix_world)
+    lines = np.concatenate([_lines(settings), _arrow(settings)])
+    points = lines @ matrix[:3, :3].T + matrix[:3, 3]
+    return [Batch('LINES', points.astype(np.float32), COLOR, 1.5)]
+
+
+def _lines(settings):
+    """Ends of lines (2n, 3) in the emitter's space."""
+    radius = settings.cone_radius
+    if settings.shape == 'SQUARE':
+        return radius * _square(0.0)
+    if settings.shape == 'BOX':
+        corners = [(x, y) for x in (-1.0, 1.0) for y in (-1.0, 1.0)]
+        posts = np.array([(x, y, z) for x, y in corners for z in (-1.0, 1.0)])
+        return radius * np.concatenate([_square(-1.0), _square(1.0), posts])
+    circle = radius * _circle()
+    if settings.shape == 'SPHERE':
+        return np.concatenate([circle, circle[:, (0, 2, 1)], circle[:, (2, 0, 1)]])
+    if settings.shape == 'CONE':
+        return np.concatenate([circle, _rays(radius, settings.cone_angle)])
+    return circle
+
+
+def _square(z):
+    corners = [(-1.0, -1.0, z), (1.0, -1.0, z), (1.0, 1.0, z), (-1.0, 1.0, z)]
+    return np.array([one for pair in zip(corners, corners[1:] + corners[:1]) for one in pair])
+
+
+def _circle():
+    angles = np.linspace(0.0, 2.0 * math.pi, STEPS + 1)
+    points = np.column_stack((np.cos(angles), np.sin(angles), np.zeros(STEPS + 1)))
+    return np.repeat(points, 2, axis=0)[1:-1]
+
+
+def _rays(radius, angle):
+    """Lines from the edge of a cone's disc to where flakes leave there."""
+    length = max(radius, 0.5)
+    found = []
+    for turn in np.arange(8) * math.pi / 4.0:
+        around = np.array((math.cos(turn), math.sin(turn), 0.0))
+        found += [radius * around, radius * around + length * (math.sin(angle) * around + (0.0, 0.0, math.cos(angle)))]
+    return np.array(found)
+
+
+def _arrow(settings):
+    """From the middle to as far as a flake comes in half a second."""
+    length = 0.5 * settings.start_speed
+    head = 0.15 * length
+    tip = (0.0, 0.0, length)
+    return np.array([(0.0, 0.0, 0.0), tip, tip, (head, 0.0, length - head), tip, (-head, 0.0, length - head)])
+
+
+overlay = Overlay(_batches)

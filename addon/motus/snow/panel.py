@@ -1,0 +1,107 @@
+"""The panel of snow: in the sidebar's tab and in the object's constraint properties, on the emitter."""
+
+from ..core import panels, tracks, ui
+from . import births, flakes, presets, rows, solve
+from .build import system
+
+
+def _is_emitter(obj):
+    # To ask an object for its settings gives it some.
+    return obj.is_property_set("motus") and obj.motus.snow.is_active
+
+
+def draw_main(layout, context):
+    """What is wrong, the kind of snow, and how many flakes there are."""
+    emitter = context.object
+    ui.draw_problem(layout, context, system(), emitter)
+    button = layout.row()
+    button.operator_menu_enum("motus.snow_preset", "preset", icon='PRESET')
+    rows.EMISSION.draw(ui.split(layout), emitter.motus.snow)
+
+
+def draw_emitter(layout, context):
+    """Where flakes are born, and how the emitter's motion is known."""
+    emitter = context.object
+    settings = emitter.motus.snow
+    column = ui.split(layout)
+    rows.EMITTER.draw(column, settings)
+    rows.SURFACE.draw(column, settings)
+    source = solve.source(emitter)
+    if source is None:
+        return
+    moved = births.track(source, context.scene)
+    if not moved.is_known or moved.extent is not None:
+        tracks.draw(layout, moved, datablock=source.name)
+
+
+def draw_random(layout, context):
+    """What differs from flake to flake."""
+    rows.RANDOM.draw(ui.split(layout), context.object.motus.snow)
+
+
+def draw_steering(layout, context):
+    """How flakes turn as they fall."""
+    rows.STEERING.draw(ui.split(layout), context.object.motus.snow)
+
+
+def _draw_steering_switch(layout, context):
+    layout.prop(context.object.motus.snow, "snow", text="")
+
+
+def draw_air(layout, context):
+    """Gravity and the air."""
+    rows.AIR.draw(ui.split(layout), context.object.motus.snow)
+
+
+def draw_flakes(layout, context):
+    """What flakes look like, and their colours."""
+    settings = context.object.motus.snow
+    rows.FLAKES.draw(ui.split(layout), settings)
+    column = layout.column(align=True)
+    for index, stop in enumerate(settings.stops):
+        row = column.row(align=True)
+        row.prop(stop, "position", text="", slider=True)
+        row.prop(stop, "color", text="")
+        button = row.operator("motus.snow_stop_remove", text="", icon='X')
+        button.object, button.index = context.object.name, index
+    column.operator("motus.snow_stop_add", icon='ADD').object = context.object.name
+
+
+def draw_readouts(layout, context):
+    """How many flakes there are at most, and what they take."""
+    count = flakes.most(context.object.motus.snow)
+    if not count < flakes.MOST:
+        return
+    ui.draw_readouts(layout, [
+        ui.Readout(text="Flakes at Most", value=f"{count:,.0f}"),
+        ui.Readout(text="Memory", value=f"{count * flakes.BYTES / 2 ** 20:,.1f} MB")])
+
+
+def draw_actions(layout, context):
+    """Removing."""
+    layout.operator("motus.snow_remove", text="Remove", icon='X').object = context.object.name
+
+
+def draw_add(layout, context):
+    """Snow, or snow from the active mesh."""
+    layout.operator_context = 'INVOKE_DEFAULT'
+    column = layout.column(align=True)
+    column.operator("motus.snow_add", icon='ADD')
+    if context.object.type == 'MESH':
+        column.operator("motus.snow_add", text="Snow from its Surface", icon='ADD').surface = context.object.name
+
+
+PANEL = panels.SystemPanel(
+    name="snow", prefix="MOTUS_PT_snow", label="Snow",
+    editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
+    suits=lambda obj: True, is_used=_is_emitter, draw=draw_main,
+    parts=(
+        panels.Part("emitter", "Emitter", draw_emitter, is_open=True),
+        panels.Part("steering", "Steering", draw_steering, is_open=True, draw_header=_draw_steering_switch),
+        panels.Part("air", "Forces", draw_air),
+        panels.Part("random", "Random", draw_random),
+        panels.Part("flakes", "Flakes", draw_flakes, is_open=True),
+    ),
+    readouts=draw_readouts, actions=draw_actions, refresh="motus.snow_refresh", presets=presets.PANEL, draw_add=draw_add)
+
+classes = panels.classes(PANEL)

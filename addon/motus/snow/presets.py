@@ -1,0 +1,87 @@
+"""Snow that goes by a name, and presets of the user's own."""
+
+import math
+
+from ..core import presets
+from .properties import KEYWORDS, WHITE
+
+PLAIN = 'PLAIN'
+_STILL = {"start_speed": 0.0, "looping": True, "random_size": True, "random_lifetime": True}
+_DRIFTING = _STILL | {"snow": True, "snow_offsets": True}
+
+KINDS = (  # identifier, label, description, settings, gradient
+    (PLAIN, "Plain", "All settings at their defaults: flakes that fly straight", {}, ((0.0, WHITE),)),
+    ('GENTLE', "Gentle Snow", "Large flakes that come down slowly on a calm evening", _DRIFTING | {
+        "start_speed": 1.1, "lifetime": 9.0, "rate": 220.0, "cone_radius": 6.0, "random_speed": False,
+        "max_angle": math.radians(60.0), "snow_frequency": 0.35, "tumble": 2.0, "flake_width": 0.05,
+        "turbulence": 0.15, "turbulence_size": 3.0}, ((0.0, WHITE),)),
+    ('BLIZZARD', "Blizzard", "Small flakes that gusts drive across", _DRIFTING | {
+        "start_speed": 4.0, "random_speed": True, "lifetime": 4.0, "rate": 4000.0, "cone_radius": 10.0, "drag": 1.5,
+        "wind": (9.0, 2.0, -3.0), "gusts": 0.5, "gust_frequency": 0.4, "max_angle": math.radians(35.0),
+        "snow_frequency": 1.5, "turbulence": 1.2, "turbulence_size": 4.0, "tumble": 8.0, "flake_width": 0.03},
+     ((0.0, WHITE),)),
+    ('WET', "Wet Snow", "Heavy flakes that fall fast and nearly straight", _DRIFTING | {
+        "start_speed": 3.2, "random_speed": True, "lifetime": 4.0, "rate": 500.0, "cone_radius": 6.0,
+        "max_angle": math.radians(15.0), "snow_frequency": 0.8, "tumble": 3.0, "flake_width": 0.045},
+     ((0.0, (0.86, 0.90, 0.95, 1.0)),)),
+    ('DUST', "Indoor Dust", "Specks that hang in the light of a room", _DRIFTING | {
+        "start_speed": 0.03, "shape": 'BOX', "cone_radius": 2.0, "lifetime": 12.0, "rate": 120.0,
+        "max_angle": math.pi, "snow_frequency": 0.2, "turbulence": 0.06, "turbulence_size": 1.0, "tumble": 0.5,
+        "flake_width": 0.006, "look": 'SPECK'}, ((0.0, (1.0, 0.93, 0.80, 1.0)),)),
+    ('PETALS', "Petals", "Blossom that tumbles down in a light breeze", _DRIFTING | {
+        "start_speed": 0.9, "lifetime": 7.0, "rate": 60.0, "cone_radius": 4.0, "drag": 0.8, "wind": (0.8, 0.2, -0.8),
+        "gusts": 0.6, "max_angle": math.radians(75.0), "snow_frequency": 0.5, "tumble": 5.0, "flake_width": 0.04,
+        "random_color": True, "look": 'PETAL'}, ((0.0, (1.0, 0.60, 0.70, 1.0)), (1.0, (1.0, 0.90, 0.93, 1.0)))),
+    ('SPARKS', "Sparks", "Glowing specks that fly up from a fire and fall back", _STILL | {
+        "start_speed": 4.5, "random_speed": True, "shape": 'DISC', "cone_radius": 0.2,
+        "cone_angle": math.radians(25.0), "random_orientation": True, "lifetime": 1.6, "rate": 200.0, "gravity": True,
+        "drag": 0.6, "turbulence": 0.5, "turbulence_size": 0.6, "flake_width": 0.015, "random_color": True,
+        "look": 'SPARK'},
+     ((0.0, (1.0, 0.22, 0.02, 1.0)), (1.0, (1.0, 0.75, 0.25, 1.0)))),
+)
+ITEMS = tuple((identifier, label, told) for identifier, label, told, _, _ in KINDS)
+NUMBERS = {identifier: numbers for identifier, _, _, numbers, _ in KINDS}
+_GRADIENTS = {identifier: gradient for identifier, _, _, _, gradient in KINDS}
+
+# What belongs to one shot is not part of a style.
+OF_THE_SHOT = {"start_frame", "delay", "all_attributes", "preview", "influence", "seed", "look"}
+LEFT_ALONE = {"start_frame", "all_attributes", "preview", "influence", "seed"}
+"""Settings that no preset of ours says anything of."""
+CHOSEN = 'OBJECT', 'COLLECTION', 'POINTS'
+"""Looks that are the user's."""
+
+
+def put(settings, identifier, scene):
+    """Give an emitter's settings the values of a preset, all that it does not name at their defaults.
+
+    Flakes are in the air already on the scene's first frame, but for the plain ones.
+    """
+    numbers = NUMBERS[identifier]
+    left_alone = LEFT_ALONE | ({"shape"} if settings.shape == 'SURFACE' else set())
+    left_alone |= {"look", "flake_width"} if settings.look in CHOSEN else set()
+    for name in KEYWORDS:
+        if name not in left_alone:
+            _set(settings, name, numbers.get(name, _default(settings.bl_rna.properties[name])))
+    if identifier != PLAIN:
+        fps = scene.render.fps / scene.render.fps_base
+        settings.start_frame = scene.frame_start - math.ceil((settings.lifetime + 1.0) * fps)
+    settings.stops.clear()
+    for position, color in _GRADIENTS[identifier]:
+        stop = settings.stops.add()
+        stop.position, stop.color = position, color
+
+
+def _set(settings, name, value):
+    """Set what is different: the file grows by each setting that was ever set."""
+    present = getattr(settings, name)
+    if (tuple(present) if hasattr(present, "to_tuple") else present) != value:
+        setattr(settings, name, value)
+
+
+def _default(prop):
+    return tuple(prop.default_array) if getattr(prop, "is_array", False) else prop.default
+
+
+SETTINGS = "bpy.context.object.motus.snow"
+classes = OPERATOR, PANEL = presets.classes(
+    "snow", "Snow", (f"{SETTINGS}.{name}" for name in (*KEYWORDS, "stops") if name not in OF_THE_SHOT))

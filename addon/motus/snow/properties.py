@@ -1,0 +1,172 @@
+"""Settings of snow: Object.motus.snow of the emitter."""
+
+import math
+
+import bpy
+
+from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from . import look
+
+SHAPES = (
+    ('SQUARE', "Square", "Flakes leave a square along the emitter's +Z"),
+    ('DISC', "Disc", "Flakes leave a disc along the emitter's +Z"),
+    ('BOX', "Box", "Flakes come into being within a cube and leave along the emitter's +Z"),
+    ('SPHERE', "Sphere", "Flakes come into being within a ball and leave its middle"),
+    ('CONE', "Cone", "Flakes leave a disc, leaning outwards, at its edge by the cone angle"),
+    ('SURFACE', "Mesh Surface", "Flakes leave the faces of a mesh along their normals, evenly over their area"),
+)
+LOOKS = (
+    ('FLAKE', "Six-Armed Flake", "A flat crystal with six arms"),
+    ('PETAL', "Petal", "A petal, bent up at its ends"),
+    ('SPECK', "Speck", "A small solid"),
+    ('SPARK', "Spark", "A small solid that glows"),
+    ('OBJECT', "Object", "Instances of an object"),
+    ('COLLECTION', "Collection", "Instances of a collection's objects, which flakes choose among by their numbers"),
+    ('POINTS', "Points", "Bare points, which Blender draws fastest"),
+)
+WHITE = (1.0, 1.0, 1.0, 1.0)
+
+
+def _dress(settings, context):
+    if isinstance(settings, SystemSettings) and settings.is_active:
+        look.dress(settings.id_data)
+    touch(settings, context)
+
+
+def _redress(settings, context):
+    rewire(settings, context)
+    _dress(settings, context)
+
+
+def _number(name, description, default, options=frozenset(), **more):
+    more.setdefault("update", touch)
+    return bpy.props.FloatProperty(
+        name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, **more)
+
+
+def _whole(name, description, default, **more):
+    return bpy.props.IntProperty(
+        name=name, description=description, default=default, options=set(), override=OVERRIDABLE, update=touch, **more)
+
+
+def _switch(name, description, default=False, update=touch):
+    return bpy.props.BoolProperty(
+        name=name, description=description, default=default, options=set(), update=update, override=OVERRIDABLE)
+
+
+class SnowKeywords:
+    """What both the settings and the operator have: the names are the keywords of scripts.
+
+    Nearly none has keys: all flakes of all times follow from them, and would be different ones on each frame.
+    """
+
+    start_speed: _number(
+        "Speed", "With which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
+    lifetime: _number(
+        "Lifetime", "Seconds after which a flake is gone", 2.0, min=0.0, soft_min=0.1, soft_max=100.0,
+        unit='TIME_ABSOLUTE')
+    start_size: _number(
+        "Size", "Of flakes: times the flake's width, or the scale of an object", 1.0, min=0.0, soft_min=0.1,
+        soft_max=10.0)
+    rate: _number("Rate", "Flakes that are born in a second", 5.0, min=0.0, soft_max=1000.0, step=1000)
+    delay: _number(
+        "Delay", "Seconds from the start frame until the first flakes are born", 0.0, min=0.0, soft_max=10.0,
+        unit='TIME_ABSOLUTE')
+    duration: _number(
+        "Duration", "Seconds for which flakes are born", 5.0, min=0.0, soft_max=10.0, unit='TIME_ABSOLUTE')
+    looping: _switch("Looping", "Flakes are born for ever, whatever the duration is", True)
+    burst: _whole("Burst", "Flakes that are born all at once, beside those of the rate", 0, min=0, soft_max=1000)
+    burst_time: _number(
+        "Burst Time", "Seconds after the delay at which they are born", 0.0, min=0.0, soft_max=10.0,
+        unit='TIME_ABSOLUTE')
+    start_frame: _number(
+        "Start", "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air "
+        "there", 1.0, step=100)
+
+    shape: bpy.props.EnumProperty(
+        name="Emitter", description="Where flakes are born", items=SHAPES, default='SQUARE', options=set(), update=rewire,
+        override=OVERRIDABLE)
+    cone_radius: _number(
+        "Radius", "Of the disc, ball or cone; half the width of the square or box", 1.0, min=0.0, soft_max=10.0,
+        subtype='DISTANCE')
+    cone_angle: _number(
+        "Cone Angle", "By how much flakes lean outwards at the edge of a cone, or at random at most", 0.0, min=0.0,
+        max=math.pi, soft_max=0.5 * math.pi, subtype='ANGLE')
+
+    random_speed: _switch("Random Speed", "Vary the speed by up to 1 m/s")
+    random_orientation: _switch("Random Orientation", "Flakes leave anywhere within the cone angle")
+    random_lifetime: _switch("Random Lifetime", "Vary the lifetime by up to 1 s")
+    random_size: _switch("Random Size", "Vary the size by up to 10 %")
+    random_color: _switch("Random Color", "Each flake has a colour from anywhere on the gradient, not its first one")
+    seed: _whole("Seed", "Of all that is random", 0, min=0)
+
+    snow: _switch("Snow", "Flakes steer through the air, as a smooth noise of their age turns them")
+    max_angle: _number(
+        "Max Angle", "By which flakes turn about the world's X and Y axes, at most", math.radians(80.0), min=0.0,
+        soft_max=math.pi, subtype='ANGLE')
+    snow_frequency: _number(
+        "Frequency", "About how often a second a flake turns another way", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
+    snow_offsets: _switch(
+        "Own Ways", "Each flake steers in its own way; otherwise all flakes of an age turn alike")
+
+    gravity: _switch("Gravity", "The scene's gravity pulls flakes down")
+    drag: _number(
+        "Air Drag", "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind", 0.0,
+        min=0.0, max=1000.0, soft_max=10.0)
+    wind: bpy.props.FloatVectorProperty(
+        name="Wind", description="Velocity of the air in world space", size=3, subtype='XYZ', unit='VELOCITY',
+        options=set(), update=touch, override=OVERRIDABLE)
+    gusts: _number("Gusts", "By which part of it the wind varies", 0.0, min=0.0, soft_max=1.0)
+    gust_frequency: _number(
+        "Gust Frequency", "About how often a second the wind varies", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
+    turbulence: _number(
+        "Turbulence", "Velocity of the eddies that carry flakes along", 0.0, min=0.0, max=1e6, soft_max=5.0,
+        unit='VELOCITY')
+    turbulence_size: _number(
+        "Eddy Size", "Of the eddies", 1.0, min=1e-6, soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
+    tumble: _number(
+        "Tumble", "How far flakes turn about axes of their own in a second, at most", 0.0, min=0.0, max=1e6,
+        soft_max=20.0, subtype='ANGLE')
+
+    look: bpy.props.EnumProperty(
+        name="Flakes", description="What flakes look like", items=LOOKS, default='FLAKE', options=set(), update=_redress,
+        override=OVERRIDABLE)
+    flake_width: _number(
+        "Flake Width", "Of flakes and points of size 1", 0.05, min=0.0, soft_min=0.001, soft_max=1.0,
+        subtype='DISTANCE')
+    all_attributes: _switch(
+        "All Attributes", "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, "
+        "and bare points a turn", update=rewire)
+    preview: _number(
+        "Preview", "Percentage of the flakes that the viewport shows; they are some of those that are rendered", 100.0,
+        min=0.0, max=100.0, subtype='PERCENTAGE')
+    influence: _number(
+        "Influence", "Whether there is snow: there is none at 0", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
+
+
+KEYWORDS = tuple(SnowKeywords.__annotations__)
+
+
+class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
+    position: bpy.props.FloatProperty(
+        name="Position", description="On the gradient, from 0 to 1", min=0.0, max=1.0, options=set(), update=touch,
+        override=OVERRIDABLE, subtype='FACTOR')
+    color: bpy.props.FloatVectorProperty(
+        name="Color", description="Of the gradient at this position", size=4, subtype='COLOR', default=WHITE, min=0.0,
+        soft_max=1.0, options=set(), update=touch, override=OVERRIDABLE)
+
+
+class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
+    stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
+    surface: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Mesh", description="Object whose faces flakes leave", update=rewire,
+        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
+    flake: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Flake", description="Object that each flake is an instance of", update=_dress,
+        override=OVERRIDABLE)
+    flakes: bpy.props.PointerProperty(
+        type=bpy.types.Collection, name="Flakes", description="Collection whose objects flakes are instances of",
+        update=_dress, override=OVERRIDABLE)
+    has_made_emitter: bpy.props.BoolProperty(
+        name="Made", description="Motus has made the emitter, and removes it with the snow", options=set(),
+        override=OVERRIDABLE)

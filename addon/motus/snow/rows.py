@@ -1,0 +1,37 @@
+"""The rows of snow's settings: in the panels, and for the keywords in the redo panel."""
+
+from ..core.rows import Row, Rows, is_not, is_one_of, is_positive
+
+
+def _is_on(name):
+    return lambda settings: getattr(settings, name)
+
+
+def _leans(settings):
+    return settings.shape == 'CONE' or settings.random_orientation
+
+
+EMISSION = Rows((
+    "start_speed", "lifetime", "start_size", "rate", "start_frame", "delay", "looping",
+    Row("duration", when=lambda settings: not settings.looping),
+    "burst", Row("burst_time", when=lambda settings: settings.burst > 0)), title="Emission")
+EMITTER = Rows((
+    "shape", Row("cone_radius", when=is_not("shape", 'SURFACE')), Row("cone_angle", when=_leans)), title="Emitter")
+SURFACE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')),))
+RANDOM = Rows((
+    "random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed"), title="Random")
+STEERING = Rows((
+    Row("max_angle", when=_is_on("snow")), Row("snow_frequency", when=_is_on("snow")),
+    Row("snow_offsets", when=_is_on("snow")), "tumble"), title="Steering")
+SNOW = Rows(("snow", *STEERING.rows), title="Steering")
+AIR = Rows((
+    "gravity", "drag", Row("wind", when=is_positive("drag")), Row("gusts", when=is_positive("drag")),
+    Row("gust_frequency", when=lambda settings: settings.drag > 0.0 and settings.gusts > 0.0),
+    "turbulence", Row("turbulence_size", when=is_positive("turbulence"))), title="Forces")
+_WIDTH = Row("flake_width", when=is_not("look", 'OBJECT', 'COLLECTION'))
+FLAKES = Rows((
+    "look", Row("flake", when=is_one_of("look", 'OBJECT')), Row("flakes", when=is_one_of("look", 'COLLECTION')), _WIDTH,
+    "all_attributes", "preview", "influence"), title="Flakes")
+LOOK = Rows(("look", _WIDTH, "all_attributes", "preview", "influence"), title="Flakes")
+"""For the operator, which names objects otherwise."""
+ALL = (EMISSION, EMITTER, RANDOM, SNOW, AIR, LOOK)
