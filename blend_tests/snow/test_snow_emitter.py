@@ -125,3 +125,69 @@ class Surface(SnowTestCase):
         go_to(32)
         self.assertIn("in no collection", self.sentence(emitter))
         self.assertEqual(len(hub_mesh(emitter).vertices), 0)
+
+
+class Collider(SnowTestCase):
+    FALLING = {"start_speed": 2.0, "lifetime": 4.0, "rate": 60.0}
+
+    def test_the_ground(self):
+        emitter = self.add(use_ground=True, ground=1.0, location=(0.0, 0.0, 3.0), **self.FALLING)
+        go_to(121)
+        found = flakes(emitter)
+        landed = found["age"] > 1.0
+        self.assertGreater(np.count_nonzero(landed), 100)
+        np.testing.assert_allclose(found["position"][landed, 2], 1.0, atol=1e-5)
+        np.testing.assert_allclose(found["position"][~landed, 2], 3.0 - 2.0 * found["age"][~landed], atol=1e-5)
+        self.assertPlayedAsCold(emitter)
+
+    def assertPlayedAsCold(self, emitter):
+        played = {}
+        for frame in (40, 80, 121):
+            go_to(frame)
+            played[frame] = flakes(emitter)["position"]
+        for frame in (121, 40, 80):
+            go_to(frame)
+            np.testing.assert_array_equal(flakes(emitter)["position"], played[frame])
+
+    def test_a_mesh_in_the_way(self):
+        roof = self.mesh("Roof", SQUARE, [(0, 1, 2, 3)], place=(-2.0, -2.0, 2.0))
+        roof.scale = 2.0, 4.0, 1.0  # x from -2 to 0
+        bpy.context.view_layer.update()
+        emitter = self.add(collider="Roof", location=(0.0, 0.0, 3.0), **self.FALLING)
+        go_to(121)
+        found = flakes(emitter)
+        below = found["position"][found["position"][:, 2] < 2.0 - 1e-4]
+        self.assertGreater(len(below), 30)
+        self.assertGreater(below[:, 0].min(), 0.0)
+        lying = np.abs(found["position"][:, 2] - 2.0) < 1e-4
+        self.assertGreater(np.count_nonzero(lying & (found["age"] > 0.6)), 30)
+        self.assertEqual(self.sentence(emitter), "")
+        self.assertPlayedAsCold(emitter)
+        roof.location.z = 2.5
+        bpy.context.view_layer.update()
+        self.assertGreater(np.count_nonzero(np.abs(flakes(emitter)["position"][:, 2] - 2.5) < 1e-4), 30)
+
+    def test_melting(self):
+        emitter = self.add(use_ground=True, ground=2.0, collision='MELT', melt_time=0.5, location=(0.0, 0.0, 3.0), **self.FALLING)
+        go_to(121)
+        found = flakes(emitter)
+        self.assertLess(found["age"].max(), 1.0 + 1e-3)
+        whole, melting = (found["radius"][choice] for choice in (found["age"] < 0.5, found["age"] > 0.8))
+        self.assertLess(melting.max(), 0.6 * whole.min())
+
+    def test_faults_are_said(self):
+        roof = self.mesh("Roof", SQUARE, [(0, 1, 2, 3)])
+        emitter = self.add(collider="Roof", **self.FALLING)
+        key_places(roof, {1: (0.0, 0.0, 0.0), 25: (1.0, 0.0, 0.0)})
+        go_to(25)
+        self.assertIn("collider moves", self.sentence(emitter))
+        self.assertGreater(len(flakes(emitter)["id"]), 0)
+        roof.data.clear_geometry()
+        go_to(26)
+        self.assertIn("has no faces", self.sentence(emitter))
+        self.assertGreater(len(flakes(emitter)["id"]), 0)
+        bpy.context.scene.collection.objects.unlink(roof)
+        for frame in (27, 28):
+            go_to(frame)
+        self.assertIn("collider is gone", self.sentence(emitter))
+        self.assertRefused(bpy.ops.motus.snow_add, "is no mesh", collider=bpy.data.objects.new("Empty", None).name)

@@ -96,3 +96,10 @@ def faces(mesh):
     stamp = hashlib.blake2b(positions, digest_size=16)
     stamp.update(triangles)
     return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3))
+
+
+def placed(found, matrix):
+    """The Faces as they are in the world."""
+    rows = np.array(matrix, float)
+    positions = found.positions @ rows[:3, :3].T + rows[:3, 3]
+    return Faces((found.stamp, rows.tobytes()), np.ascontiguousarray(positions, np.float32), found.triangles)

@@ -14,6 +14,7 @@ MOST = 1 << 24
 BYTES = 68
 """Of a flake: position, velocity, turn, colour, radius, age and number."""
 KEPT = 32
+COLLIDERS = 4
 STEP = 1 << 16
 """Flakes for whose numbers there is room are a multiple of it, so that the room stays the same from frame to frame."""
 
@@ -58,6 +59,11 @@ def numbers(settings):
     found = [(name, getattr(settings, name)) for name in _DIRECT]
     found += [("start_size", _size(settings)), ("shape", settings.shape.lower()), ("wind", tuple(settings.wind)),
               ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops)))]
+    if settings.use_ground:
+        found.append(("ground", settings.ground))
+    if settings.use_ground or settings.collider:
+        found += [("collision", settings.collision.lower()), ("melt_time", settings.melt_time),
+                  ("friction", settings.friction)]
     if settings.burst > 0:
         found += [("burst_times", (settings.burst_time,)), ("burst_counts", (settings.burst,))]
     return tuple(found)
@@ -70,9 +76,11 @@ def _size(settings):
 
 
 @functools.lru_cache(maxsize=KEPT)
-def made(keywords, acceleration, poses, faces):
-    """The native Snow; or what is wrong with it."""
+def made(keywords, acceleration, poses, faces, collider):
+    """The native Snow; or what is wrong with it. faces: that flakes leave; collider: a SnowCollider; or None."""
     given = dict(keywords)
+    if collider is not None:
+        given["collider"] = collider
     if faces is not None:
         given |= {"surface_positions": faces.positions, "surface_triangles": faces.triangles}
     try:
@@ -80,6 +88,15 @@ def made(keywords, acceleration, poses, faces):
             **given, acceleration=acceleration, emitter_times=poses.seconds, emitter_matrices=poses.matrices)
     except ValueError:
         return OUT_OF_RANGE
+
+
+@functools.lru_cache(maxsize=COLLIDERS)
+def collider(faces):
+    """The native SnowCollider of Faces in the world, or None where they cannot be one."""
+    try:
+        return native.module.SnowCollider(faces.positions, faces.triangles)
+    except ValueError:
+        return None
 
 
 def fill(points, snow, seconds, share):

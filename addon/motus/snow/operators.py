@@ -38,6 +38,7 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
 
     preset: _preset()
     surface: _name("Mesh", "Name of a mesh object whose faces flakes leave")
+    collider: _name("Collider", "Name of a mesh object that flakes land on")
     flake: _name("Flake", "Name of the object that flakes are instances of")
     flakes: _name("Flakes", "Name of the collection whose objects flakes are instances of")
     location: bpy.props.FloatVectorProperty(
@@ -60,6 +61,7 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
     def run(self, context):
         check_finite(self, (*KEYWORDS, "location"))
         surface = _surface(self.surface) if self.surface else None
+        collider = _surface(self.collider) if self.collider else None
         chosen = self._chosen()
         keywords = self.given(KEYWORDS)
         place = Vector(self.location) if self.is_given("location") else context.scene.cursor.location.copy()
@@ -70,6 +72,7 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
             setattr(settings, name, value)
         if surface is not None:
             settings.shape, settings.surface = 'SURFACE', surface
+        settings.collider = collider
         try:
             _check_count(settings)
         except Refused:

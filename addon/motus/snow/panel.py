@@ -53,6 +53,13 @@ def draw_air(layout, context):
     rows.AIR.draw(ui.split(layout), context.object.motus.snow)
 
 
+def draw_landing(layout, context):
+    """What flakes land on, and what they do there."""
+    column = ui.split(layout)
+    rows.COLLIDER.draw(column, context.object.motus.snow)
+    rows.LANDING.draw(column, context.object.motus.snow)
+
+
 def draw_flakes(layout, context):
     """What flakes look like, and their colours."""
     settings = context.object.motus.snow
@@ -99,6 +106,7 @@ PANEL = panels.SystemPanel(
         panels.Part("emitter", "Emitter", draw_emitter, is_open=True),
         panels.Part("steering", "Steering", draw_steering, is_open=True, draw_header=_draw_steering_switch),
         panels.Part("air", "Forces", draw_air),
+        panels.Part("landing", "Collision", draw_landing),
         panels.Part("random", "Random", draw_random),
         panels.Part("flakes", "Flakes", draw_flakes, is_open=True),
     ),

@@ -44,8 +44,9 @@ NUMBERS = {identifier: numbers for identifier, _, _, numbers, _ in KINDS}
 _GRADIENTS = {identifier: gradient for identifier, _, _, _, gradient in KINDS}
 
 # What belongs to one shot is not part of a style.
-OF_THE_SHOT = {"start_frame", "delay", "all_attributes", "preview", "influence", "seed", "look"}
-LEFT_ALONE = {"start_frame", "all_attributes", "preview", "influence", "seed"}
+OF_THE_SHOT = {"start_frame", "delay", "use_ground", "ground", "all_attributes", "preview", "influence", "seed", "look"}
+LEFT_ALONE = {"start_frame", "all_attributes", "preview", "influence", "seed", "use_ground", "ground", "collision", "melt_time",
+              "friction"}
 """Settings that no preset of ours says anything of."""
 CHOSEN = 'OBJECT', 'COLLECTION', 'POINTS'
 """Looks that are the user's."""

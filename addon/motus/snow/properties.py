@@ -24,6 +24,11 @@ LOOKS = (
     ('COLLECTION', "Collection", "Instances of a collection's objects, which flakes choose among by their numbers"),
     ('POINTS', "Points", "Bare points, which Blender draws fastest"),
 )
+COLLISIONS = (
+    ('STAY', "Stay", "Flakes lie where they have landed, as long as they live"),
+    ('SLIDE', "Slide", "Flakes slide down what is steep, and lie where they come to rest"),
+    ('MELT', "Melt", "Flakes that have landed shrink to nothing"),
+)
 WHITE = (1.0, 1.0, 1.0, 1.0)
 
 
@@ -128,6 +133,17 @@ class SnowKeywords:
         "Tumble", "How far flakes turn about axes of their own in a second, at most", 0.0, min=0.0, max=1e6,
         soft_max=20.0, subtype='ANGLE')
 
+    use_ground: _switch("Ground", "Flakes land on a level plane")
+    ground: _number("Height", "Of the ground, along the world's Z axis", 0.0, subtype='DISTANCE')
+    collision: bpy.props.EnumProperty(
+        name="Landed", description="What flakes do that have landed", items=COLLISIONS, default='STAY', options=set(),
+        update=touch, override=OVERRIDABLE)
+    melt_time: _number(
+        "Melt Time", "Seconds in which landed flakes melt", 1.0, min=0.01, max=1e6, soft_max=10.0, unit='TIME_ABSOLUTE')
+    friction: _number(
+        "Friction", "Of what flakes land on: on slopes whose tangent is less they do not slide", 0.5, min=0.0, max=1e3,
+        soft_max=2.0)
+
     look: bpy.props.EnumProperty(
         name="Flakes", description="What flakes look like", items=LOOKS, default='FLAKE', options=set(), update=_redress,
         override=OVERRIDABLE)
@@ -160,6 +176,9 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
     surface: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Mesh", description="Object whose faces flakes leave", update=rewire,
+        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
+    collider: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Collider", description="Mesh object that flakes land on", update=rewire,
         override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
     flake: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Flake", description="Object that each flake is an instance of", update=_dress,

@@ -28,10 +28,15 @@ AIR = Rows((
     "gravity", "drag", Row("wind", when=is_positive("drag")), Row("gusts", when=is_positive("drag")),
     Row("gust_frequency", when=lambda settings: settings.drag > 0.0 and settings.gusts > 0.0),
     "turbulence", Row("turbulence_size", when=is_positive("turbulence"))), title="Forces")
+LANDING = Rows((
+    "use_ground", Row("ground", when=_is_on("use_ground")), "collision",
+    Row("melt_time", when=is_one_of("collision", 'MELT')), Row("friction", when=is_one_of("collision", 'SLIDE'))),
+    title="Collision")
+COLLIDER = Rows(("collider",))
 _WIDTH = Row("flake_width", when=is_not("look", 'OBJECT', 'COLLECTION'))
 FLAKES = Rows((
     "look", Row("flake", when=is_one_of("look", 'OBJECT')), Row("flakes", when=is_one_of("look", 'COLLECTION')), _WIDTH,
     "all_attributes", "preview", "influence"), title="Flakes")
 LOOK = Rows(("look", _WIDTH, "all_attributes", "preview", "influence"), title="Flakes")
 """For the operator, which names objects otherwise."""
-ALL = (EMISSION, EMITTER, RANDOM, SNOW, AIR, LOOK)
+ALL = (EMISSION, EMITTER, RANDOM, SNOW, AIR, LANDING, LOOK)

@@ -12,7 +12,10 @@ UNKNOWN = Problem(
 NO_FLAKES = Problem("Choose what flakes look like: there is no such object or collection", False)
 FLAT = Problem("The emitter has a scale of 0, and can show no flakes")
 UNBAKEABLE = Problem("Flakes are computed on each frame: there is nothing to bake")
-PROBLEMS = (NO_SURFACE, SURFACE_DELETED, NO_FACES, UNKNOWN, NO_FLAKES, FLAT, flakes.NOT_FINITE, flakes.TOO_MANY,
+NO_COLLIDER = Problem("The collider is gone: flakes fall on without it", blocking=False)
+COLLIDER_WITHOUT_FACES = Problem("The collider has no faces: flakes fall through it", blocking=False)
+COLLIDER_MOVES = Problem("The collider moves: flakes land where it is on the present frame", blocking=False)
+PROBLEMS = (NO_COLLIDER, COLLIDER_WITHOUT_FACES, COLLIDER_MOVES, NO_SURFACE, SURFACE_DELETED, NO_FACES, UNKNOWN, NO_FLAKES, FLAT, flakes.NOT_FINITE, flakes.TOO_MANY,
             flakes.OUT_OF_RANGE)
 
 
@@ -28,10 +31,11 @@ POINTS = Points(
     attributes=(("velocity", 'VECTOR'), ("radius", 'FLOAT'), ("tint", 'COLOR'), ("age", 'FLOAT'), ("turn", 'QUATERNION'),
                 ("id", 'INT')),
     capacity=flakes.MOST, unneeded=_unneeded)
-INPUTS = (OwnMatrix("emitter"), Matrix("placed", of="surface"), Geometry("surface", of="surface"), Setting("influence"))
+INPUTS = (OwnMatrix("emitter"), Matrix("placed", of="surface"), Geometry("surface", of="surface"),
+          Matrix("standing", of="collider"), Geometry("collider", of="collider"), Setting("influence"))
 
 
-def solve(context, emitter, placed, surface, influence):
+def solve(context, emitter, placed, surface, standing, collider, influence):
     """Flakes in world space."""
     settings = context.settings
     keywords = context.kept("keywords", None, lambda: flakes.numbers(settings))
@@ -51,12 +55,13 @@ def solve(context, emitter, placed, surface, influence):
         return flakes.NOT_FINITE
     scene = context.depsgraph.scene
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
-    snow = flakes.made(keywords, acceleration, poses, faces)
+    barrier, fault = _barrier(context, standing, collider) if settings.collider else (None, None)
+    snow = flakes.made(keywords, acceleration, poses, faces, barrier)
     if isinstance(snow, Problem):
         return snow
     share = settings.preview / 100.0 if context.depsgraph.mode == 'VIEWPORT' else 1.0
     flakes.fill(context.points, snow, (context.frame - settings.start_frame) / context.fps, share)
-    return problem or _look_problem(settings)
+    return problem or fault or _look_problem(settings)
 
 
 def source(owner):
@@ -85,6 +90,19 @@ def _faces(context, placed, surface):
     if deleted.is_deleted(found):
         return SURFACE_DELETED
     return births.faces(surface.data) or NO_FACES
+
+
+def _barrier(context, standing, collider):
+    """(the native SnowCollider or None, Problem or None)."""
+    found = context.target("collider")
+    if found is None or standing is None or collider is None or found.type != 'MESH' or deleted.is_deleted(found):
+        return None, NO_COLLIDER
+    faces = births.faces(collider.data)
+    barrier = faces and flakes.collider(births.placed(faces, standing))
+    if barrier is None:
+        return None, COLLIDER_WITHOUT_FACES
+    moved = births.track(found, context.depsgraph.scene)
+    return barrier, COLLIDER_MOVES if not moved.is_known or moved.extent is not None else None
 
 
 def _look_problem(settings):

@@ -1,6 +1,32 @@
 """Spanish: snow."""
 
 INTERFACE = {
+    "Collision": "Colisión",
+    "Stay": "Quedarse",
+    "Flakes lie where they have landed, as long as they live": "Los copos quedan donde han caído mientras viven",
+    "Slide": "Resbalar",
+    "Flakes slide down what is steep, and lie where they come to rest":
+        "Los copos resbalan por lo empinado y quedan donde se paran",
+    "Melt": "Derretirse",
+    "Flakes that have landed shrink to nothing": "Los copos caídos encogen hasta desaparecer",
+    "Ground": "Suelo",
+    "Flakes land on a level plane": "Los copos caen sobre un plano horizontal",
+    "Height": "Altura",
+    "Of the ground, along the world's Z axis": "Del suelo, por el eje Z del mundo",
+    "Landed": "Al caer",
+    "What flakes do that have landed": "Qué hacen los copos que han caído",
+    "Melt Time": "Tiempo de fusión",
+    "Seconds in which landed flakes melt": "Segundos en que se derriten los copos caídos",
+    "Friction": "Fricción",
+    "Of what flakes land on: on slopes whose tangent is less they do not slide":
+        "De aquello en que caen: en pendientes de tangente menor no resbalan",
+    "Collider": "Obstáculo",
+    "Mesh object that flakes land on": "Objeto de malla sobre el que caen los copos",
+    "Name of a mesh object that flakes land on": "Nombre de un objeto de malla sobre el que caen los copos",
+    "The collider is gone: flakes fall on without it": "El obstáculo ya no está: los copos siguen cayendo",
+    "The collider has no faces: flakes fall through it": "El obstáculo no tiene caras: los copos lo atraviesan",
+    "The collider moves: flakes land where it is on the present frame":
+        "El obstáculo se mueve: los copos caen donde está en el fotograma actual",
     "All Attributes": "Todos los atributos",
     "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, and bare points a turn":
         "Para nodos propios, los copos tienen también lo que Blender no necesita de ellos: las instancias velocidad y los "
