@@ -10,10 +10,7 @@ FRAMES_PER_SECOND = 24
 
 def build(context):
     """Build the scene, show it in the window and return it."""
-    scene = bpy.data.scenes.new(SCENE_NAME)
-    context.window.scene = scene
-    scene.render.fps = FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND)
     land, air, views = (staging.new_collection(scene, name) for name in ("Landscape", "Flight", "Cameras"))
     haze = _build_light(scene, land)
     landscape.build(land, haze)

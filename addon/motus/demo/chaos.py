@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from . import materials, shapes, staging
+from . import lighting, materials, shapes, staging
 
 SCENE_NAME = "Motus Pendulum"
 FRAMES_PER_SECOND = 24
@@ -27,19 +27,15 @@ LAMPS = (
     ("Top Lamp", (2.0, -2.5, 6.0), 420.0, (1.0, 0.80, 0.60), 3.0),
 )
 CAMERA_PLACE, CAMERA_LENS = Vector((0.6, -15.6, 0.3)), 41.0
+VIEWS = (("AgX", "AgX - Punchy", 0.0), ("Filmic", "High Contrast", 0.0))
 
 
 def build(context):
     """Build the scene, show it in the window and return it."""
-    scene = bpy.data.scenes.new(SCENE_NAME)
-    context.window.scene = scene
-    scene.render.fps = FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    scene.frame_start, scene.frame_end = 1, SECONDS * FRAMES_PER_SECOND
-    scene.frame_set(1)
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, SECONDS * FRAMES_PER_SECOND)
     hall, swings = (staging.new_collection(scene, name) for name in ("Hall", "Pendulums"))
     scene.world = _world()
-    _set_view(scene)
+    lighting.set_color_management(scene, VIEWS)
     _add_hall(hall)
     pivots = _add_pendulums(context, swings)
     _add_brackets(hall, pivots)
@@ -57,15 +53,6 @@ def _world():
     background.inputs["Color"].default_value = (0.10, 0.12, 0.17, 1.0)
     background.inputs["Strength"].default_value = 0.7
     return world
-
-
-def _set_view(scene):
-    try:
-        scene.view_settings.view_transform = "AgX"
-        scene.view_settings.look = "AgX - Punchy"
-    except TypeError:  # of Blenders before 4
-        scene.view_settings.view_transform = "Filmic"
-        scene.view_settings.look = "High Contrast"
 
 
 # --- the hall --------------------------------------------------------------------------------------------------------

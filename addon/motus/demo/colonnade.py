@@ -25,11 +25,7 @@ NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 12.0, 150.0, 0.4, 1.6
 
 def build(context):
     """Build the scene, show it in the window and return it."""
-    scene = bpy.data.scenes.new(SCENE_NAME)
-    context.window.scene = scene
-    scene.render.fps = FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    scene.frame_set(1)
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND)
     land, air, views = (staging.new_collection(scene, name) for name in ("Temple", "Passing", "Stereo"))
     sky = lighting.build_sky_group()
     scene.world = lighting.build_world(sky)

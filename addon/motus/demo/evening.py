@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Vector
 
-from . import evening_land, evening_props, materials, shapes, staging
+from . import evening_land, evening_props, lighting, materials, shapes, staging
 
 SCENE_NAME = "Motus Snow"
 FRAMES_PER_SECOND = 24
@@ -32,15 +32,10 @@ CAMERA_TRAVEL = 1.1  # m to the left, in the whole scene
 
 def build(context):
     """Build the scene, show it in the window and return it."""
-    scene = bpy.data.scenes.new(SCENE_NAME)
-    context.window.scene = scene
-    scene.render.fps = FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    scene.frame_start, scene.frame_end = 1, SECONDS * FRAMES_PER_SECOND
-    scene.frame_set(1)
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, SECONDS * FRAMES_PER_SECOND)
     land, snow = (staging.new_collection(scene, name) for name in ("Evening", "Snowfall"))
     scene.world = _world()
-    _set_view(scene)
+    lighting.set_color_management(scene, VIEWS)
     _add_moon(land)
     lying = evening_land.snow_material()
     evening_land.build(land, lying)
@@ -65,18 +60,6 @@ def _world():
     output = shader.add("ShaderNodeOutputWorld")
     shader.feed(output.inputs["Surface"], background.outputs[0])
     return world
-
-
-def _set_view(scene):
-    view = scene.view_settings
-    for transform, look, exposure in VIEWS:
-        try:
-            view.view_transform = transform
-            view.look = look
-        except TypeError:  # this Blender does not know the name
-            continue
-        view.exposure = exposure
-        break
 
 
 def _add_moon(collection):

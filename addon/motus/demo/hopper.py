@@ -21,12 +21,7 @@ CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-0.9, -7.9, 2.0), (0.0, 0.2, 0.86), 48.
 
 def build(context):
     """Build the scene, show it in the window and return it."""
-    scene = bpy.data.scenes.new(SCENE_NAME)
-    context.window.scene = scene
-    scene.render.fps = FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    scene.frame_start, scene.frame_end = 1, CYCLE
-    scene.frame_set(1)
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, CYCLE)
     studio, creature = (staging.new_collection(scene, name) for name in ("Studio", "Hopper"))
     lighting.set_color_management(scene)
     scene.world = pull_studio.build_world()

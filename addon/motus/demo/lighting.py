@@ -114,10 +114,10 @@ def add_sun(collection):
     return sun
 
 
-def set_color_management(scene):
-    """A filmic view with some punch, by whichever name this Blender has it."""
+def set_color_management(scene, views=VIEWS):
+    """A filmic view with some punch, by whichever name this Blender has it: (transform, look, exposure) of each."""
     view = scene.view_settings
-    for transform, look, exposure in VIEWS:
+    for transform, look, exposure in views:
         try:
             view.view_transform = transform
             view.look = look

@@ -14,12 +14,7 @@ CAMERA_AIM = (-0.08, 0.0, 1.06)
 
 def build(context):
     """Build the scene, show it in the window and return it."""
-    scene = bpy.data.scenes.new(SCENE_NAME)
-    context.window.scene = scene
-    scene.render.fps = FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    scene.frame_start, scene.frame_end = 1, keying.CYCLE
-    scene.frame_set(1)
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, keying.CYCLE)
     studio, land, face = (staging.new_collection(scene, name) for name in ("Studio", "Landscape", "Face"))
     lighting.set_color_management(scene)
     scene.world = pull_studio.build_world()

@@ -35,12 +35,7 @@ CAMERA_AIM = (0.30, 0.0, 0.99)
 
 def build(context):
     """Build the scene, show it in the window and return it."""
-    scene = bpy.data.scenes.new(SCENE_NAME)
-    context.window.scene = scene
-    scene.render.fps = FRAMES_PER_SECOND
-    scene.render.resolution_x, scene.render.resolution_y = 1280, 720
-    scene.frame_start, scene.frame_end = 1, keying.CYCLE
-    scene.frame_set(1)
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, keying.CYCLE)
     land, place, figure, marks = (staging.new_collection(scene, name) for name in ("Land", "Lookout", "Pilot", "Targets"))
     _build_land(scene, land)
     stage = lookout.add_stage(place)
