@@ -8,7 +8,6 @@ import dataclasses
 import bpy
 import numpy as np
 import support
-import toy_system
 
 core = support.addon("core.system")
 settings = support.addon("core.settings")

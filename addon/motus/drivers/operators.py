@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import datablocks, native
+from ..core import datablocks
 from ..core.operators import Operator
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr

@@ -1,6 +1,5 @@
 """Dynamics: objects and bones follow their animation as a mass on a spring does, exact at any frame."""
 
-from ..core import graph
 from ..core.system import System
 from . import groups, operators, over_time, panel, presets, properties, solve
 

@@ -1,7 +1,7 @@
 """What is wired on an owner: the object itself and its bones that follow, and which of them are solved together."""
 
 import json
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import bpy
 

@@ -5,7 +5,7 @@ import bpy
 from ..core import graph, native, panels, tracks, ui
 from ..core.lazy import numpy as np
 from ..core.translations import OWN_SENSE, tr
-from . import filters, inputs, presets, rows
+from . import filters, presets, rows
 from .groups import units
 from .setup import active_entry, system
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import bpy
 
-from ..core import native, wiring
+from ..core import wiring
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.system import Matrix, Points, Problem, Setting, Variable, registered
