@@ -3,7 +3,8 @@
 from typing import Any, NamedTuple
 
 import bpy
-from bpy_extras.view3d_utils import location_3d_to_region_2d, region_2d_to_origin_3d, region_2d_to_vector_3d
+from bpy_extras.view3d_utils import (
+    location_3d_to_region_2d, region_2d_to_location_3d, region_2d_to_origin_3d, region_2d_to_vector_3d)
 from mathutils import Vector
 
 
@@ -23,6 +24,21 @@ class View(NamedTuple):
     def toward_viewer(self):
         """World direction from the screen to whoever looks at it."""
         return self.data.view_rotation @ Vector((0.0, 0.0, 1.0))
+
+    def place_at(self, x, y, point):
+        """The world point under a place of the window on the plane through a point that faces the view."""
+        return region_2d_to_location_3d(self.region, self.data, (x - self.region.x, y - self.region.y), point)
+
+    def sight(self, point):
+        """World direction in which the viewer looks at a point."""
+        viewer = self.data.view_matrix.inverted()
+        if self.data.is_perspective:
+            return (point - viewer.translation).normalized()
+        return -viewer.col[2].to_3d().normalized()
+
+    def up(self):
+        """World direction upwards on the screen."""
+        return self.data.view_rotation @ Vector((0.0, 1.0, 0.0))
 
     def pixels_for(self, point, length):
         """How many pixels a length at a point of the world is on the screen, across the view."""

@@ -106,10 +106,10 @@ def replay(session, dabs):
     has_acted = False
     for dab in dabs:
         if dab.is_first:
-            session.begin_stroke()
+            session.begin_stroke(is_drag=dab.kind == 'DRAG')
         if dab.vertex >= len(session.current):
             raise no_such_vertex(session, dab.vertex)
-        displacement = brush.strength * np.array(dab.displacement, float)
+        displacement = _length_of_dab(dab, brush) * np.array(dab.displacement, float)
         done = Done(dab.kind, dab.vertex, displacement, dab.radius * brush.radius, dab.strength)
         has_acted = session.repeat(done) or has_acted
     session.flush()
@@ -117,14 +117,19 @@ def replay(session, dabs):
 
 
 def keep_dabs(items, session):
-    """What replay() needs; lengths as shares of the brush's."""
+    """What replay() needs; lengths as shares of the brush's, but for drags, whose lengths are the mouse's."""
     items.clear()
-    strength, radius = session.brush.strength or 1.0, session.brush.radius
+    radius = session.brush.radius
     for dab in session.dabs:
         item = items.add()
         item.kind, item.vertex, item.is_first = dab.kind, dab.vertex, dab.is_first
+        strength = _length_of_dab(dab, session.brush) or 1.0
         item.displacement = [part / strength for part in dab.displacement]
         item.radius, item.strength = dab.radius / radius, dab.strength
+
+
+def _length_of_dab(dab, brush):
+    return 1.0 if dab.kind == 'DRAG' else brush.strength
 
 
 def keep_last(record, session):

@@ -20,6 +20,20 @@ def draw_radius(layout, brush):
     draw_number(layout, brush, "edge_count" if brush.distance == 'EDGES' else "radius", "use_pressure_size")
 
 
+def draw_strength(layout, brush):
+    """The strength, which a drag of the cursor does not ask for."""
+    row = layout.row(align=True)
+    row.active = brush.direction != 'CURSOR'
+    draw_number(row, brush, "strength", "use_pressure_strength")
+
+
+def draw_accumulate(layout, brush):
+    """The switch, which a drag of the cursor does not ask for."""
+    row = layout.row(align=True)
+    row.active = brush.direction != 'CURSOR'
+    row.prop(brush, "accumulate")
+
+
 def draw_main(layout, context):
     """What is pulled, and how."""
     brush = context.scene.motus.pull
@@ -28,7 +42,7 @@ def draw_main(layout, context):
         ui.draw_message(layout, problem, 'ERROR')
     column = _split(layout)
     draw_radius(column, brush)
-    draw_number(column, brush, "strength", "use_pressure_strength")
+    draw_strength(column, brush)
     column.prop(brush, "unit")
     column = _split(layout)
     column.prop(brush, "falloff")
@@ -39,7 +53,7 @@ def draw_main(layout, context):
     column = _split(layout)
     column.prop(brush, "distance")
     column.prop(brush, "direction")
-    column.prop(brush, "accumulate")
+    draw_accumulate(column, brush)
     column.prop(brush, "show_inset")
 
 

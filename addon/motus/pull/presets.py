@@ -10,6 +10,7 @@ NAMES = (*(name for name in KEYWORDS if name not in OF_THE_OBJECT), "use_pressur
 # Radius and strength suit the object: no preset sets them.
 BROUGHT = (
     Preset('SOFT', "Soft", "Rounded bumps and dents", {}),
+    Preset('GRAB', "Grab", "Takes the surface along with the cursor", {"direction": 'CURSOR'}),
     Preset('HILL', "Hill", "A wide bell, straight up", {"falloff": 'GAUSSIAN', "direction": 'Z'}),
     Preset('PLATEAU', "Plateau", "Moves all within the radius alike", {"falloff": 'CONSTANT', "direction": 'Z'}),
     Preset('THORN', "Thorn", "A sharp tip on a wide foot", {"falloff": 'SHARP'}),

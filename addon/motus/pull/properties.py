@@ -35,9 +35,10 @@ DIRECTIONS = (
     ('X', "X", "Along the X axis"),
     ('Y', "Y", "Along the Y axis"),
     ('Z', "Z", "Along the Z axis"),
+    ('CURSOR', "Cursor", "Along with the cursor: the drag itself is how far the root goes"),
 )
 AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
-DAB_KINDS = (('PULL', "Pull", ""), ('SMOOTH', "Smooth", ""))
+DAB_KINDS = (('PULL', "Pull", ""), ('SMOOTH', "Smooth", ""), ('DRAG', "Drag", ""))
 
 
 class BrushKeywords:

@@ -15,13 +15,18 @@ def _is_limited(settings):
     return settings.use_minimum or settings.use_maximum
 
 
+def _has_strength(operator):
+    return not operator.is_given("displacement") and (
+        not len(operator.dabs) or any(dab.kind != 'DRAG' for dab in operator.dabs))
+
+
 FORM = ("falloff", Row("scale_factor", when=is_one_of("falloff", 'CLASSIC')), "distance")
 EXTENT = (Row("mirror", expand=True), Row("vertex_group", search=_vertex_groups))
 LIMITS = (Row("minimum", switch="use_minimum"), Row("maximum", switch="use_maximum"))
 CLAMPED = Row("clamp_axis", when=_is_limited)
 
 PULL = (
-    Rows(("radius", "strength", "unit", *FORM), title="Pull"),
+    Rows(("radius", Row("strength", when=_has_strength), "unit", *FORM), title="Pull"),
     Rows((Row("direction", when=lambda operator: not operator.is_given("displacement") and not len(operator.dabs)),
           Row("displacement", when=is_given("displacement")), "accumulate", *EXTENT),
          title="Direction"),

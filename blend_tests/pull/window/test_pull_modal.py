@@ -338,7 +338,7 @@ class Toolbar(unittest.TestCase):
         """In the newest Blender; an older one may lack some, and shows the text alone."""
         known = bpy.types.UILayout.bl_rna.functions["label"].parameters["icon"].enum_items
         status = support.addon("pull.window.status")
-        for key in status.SESSION_KEYS + status.ADJUSTING_KEYS:
+        for key in status.SESSION_KEYS + status.ADJUSTING_KEYS + status.GRABBING_KEYS + status.DRAGGING_KEYS:
             for icon in key.icons:
                 if bpy.app.version >= (4, 3, 0):
                     self.assertIn(icon, known)

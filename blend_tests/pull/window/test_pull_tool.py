@@ -41,6 +41,13 @@ class Settings(PullTestCase):
         self.assertIn("edge_count", names)
         self.assertNotIn("radius", names)
 
+    def test_a_drag_asks_for_no_strength(self):
+        self.assertTrue(self.drawn('TOOL_HEADER').active)
+        self.brush.direction = 'CURSOR'
+        layout = self.drawn('TOOL_HEADER')
+        self.assertFalse(layout.active)
+        self.assertIn("direction", layout.names)
+
     def test_blender_has_the_tool_in_each_mode(self):
         tools = support.addon("pull.window.tool")
         from bl_ui.space_toolsystem_common import ToolSelectPanelHelper

@@ -102,6 +102,14 @@ def redo():
         bpy.ops.ed.redo()
 
 
+def undo_and_redo(before, after):
+    """Generator: one undo takes back what was done, and redo brings it again."""
+    for act, wanted in ((undo, before), (redo, after)):
+        act()
+        yield
+        assert np.array_equal(places(), wanted), act
+
+
 def take_tool():
     with window_support.override():
         bpy.ops.wm.tool_set_by_id(name="motus.pick_pull")

@@ -31,12 +31,7 @@ def test_up_down_and_enter():
     assert abs(pull.evaluated_top() - top) < 1e-6
     yield from pull.key('RET')
     assert pull.pulling() is None
-    pull.undo()
-    yield
-    assert np.array_equal(pull.places(), flat), "one undo takes back the whole session"
-    pull.redo()
-    yield
-    assert np.array_equal(pull.places(), after), "redo brings it again"
+    yield from pull.undo_and_redo(flat, after)
     assert abs(pull.evaluated_top() - top) < 1e-6
 
 

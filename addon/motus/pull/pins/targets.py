@@ -125,6 +125,8 @@ def _displacement(mesh, positions, vertex, brush, space):
     """The way of the root by the brush's direction and strength, in the object."""
     if brush.direction == 'VIEW':
         raise Refused(tr("A pin has no view to pull towards: choose another direction or give a displacement"))
+    if brush.direction == 'CURSOR':
+        raise Refused(tr("A pin has no cursor to go along with: choose another direction or give a displacement"))
     if brush.direction in AXIS_INDEX:
         axis = np.eye(3)[AXIS_INDEX[brush.direction]]
         way = space.inverse @ axis if brush.unit == 'WORLD' else axis

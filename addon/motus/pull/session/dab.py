@@ -40,7 +40,8 @@ class Session:
     """The mesh as it was, as it is, and what changes it. Raises Refused where the mesh cannot be edited.
 
     accumulate on: each pull builds on the last; distances are those of the shape when the stroke began. Off: each pull
-    starts from the shape when the session began. Nothing here makes an undo step or a report.
+    starts from the shape when the session began. A drag starts from the shape when its stroke began, and what is pulled
+    afterwards starts from its result, both whether or not it accumulates. Nothing here makes an undo step or a report.
     """
 
     def __init__(self, context, obj, brush):
@@ -77,6 +78,7 @@ class Session:
         self._original = self._base = self._start = self.current
         self._surface.start_is_current()
         self._is_fresh = True
+        self._is_drag = False
         self._history = History()
         self._unwritten = []
         self._spares = []  # shapes for sweeps to fill, in turn; see _spare()
@@ -88,7 +90,7 @@ class Session:
         """What a world ray meets first: a Hit, or None."""
         found = self._surface.pick(
             self.space.point_to_local(origin), self.space.inverse @ np.asarray(direction, float), self.metric, self._start,
-            self.current if self.brush.accumulate and not self._is_fresh else None)
+            self._shape_of_now)
         if found is None:
             return None
         triangle, point, normal, vertex = found
@@ -104,6 +106,10 @@ class Session:
         """Where a vertex is in the world now."""
         return Vector(self.space.point_to_world(self.current[vertex]))
 
+    def seen_place(self, vertex):
+        """Where a vertex is seen in the world: as modifiers and shape keys have it, where they keep the mesh's vertices."""
+        return Vector(self.space.point_to_world(self._surface.seen_place(vertex, self._start, self._shape_of_now)))
+
     def normal(self, vertex):
         """World normal of the surface at a vertex, as the stroke began; zero for a loose one."""
         return Vector(self.space.normal_to_world(self._surface.normal(vertex, self._start)))
@@ -115,6 +121,10 @@ class Session:
     def to_world_vector(self, vector):
         """A vector in the space that the brush's unit says, in the world."""
         return Vector(vector if self.brush.unit == 'WORLD' else self.space.linear @ np.asarray(vector, float))
+
+    def length(self, vector):
+        """The length of a world vector in the brush's unit."""
+        return float(np.linalg.norm(self.metric @ (self.space.inverse @ np.asarray(vector, float))))
 
     def to_world_point(self, point):
         """A point in the space that the brush's unit says, in the world."""
@@ -136,15 +146,20 @@ class Session:
 
     # --- What it does -----------------------------------------------------------------------------------------------
 
-    def begin_stroke(self):
-        """From here on distances and normals are those of the shape of now."""
+    def begin_stroke(self, is_drag=False):
+        """From here on distances and normals are those of the shape of now. is_drag: whether drag() makes the stroke."""
         if not self._is_fresh:
-            if self.brush.accumulate:
+            if self.brush.accumulate or self._is_drag or is_drag:
                 self._start_now()
             elif self._start is not self._base:
                 self._start_at_base()
+        if self._is_drag:
+            self._build_on_start()
         before = self._start if self._is_fresh else self.current.copy()
         self._history.begin_stroke(before, self.current, self._base)
+        self._is_drag = is_drag
+        if is_drag:
+            self._build_on_start()
 
     def displacement(self, vertex, sign=1.0, view=None):
         """World vector that the brush moves a root by. view: world direction to the viewer. May raise Refused."""
@@ -152,6 +167,8 @@ class Session:
         if brush.direction in AXIS_INDEX:
             local = np.eye(3)[AXIS_INDEX[brush.direction]]
             local = space.inverse @ local if brush.unit == 'WORLD' else local
+        elif brush.direction == 'CURSOR':
+            raise Refused(tr("There is no cursor to go along with: choose another direction or give a displacement"))
         elif brush.direction == 'VIEW':
             if view is None:
                 raise Refused(tr("There is no view to pull towards: choose another direction"))
@@ -177,6 +194,14 @@ class Session:
         radius = brush.radius * (pressure if brush.use_pressure_size else 1.0)
         return self.repeat(Done('PULL', vertex, local, radius), write)
 
+    def drag(self, vertex, displacement, write=True):
+        """Let all of this stroke be one pull of a vertex by a world vector; by a zero vector the stroke is taken back.
+
+        A pen's pressure does not count, so that the vertex stays under it. False where there is nothing to do.
+        """
+        local = self.space.inverse @ np.asarray(displacement, float)
+        return self.repeat(Done('DRAG', vertex, local, self.brush.radius), write)
+
     def smooth(self, vertex, strength=0.5, pressure=1.0, write=True):
         """Even the surface out around a vertex; what is pulled afterwards starts from the result, whether or not it
         accumulates. False where there is nothing to do."""
@@ -192,10 +217,13 @@ class Session:
             raise Refused(tr("The displacement or the radius of this pull is too large"))
         dab = dab._replace(displacement=tuple(np.asarray(dab.displacement, np.float32).tolist()))
         if dab.radius <= 0.0 or not (dab.strength if dab.kind == 'SMOOTH' else any(dab.displacement)):
+            if dab.kind == 'DRAG' and self._history.has_begun:
+                self.step_back()
+                self.begin_stroke(is_drag=True)
             return False
         if dab.kind == 'SMOOTH':
             self._smooth(dab, write)
-        elif self.brush.accumulate:
+        elif dab.kind == 'PULL' and self.brush.accumulate:
             self._pull_on(dab, write)
         else:
             self._pull_afresh(dab, write)
@@ -218,12 +246,14 @@ class Session:
         if found is None:
             return False
         shape, self._base = found
+        self._is_drag = False
         self._go_to(shape)
         return True
 
     def restore(self):
         """Everything as it was when the session began, bit for bit."""
         self._base = self._original
+        self._is_drag = False
         self._go_to(self._original.copy())
         self._history = History()
 
@@ -278,34 +308,35 @@ class Session:
 
     def _pull_on(self, dab, write):
         place = tuple(self.current[dab.vertex].tolist())
-        moved, room = self._pull(dab, self.current, self._start, write)
+        moved, room = self._pull(dab, write, is_on_top=True)
         self._history.add(dab, self.brush, place, self._start)
         self._changed([moved], write, room, self.brush.largest_force * np.linalg.norm(dab.displacement))
 
     def _pull_afresh(self, dab, write):
         place = tuple(self._base[dab.vertex].tolist())
-        moved, room = self._pull(dab, self._base, self._base, write)
+        moved, room = self._pull(dab, write, is_on_top=False)
         self._history.add(dab, self.brush, place, self._base)
         # What the dab before has moved is back in its place, which is a change too.
         changed, self._last_moved = [moved, self._last_moved], moved
         self._changed(changed, write, room)
 
-    def _pull(self, dab, source, start, write):
-        """Let what is current be what a dab makes of the source, by one pass over all vertices or by the tree, whichever
-        takes less time.
+    def _pull(self, dab, write, is_on_top):
+        """Let what is current be what a dab makes of it, or of the base, by one pass over all vertices or by the tree,
+        whichever takes less time.
 
         Returns (what has moved, or None for all, the mesh's memory where that is filled too).
         """
         numbers = dab.vertex, dab.displacement, self.brush, dab.radius
+        start = self._start if is_on_top else self._base
         if self._puller.may_sweep(self.brush, dab.radius, start):
             room = self._room(write)
-            return self._sweep(source, numbers, start, room), room
-        if self.brush.accumulate:
+            return self._sweep(numbers, start, room, is_on_top), room
+        if is_on_top:
             return self._puller.pull(self._writable(), *numbers, start), None
-        return self._puller.pull_from(source, self._writable(), self._last_moved, *numbers), None
+        return self._puller.pull_from(self._base, self._writable(), self._last_moved, *numbers), None
 
-    def _sweep(self, source, numbers, start, room):
-        is_on_top = self.brush.accumulate
+    def _sweep(self, numbers, start, room, is_on_top):
+        source = self.current if is_on_top else self._base
         after = self._spare() if is_on_top or self._is_kept(self.current) else self.current
         if is_on_top and room is not None and not self._unwritten:
             # It holds the shape already, and has just been through the processor.
@@ -323,8 +354,12 @@ class Session:
         self._changed([moved], write)
         if not self.brush.accumulate:
             self._start_now()
-            self._base = self._start
-            self._last_moved = NONE_MOVED
+            self._build_on_start()
+
+    @property
+    def _shape_of_now(self):
+        """The shape that is pulled and seen; None where that is the start."""
+        return self.current if (self.brush.accumulate or self._is_drag) and not self._is_fresh else None
 
     def _is_kept(self, shape):
         """Whether somebody else counts on the shape to stay as it is."""
@@ -377,6 +412,11 @@ class Session:
         self._surface.start_is_current()
         self._puller.forget()
         self._is_fresh = True
+
+    def _build_on_start(self):
+        """What does not accumulate starts from the shape of now, which is the start."""
+        self._base = self._start
+        self._last_moved = NONE_MOVED
 
     def _start_at_base(self):
         self._start = self._base

@@ -10,7 +10,10 @@ last_shapes = None
 
 
 class Done(NamedTuple):
-    """One dab. displacement: of the root, in the object. radius: in the brush's unit. strength: of smoothing."""
+    """One dab. displacement: of the root, in the object. radius: in the brush's unit. strength: of smoothing.
+
+    A DRAG is all of its stroke: it pulls the shape that the stroke began with.
+    """
 
     kind: str
     vertex: int
@@ -44,6 +47,11 @@ class History:
         self._open = None
         self._before = None
 
+    @property
+    def has_begun(self):
+        """Whether there is a dab of the stroke that is going on."""
+        return self._open is not None and len(self.dabs) > self._open[0]
+
     def begin_stroke(self, before, current, base):
         """A stroke begins with the shape `before`, which `current` equals and will leave. base: for pop_stroke()."""
         self._close(current)
@@ -51,11 +59,14 @@ class History:
 
     def add(self, dab, brush, place, before):
         """A dab that has been done; see Pulled. before: the same array for all dabs that build on one another."""
-        is_first = self._open is None or len(self.dabs) == self._open[0]
+        if dab.kind == 'DRAG' and self.has_begun:
+            del self.dabs[-1]
+        is_first = not self.has_begun
         self.dabs.append(dab._replace(is_first=is_first))
-        builds_on, self._before = brush.accumulate and before is self._before, before
+        builds_on = dab.kind == 'PULL' and brush.accumulate and before is self._before
+        self._before = before
         last = self.last
-        if dab.kind != 'PULL':
+        if dab.kind == 'SMOOTH':
             self.last = None
         elif builds_on and last and last.is_alone and _is_like(dab, brush, last):
             total = tuple(one + more for one, more in zip(last.dab.displacement, dab.displacement))

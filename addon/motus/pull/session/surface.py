@@ -71,6 +71,10 @@ class Surface:
         places = shape[self.triangles[triangle]].astype(float)
         return triangle, point, np.cross(places[1] - places[0], places[2] - places[0]), vertex
 
+    def seen_place(self, vertex, start, current):
+        """Where a vertex is seen, in the object's space; start, current: as for pick()."""
+        return self._seen_shape(start if current is None else current)[vertex]
+
     def picker(self, start):
         """The native Picker over the start."""
         return self._start_tree.picker(start, self.triangles, self.edges)

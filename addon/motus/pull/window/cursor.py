@@ -13,7 +13,7 @@ from ...core import handlers, native
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
 from ...core.viewports import View
-from ..brush import Brush
+from ..brush import AXIS_INDEX, Brush
 from . import cursor_shape, drawing, hover, inset, stage, status
 
 log = logging.getLogger(__name__)
@@ -23,6 +23,9 @@ classes = ()
 UP = (1.0, 0.56, 0.16)
 DOWN = (0.28, 0.62, 1.0)
 SMOOTHING = (0.45, 0.85, 0.4)
+AXIS_COLORS = ((0.96, 0.2, 0.32), (0.53, 0.84, 0.01), (0.16, 0.56, 1.0))
+AXIS_LENGTH = 4.0
+"""Of the reach, from the root to either side."""
 SHADE = 0.4
 """Opacity where the force is 1."""
 MOST_DOTS = 6000
@@ -88,7 +91,7 @@ def _draw(place):
 def _draw_in(context, view, place):
     import gpu
 
-    pulling = stage.current()
+    pulling, dragged = stage.current(), None
     if pulling is None:
         session = hover.session(context)
         if session is None:
@@ -100,9 +103,10 @@ def _draw_in(context, view, place):
         if view.region != pulling.adjustment.view.region:
             return
     else:
-        session = pulling.session
-        hit = session.pick(*view.ray(*place))
-        color = SMOOTHING if pulling.is_stroking and pulling.is_smooth else DOWN if pulling.sign < 0.0 else UP
+        session, stroke = pulling.session, pulling.stroke
+        hit, dragged = stroke.cursor(session, view, place) if stroke else (session.pick(*view.ray(*place)), None)
+        is_down = pulling.sign < 0.0 and session.brush.direction != 'CURSOR'
+        color = SMOOTHING if stroke and pulling.is_smooth else DOWN if is_down else UP
     if context.scene.motus.pull.show_inset:
         inset.start()
     gpu.state.blend_set('ALPHA')
@@ -111,7 +115,10 @@ def _draw_in(context, view, place):
         _draw_cross(place, context.preferences.system.pixel_size)
     else:
         sign = pulling.sign if pulling is not None and pulling.is_stroking else 1.0
-        _draw_brush(context, view, session, hit, color, sign)
+        displacement = _displacement(session, hit, sign, view) if dragged is None else np.array(dragged)
+        if pulling is not None and pulling.is_dragging:
+            _draw_axis(view, pulling, context.preferences.system.pixel_size)
+        _draw_brush(context, view, session, hit, color, displacement)
         adjusted = pulling.adjustment if pulling is not None else None
         _draw_text(context, session.brush, adjusted, place, scale)
     gpu.state.blend_set('NONE')
@@ -123,11 +130,17 @@ def _draw_cross(place, pixel):
         drawing.line([(place[0] - dx, place[1] - dy), (place[0] + dx, place[1] + dy)], (1.0, 1.0, 1.0, 0.7), pixel)
 
 
-def _draw_brush(context, view, session, hit, color, sign):
+def _draw_axis(view, pulling, pixel):
+    brush = pulling.brush
+    ends = pulling.stroke.axis_line(AXIS_LENGTH * (1.0 if brush.distance == 'EDGES' else brush.reach_of(brush.radius)))
+    if ends is not None:
+        _line(view, np.array(ends), (*AXIS_COLORS[AXIS_INDEX[pulling.stroke.axis]], 0.9), pixel)
+
+
+def _draw_brush(context, view, session, hit, color, displacement):
     brush, pixel = session.brush, context.preferences.system.pixel_size
     matrix = view.data.perspective_matrix
     center = np.array(hit.point)
-    displacement = _displacement(session, hit, sign, view)
     if brush.distance != 'STRAIGHT':
         _draw_dots(view, session, hit, color, pixel)
     if brush.distance != 'EDGES':
@@ -146,7 +159,7 @@ def _displacement(session, hit, sign, view):
     try:
         return np.array(session.displacement(hit.vertex, sign, view.toward_viewer()))
     except Refused:
-        return np.zeros(3)  # which the stroke will say
+        return np.zeros(3)  # the stroke says why, or the cursor leads it
 
 
 def _draw_disc(view, matrix, shape, color):
@@ -186,5 +199,5 @@ def _line(view, points, color, width):
 def _draw_text(context, brush, adjustment, place, scale):
     adjusted, entry = (adjustment.name, adjustment.entry) if adjustment is not None else (None, None)
     lines = [status.pair(context, brush, name, entry if name == adjusted else None)
-             for name in (status.RADIUS, status.STRENGTH)]
+             for name in status.numbers(brush, adjusted)]
     drawing.text(lines, place[0] + 22.0 * scale, place[1] - 26.0 * scale, scale)

@@ -114,7 +114,7 @@ class PickPullModal:
         if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
             self.cancel(context)
             return {'CANCELLED'}
-        if event.type == pulling.button and event.value == 'RELEASE':
+        if pulling.is_ended_by(event):
             pulling.release(context)
             return self._finish(context)
         return self._held(context, event)
@@ -125,8 +125,10 @@ class PickPullModal:
             self._pulling.move(context, event)
             return {'PASS_THROUGH'}  # for the cursor
         if event.type == 'TIMER':
-            self._pulling.tick(context, event)
+            self._pulling.tick(event)
             return {'PASS_THROUGH'}
+        if event.value == 'PRESS':
+            self._pulling.key(context, event)
         return {'RUNNING_MODAL'}
 
     def _session(self, context, event):
@@ -134,11 +136,14 @@ class PickPullModal:
         if pulling.adjustment is not None:
             pulling.handle_adjustment(context, event)
             return {'PASS_THROUGH'} if event.type in MOVES else {'RUNNING_MODAL'}
+        if pulling.is_stroking and pulling.stroke.is_cancelled_by(event):
+            pulling.cancel_stroke(context)
+            return {'RUNNING_MODAL'}
         if event.type == 'ESC' and event.value == 'PRESS' and not pulling.entry.is_open:
             self.cancel(context)
             return {'CANCELLED'}
         if pulling.is_stroking:
-            if event.type == pulling.button and event.value == 'RELEASE':
+            if pulling.is_ended_by(event):
                 pulling.release(context)
                 return {'RUNNING_MODAL'}
             return self._held(context, event)

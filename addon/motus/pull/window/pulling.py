@@ -1,15 +1,12 @@
 """A session in the window: what mouse and keys do to the mesh and to the brush."""
 
-import time
-
 from ...core import viewports
 from ..brush import Brush
-from . import stage, status, strokes
+from . import stage, status
 from .adjusting import Adjustment, notched, typed
+from .dabbing import Dabbing
+from .dragging import Dragging
 from .entry import NumberEntry
-
-SMOOTHING = 0.5
-"""Share of the way to the neighbours' mean that one dab of smoothing goes."""
 
 
 class Pulling:
@@ -18,16 +15,13 @@ class Pulling:
     def __init__(self, context, session, given):
         self.session = session
         self.settings = context.scene.motus.pull
-        self.view = self.hit = None
         self.adjustment = None
+        self.stroke = None
         self.entry = NumberEntry()
         self.button = None
         self.sign, self.is_smooth = 1.0, False
         self._given = dict(given)
         self._window = context.window
-        self._way = self._timer = None
-        self._ticked = 0.0
-        self._areas = set()
         stage.enter(self)
 
     @property
@@ -38,7 +32,12 @@ class Pulling:
     @property
     def is_stroking(self):
         """Whether a button is held."""
-        return self.button is not None
+        return self.stroke is not None
+
+    @property
+    def is_dragging(self):
+        """Whether the root goes along with the mouse."""
+        return isinstance(self.stroke, Dragging)
 
     # --- The brush ------------------------------------------------------------------------------------------------
 
@@ -73,9 +72,9 @@ class Pulling:
 
     def adjust(self, context, name, view, event):
         """Let the mouse change radius or strength from here on."""
-        self.hit = self._find(view, event.mouse_x, event.mouse_y)
-        place = self.hit.point if self.hit else view.data.view_location
-        self.adjustment = Adjustment(name, self.brush, event.mouse_x, view.pixels_for(place, 1.0), view, self.hit)
+        hit = self.session.pick(*view.ray(event.mouse_x, event.mouse_y))
+        place = hit.point if hit else view.data.view_location
+        self.adjustment = Adjustment(name, self.brush, event.mouse_x, view.pixels_for(place, 1.0), view, hit)
         self.show(context)
 
     def handle_adjustment(self, context, event):
@@ -92,68 +91,60 @@ class Pulling:
 
     def press(self, context, view, event, sign, is_smooth):
         """A button is pressed over the viewport: a stroke begins. Gives whether it is on the mesh."""
-        self.view, self.button, self.sign, self.is_smooth = view, event.type, sign, is_smooth
-        self.session.begin_stroke()
-        self._way = strokes.Way(lambda x, y: self._find(view, x, y), self._pixels)
-        self._timer = context.window_manager.event_timer_add(1.0 / strokes.RATE, window=self._window)
-        self._ticked = time.monotonic()
+        self.button, self.sign, self.is_smooth = event.type, sign, is_smooth
+        if self.brush.direction == 'CURSOR' and not is_smooth:
+            self.stroke = Dragging(self.session, view, event)
+        else:
+            self.stroke = Dabbing(context, self.session, view, sign, is_smooth)
         self.move(context, event)
-        return self.hit is not None
+        return self.stroke.hit is not None
 
     def move(self, context, event):
         """The mouse has moved while a button is held."""
-        found = self._way.move(event.mouse_x, event.mouse_y)
-        self.hit = self._way.found
-        # Where nothing accumulates only the last place counts: the shape follows the mouse, however short its way.
-        if not self.brush.accumulate and not self.is_smooth:
-            found = [self.hit] if self.hit else []
-        self._dabs(context, found, event)
+        self.stroke.move(event)
+        self._show_stroke(context)
 
-    def tick(self, context, event):
+    def tick(self, event):
         """The clock ticks while a button is held."""
-        now = time.monotonic()
-        if now - self._ticked < 0.8 / strokes.RATE:
-            return  # somebody else's clock
-        self._ticked = now
-        if self.brush.accumulate or self.is_smooth:
-            self._dabs(context, self._way.wait(), event)
+        self.stroke.tick(event)
+        self._redraw()
+
+    def key(self, context, event):
+        """A key is pressed while a button is held."""
+        self.stroke.key(context, event)
+        self._show_stroke(context)
+
+    def is_ended_by(self, event):
+        """Whether an event ends the stroke, which stays."""
+        is_let_go = event.type == self.button and event.value == 'RELEASE'
+        return is_let_go or self.stroke.is_confirmed_by(event)
 
     def release(self, context):
-        """The button is let go."""
-        self.button = self._way = None
-        self._stop_timer(context)
-        self._redraw()
+        """The stroke is over."""
+        self._end_stroke()
+        self.show(context)
+
+    def cancel_stroke(self, context):
+        """The stroke is over, and its drag taken back."""
+        self.stroke.cancel()
+        self.release(context)
 
     def step_back(self, context):
         """Undo the last stroke of this session."""
         if self.session.step_back():
             self.show(context)
 
-    def _dabs(self, context, found, event):
-        if not found:
-            return
-        pressure = strokes.pressure(event)
-        try:
-            for hit in found:
-                self._dab(hit, pressure, write=hit is found[-1])
-        finally:
-            self.session.flush()
-        self._redraw()
+    def _show_stroke(self, context):
+        # Of dabs the headers tell nothing that would change.
+        if self.is_dragging:
+            self.show(context)
+        else:
+            self._redraw()
 
-    def _dab(self, hit, pressure, write):
-        if self.is_smooth:
-            self.session.smooth(hit.vertex, SMOOTHING, pressure, write)
-            return
-        way = self.session.displacement(hit.vertex, self.sign, self.view.toward_viewer())
-        self.session.pull(hit.vertex, way, pressure, write)
-
-    def _find(self, view, x, y):
-        return self.session.pick(*view.ray(x, y))
-
-    def _pixels(self, hit):
-        if self.brush.distance == 'EDGES':
-            return 0.0  # a number of edges has no length
-        return self.view.pixels_for(hit.point, self.brush.radius)
+    def _end_stroke(self):
+        if self.stroke is not None:
+            self.stroke.end()
+        self.stroke = self.button = None
 
     # --- What is seen ---------------------------------------------------------------------------------------------
 
@@ -164,18 +155,27 @@ class Pulling:
             adjusted, entry = self.adjustment.name, self.adjustment.entry
         elif self.entry.is_open:
             adjusted, entry = status.STRENGTH, self.entry
-        text = status.header(context, self.settings, self.brush, entry, adjusted)
-        for area in self._viewports(context):
+        if self.is_dragging:
+            text = status.drag_header(context, self.settings, self.session, self.stroke)
+        else:
+            text = status.header(context, self.settings, self.brush, entry, adjusted)
+        for area in self._viewports():
             area.header_text_set(text)
-        keys = status.ADJUSTING_KEYS if self.adjustment is not None else status.SESSION_KEYS
-        context.workspace.status_text_set(status.drawn(keys))
+        context.workspace.status_text_set(status.drawn(self._keys()))
         self._redraw()
+
+    def _keys(self):
+        if self.adjustment is not None:
+            return status.ADJUSTING_KEYS
+        if self.is_dragging:
+            return status.DRAGGING_KEYS
+        return status.GRABBING_KEYS if self.brush.direction == 'CURSOR' else status.SESSION_KEYS
 
     def close(self, context):
         """Nothing is shown any more, and no clock ticks."""
-        self._stop_timer(context)
+        self._end_stroke()
         stage.leave(self)
-        for area in self._viewports(context):
+        for area in self._viewports():
             area.header_text_set(None)
         context.workspace.status_text_set(None)
         self._redraw()
@@ -184,14 +184,9 @@ class Pulling:
         """The viewport under the mouse, or None."""
         return viewports.view_at(self._window, event.mouse_x, event.mouse_y)
 
-    def _viewports(self, _context):
+    def _viewports(self):
         return [area for area in self._window.screen.areas if area.type == 'VIEW_3D']
 
     def _redraw(self):
-        for area in self._viewports(None):
+        for area in self._viewports():
             area.tag_redraw()
-
-    def _stop_timer(self, context):
-        if self._timer is not None:
-            context.window_manager.event_timer_remove(self._timer)
-            self._timer = None

@@ -35,16 +35,30 @@ def pair(context, brush, name, entry: NumberEntry = None):
     return f"{label(LABELS[name])} {shown}"
 
 
-def item_label(settings, name):
-    """Label of the item that an enum property stands on."""
-    return label(settings.bl_rna.properties[name].enum_items[getattr(settings, name)].name)
+def item_label(settings, brush, name):
+    """Label of the item that the brush has of an enum setting."""
+    return label(settings.bl_rna.properties[name].enum_items[getattr(brush, name)].name)
+
+
+def numbers(brush, adjusted=None):
+    """The names of the brush's numbers that count, and of the one that is being typed or dragged."""
+    return (RADIUS,) if brush.direction == 'CURSOR' and adjusted != STRENGTH else (RADIUS, STRENGTH)
+
+
+def drag_header(context, settings, session, drag):
+    """The line in the viewport's header during a drag: how far the root goes, and along which axis."""
+    typed = f"{drag.entry.text}|" if drag.entry.is_open else length(context, session.length(drag.displacement))
+    parts = [f"{label('Displacement')} {typed}"]
+    if drag.axis is not None:
+        parts.append(f"{label('Axis')} {drag.axis} ({item_label(settings, session.brush, 'unit')})")
+    return "    ".join(parts)
 
 
 def header(context, settings, brush, entry, adjusted):
     """The line in the viewport's header. adjusted: the number that is being typed or dragged, or None."""
-    parts = [pair(context, brush, name, entry if adjusted == name else None) for name in (RADIUS, STRENGTH)]
-    parts += [item_label(settings, name) for name in ("falloff", "distance", "direction")]
-    if brush.accumulate:
+    parts = [pair(context, brush, name, entry if adjusted == name else None) for name in numbers(brush, adjusted)]
+    parts += [item_label(settings, brush, name) for name in ("falloff", "distance", "direction")]
+    if brush.accumulate and brush.direction != 'CURSOR':
         parts.append(label("Accumulate"))
     if brush.mirror:
         parts.append(f"{label('Mirror')} {' '.join(sorted(brush.mirror))}")
@@ -58,12 +72,18 @@ class Key:
         self.text, self.icons = text, icons
 
 
+RADIUS_KEY = Key("Radius", 'EVENT_F', 'MOUSE_MMB_SCROLL')
+SHAPE_KEYS = (Key("Direction", 'EVENT_D'), Key("Falloff", 'EVENT_O'))
+LAST_KEYS = (
+    Key("Mirror", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'), Key("Inset View", 'EVENT_I'), Key("Confirm", 'EVENT_RETURN'),
+    Key("Cancel", 'EVENT_ESC'))
 SESSION_KEYS = (
-    Key("Pull Up", 'MOUSE_LMB'), Key("Pull Down", 'MOUSE_RMB'), Key("Invert", 'EVENT_CTRL'),
-    Key("Smooth", 'EVENT_SHIFT'),
-    Key("Radius", 'EVENT_F', 'MOUSE_MMB_SCROLL'), Key("Strength", 'EVENT_SHIFT', 'EVENT_F'), Key("Direction", 'EVENT_D'),
-    Key("Falloff", 'EVENT_O'), Key("Accumulate", 'EVENT_A'), Key("Mirror", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'),
-    Key("Inset View", 'EVENT_I'), Key("Confirm", 'EVENT_RETURN'), Key("Cancel", 'EVENT_ESC'))
+    Key("Pull Up", 'MOUSE_LMB'), Key("Pull Down", 'MOUSE_RMB'), Key("Invert", 'EVENT_CTRL'), Key("Smooth", 'EVENT_SHIFT'),
+    RADIUS_KEY, Key("Strength", 'EVENT_SHIFT', 'EVENT_F'), *SHAPE_KEYS, Key("Accumulate", 'EVENT_A'), *LAST_KEYS)
+GRABBING_KEYS = (Key("Grab", 'MOUSE_LMB_DRAG'), Key("Smooth", 'EVENT_SHIFT'), RADIUS_KEY, *SHAPE_KEYS, *LAST_KEYS)
+DRAGGING_KEYS = (
+    Key("Lock Axis", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'), Key("Type the Length"), Key("Confirm", 'EVENT_RETURN'),
+    Key("Cancel", 'MOUSE_RMB', 'EVENT_ESC'))
 ADJUSTING_KEYS = (
     Key("Confirm", 'MOUSE_LMB'), Key("Cancel", 'MOUSE_RMB', 'EVENT_ESC'), Key("Precision Mode", 'EVENT_SHIFT'))
 

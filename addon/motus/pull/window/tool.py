@@ -6,7 +6,7 @@ from pathlib import Path
 import bpy
 
 from ...core import teardown
-from ..panel import draw_number, draw_radius
+from ..panel import draw_accumulate, draw_radius, draw_strength
 from . import cursor, hover, inset, keymap, stage
 
 ICON = str(Path(__file__).resolve().parent / "icons" / "pick_pull")
@@ -20,7 +20,7 @@ class _Tool:
     bl_label = "Pick & Pull"
     bl_description = (
         "Pull the surface up with the left mouse button, down with the right one or with Ctrl; Shift smooths.\n"
-        "F and Shift F change radius and strength")
+        "F and Shift F change radius and strength. With the direction Cursor a drag takes the surface along")
     bl_icon = ICON
     bl_cursor = 'CROSSHAIR'
     bl_keymap = None
@@ -32,12 +32,12 @@ class _Tool:
             layout.use_property_split = True
             layout.use_property_decorate = False
         draw_radius(layout, brush)
-        draw_number(layout, brush, "strength", "use_pressure_strength")
+        draw_strength(layout, brush)
         is_header = context.region.type == 'TOOL_HEADER'
         for name in ("falloff", "distance", "direction"):
             # In the header the values alone tell what they are.
             layout.prop(brush, name, **({"text": ""} if is_header else {}))
-        layout.prop(brush, "accumulate")
+        draw_accumulate(layout, brush)
         row = layout.row(align=True)
         if is_header:
             row.label(text="Mirror")

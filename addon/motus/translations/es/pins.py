@@ -92,6 +92,8 @@ INTERFACE = {
     "The last pull was one of {object}": "El último tirón fue de {object}",
     "A pin has no view to pull towards: choose another direction or give a displacement":
         "Un ancla no tiene vista hacia la que tirar: elige otra dirección o da un desplazamiento",
+    "A pin has no cursor to go along with: choose another direction or give a displacement":
+        "Un ancla no tiene cursor con el que ir: elige otra dirección o da un desplazamiento",
     "The object is turned, and a pin's limits are along its own axes: choose Local as the unit":
         "El objeto está girado, y los límites de un ancla van por sus propios ejes: elige Local como unidad",
     "Make what the pins do a part of the mesh, and remove them":

@@ -146,6 +146,8 @@ INTERFACE = {
     "The size of the whole is given": "Se da el tamaño del conjunto",
     "There is no view to pull towards: choose another direction":
         "No hay una vista hacia la que tirar: elige otra dirección",
+    "There is no cursor to go along with: choose another direction or give a displacement":
+        "No hay un cursor con el que ir: elige otra dirección o da un desplazamiento",
     "Towards the viewer": "Hacia quien mira",
     "UV Map": "Mapa UV",
     "Unit": "Unidades",
@@ -207,9 +209,18 @@ INTERFACE = {
     "Cancel": "Cancelar",
     "Precision Mode": "Modo de precisión",
     "Pull the surface up with the left mouse button, down with the right one or with Ctrl; Shift "
-    "smooths.\nF and Shift F change radius and strength":
+    "smooths.\nF and Shift F change radius and strength. With the direction Cursor a drag takes the surface along":
         "Tira de la superficie hacia arriba con el botón izquierdo del ratón, hacia abajo con el derecho o "
-        "con Ctrl; Mayús suaviza.\nF y Mayús F cambian el radio y la fuerza",
+        "con Ctrl; Mayús suaviza.\nF y Mayús F cambian el radio y la fuerza. Con la dirección Cursor, al arrastrar la "
+        "superficie va con él",
+    "Cursor": "Cursor",
+    "Along with the cursor: the drag itself is how far the root goes":
+        "Junto con el cursor: lo que se arrastra es lo que avanza la raíz",
+    "Drag": "Arrastre",
+    "Grab": "Agarrar",
+    "Takes the surface along with the cursor": "Lleva la superficie junto con el cursor",
+    "Lock Axis": "Fijar un eje",
+    "Type the Length": "Escribir la longitud",
     "Mirror & Mask": "Simetría y máscara",
     "Pull Brush Presets": "Ajustes guardados del pincel",
     "Pulled from Clay": "Modelado en arcilla",
