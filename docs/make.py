@@ -6,7 +6,8 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE / "scripts"), str(HERE.parent / "blend_tests")]
 
-import demo_pictures  # noqa: E402  (found by the line above)
+import chroma_pictures  # noqa: E402  (found by the line above)
+import demo_pictures  # noqa: E402
 import dynamics_pictures  # noqa: E402
 import ik_pictures  # noqa: E402
 import lattice_pictures  # noqa: E402
@@ -26,6 +27,6 @@ pictures = HERE / "pictures"
 for render in (
         path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
         lattice_pictures.render_all, dynamics_pictures.render_all, pendulum_pictures.render_all,
-        snow_pictures.render_all, stereo_pictures.render_all, demo_pictures.render_all):
+        snow_pictures.render_all, stereo_pictures.render_all, chroma_pictures.render_all, demo_pictures.render_all):
     for picture in render(pictures):
         print(f"docs/pictures/{picture.name}")

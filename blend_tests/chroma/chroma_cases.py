@@ -112,7 +112,7 @@ def filmed(picture, folder):
     tree = compositor.prepared(scene, scene.motus.chroma)
     node = nodes.add_node(tree, "CompositorNodeImage")
     node.image = image
-    nodes.link(tree, node.outputs["Image"], compositor._outlet(tree))
+    nodes.link(tree, node.outputs["Image"], compositor.outlet(tree))
     for other in [other for other in tree.nodes if other.type == 'R_LAYERS']:
         tree.nodes.remove(other)
     settings = scene.render.image_settings

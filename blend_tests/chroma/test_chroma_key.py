@@ -118,3 +118,33 @@ class Keyed(support.SceneTestCase):
             covered[frame] = cases.keyed('MATTE')[..., 0].mean()
         self.assertGreater(covered[1] - covered[2], 0.02)
         self.assertGreater(covered[3] - covered[1], 0.02)
+
+    def test_a_picked_color_takes_effect(self):
+        self.key(cases.written(cases.over(self.subject, cases.screen(cases.GREEN)), self.folder / "green.png"))
+        before = cases.keyed('MATTE')[..., 0]
+        key = support.addon("chroma.compositor").key_of(bpy.context.scene)
+        key.inputs["Screen Color"].default_value = (*cases.BLUE, 1.0)
+        after = cases.keyed('MATTE')[..., 0]
+        screen = self.subject[..., 3] < 0.001
+        self.assertLess(before[screen].mean(), 0.005)
+        self.assertGreater(after[screen].mean(), 0.9)
+
+    def test_mask_keyword(self):
+        """A mask over the left half clears it, and nothing of the right half."""
+        mask = bpy.data.masks.new("Left")
+        spline = mask.layers.new().splines.new()
+        corners = ((-0.2, -0.2), (0.5, -0.2), (0.5, 1.2), (-0.2, 1.2))
+        spline.points.add(len(corners) - len(spline.points))
+        for point, corner in zip(spline.points, corners):
+            point.co, point.handle_type = corner, 'VECTOR'
+        spline.use_cyclic = True
+        path = cases.written(cases.over(self.subject, cases.screen(cases.GREEN)), self.folder / "green.png")
+        self.key(path)
+        without = cases.keyed('MATTE')[..., 0]
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.key(path, mask="Left")
+        matte = cases.keyed('MATTE')[..., 0]
+        half = cases.WIDTH // 2
+        self.assertGreater(without[:, :half - 4].max(), 0.99)
+        self.assertLess(matte[:, :half - 4].max(), 0.01)
+        np.testing.assert_allclose(matte[:, half + 4:], without[:, half + 4:], atol=0.01)

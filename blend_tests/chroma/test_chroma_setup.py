@@ -114,7 +114,7 @@ class SetUp(support.SceneTestCase):
         scene = bpy.context.scene
         tree = compositor.prepared(scene, scene.motus.chroma)
         scene.motus.property_unset("chroma")
-        target = compositor._outlet(tree)
+        target = compositor.outlet(tree)
         source = next(link.from_socket for link in tree.links if link.to_socket == target)
         blur = tree.nodes.new("CompositorNodeBlur")
         blur.name = "Own Blur"
@@ -128,7 +128,7 @@ class SetUp(support.SceneTestCase):
         key = self.set_up(clip=footage(self.folder))
         self.assertEqual(compositor.tree_of(bpy.context.scene), tree)
         self.assertEqual(key.inputs["Background"].links[0].from_node.name, "Own Blur")
-        self.assertEqual(compositor._outlet(tree).links[0].from_node, key)
+        self.assertEqual(compositor.outlet(tree).links[0].from_node, key)
         self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
         self.assertEqual(state(bpy.context.scene), before)
 
@@ -155,9 +155,9 @@ class SetUp(support.SceneTestCase):
 
     def test_without_an_output(self):
         tree = self.own_tree()
-        tree.nodes.remove(compositor._outlet(tree).node)
+        tree.nodes.remove(compositor.outlet(tree).node)
         key = self.set_up(clip=footage(self.folder))
-        self.assertEqual(compositor._outlet(tree).links[0].from_node, key)
+        self.assertEqual(compositor.outlet(tree).links[0].from_node, key)
         self.assertEqual(key.inputs["Background"].links[0].from_node.type, 'R_LAYERS')
 
     def test_saved_and_opened(self):
@@ -198,6 +198,24 @@ class SetUp(support.SceneTestCase):
             self.assertTrue(plane.hide_render)
             self.assertGreater(plane.data.polygons[0].normal.z, 0.99)
             bpy.ops.motus.chroma_key_remove()
+
+    def test_plane_has_the_key(self):
+        """Its material shows the footage, and follows the colour and the levels when the screen is measured."""
+        scene = bpy.context.scene
+        scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        scene.collection.objects.link(scene.camera)
+        key = self.set_up(clip=footage(self.folder), use_plane=True, color=(0.1, 0.3, 0.2), black=0.5)
+        plane = scene.motus.chroma.plane
+        shown = plane.data.materials[0].node_tree.nodes
+        self.assertEqual(plane.parent, scene.camera)
+        texture, = [node for node in shown if node.type == 'TEX_IMAGE']
+        self.assertEqual(texture.image, compositor.node_of(scene, "Footage").image)
+        np.testing.assert_allclose(shown["Screen Color"].outputs[0].default_value[:3], (0.1, 0.3, 0.2), atol=1e-6)
+        self.assertAlmostEqual(shown["Levels"].inputs["From Min"].default_value, 0.5)
+        self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
+        np.testing.assert_allclose(shown["Screen Color"].outputs[0].default_value[:3], cases.GREEN, atol=0.01)
+        for name, keyword in (("From Min", "black"), ("From Max", "white")):
+            self.assertAlmostEqual(shown["Levels"].inputs[name].default_value, self.value(key, keyword), 5)
 
     def test_plane_that_was_deleted(self):
         bpy.context.scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))

@@ -56,7 +56,7 @@ def _show_render(scene, tree):
     if not any(node.type == 'R_LAYERS' for node in tree.nodes):
         node = tree.nodes.new("CompositorNodeRLayers")
         node.scene = scene
-        node_groups.link(tree, node.outputs["Image"], _outlet(tree))
+        node_groups.link(tree, node.outputs["Image"], outlet(tree))
 
 
 def insert(scene, tree, key_group, footage, background, underneath, mask, noted):
@@ -97,7 +97,7 @@ def remove(scene, noted):
     key = key_of(scene)
     groups = {key.node_tree} if key else set()
     if tree is not None:
-        target = _outlet(tree)
+        target = outlet(tree)
         was_ours = target is not None and any(group.KEY in link.from_node for link in tree.links if link.to_socket == target)
         for node in [node for node in tree.nodes if group.KEY in node]:
             tree.nodes.remove(node)
@@ -112,7 +112,7 @@ def remove(scene, noted):
 
 def _remove_made_tree(scene, tree, noted):
     """A tree that was made for the key goes with it, unless somebody has added nodes."""
-    if not noted.is_tree_made or len(tree.nodes) > 2 or _outlet(tree) is None:
+    if not noted.is_tree_made or len(tree.nodes) > 2 or outlet(tree) is None:
         return
     _show_render(scene, tree)
     if capabilities.has_compositing_group():
@@ -129,7 +129,7 @@ def _noted_source(tree, noted):
     return found[0] if found else None
 
 
-def _outlet(tree):
+def outlet(tree):
     """The socket that is rendered, or None."""
     kind = "NodeGroupOutput" if capabilities.has_compositing_group() else "CompositorNodeComposite"
     ends = [node for node in tree.nodes if node.bl_idname == kind]
@@ -140,7 +140,7 @@ def _outlet(tree):
 
 def _target(tree):
     """The socket that is rendered, made where there is none."""
-    found = _outlet(tree)
+    found = outlet(tree)
     if found is not None:
         return found
     if capabilities.has_compositing_group():
@@ -151,7 +151,7 @@ def _target(tree):
             _mark(tree.nodes.new("NodeGroupOutput"), "Output", "")
     else:
         _mark(tree.nodes.new("CompositorNodeComposite"), "Output", "")
-    return _outlet(tree)
+    return outlet(tree)
 
 
 def _mark(node, role, label):

@@ -35,7 +35,7 @@ OF_KEYING = (
     Setting("white", "Clip White", "Level of the matte above which all is opaque", "White Level", "clip_white", 1.0, 0.0, 1.0),
     Setting("balance", "Balance", "Which of the two other channels the screen's channel is compared with: 0 the larger, 1 the smaller",
             "Key Balance", "screen_balance", 0.5, 0.0, 1.0),
-    Setting("smooth", "Smooth Chroma", "Pixels over which colour is smoothed before it is keyed, for noise and compressed colour",
+    Setting("smooth", "Smooth Color", "Pixels over which colour is smoothed before it is keyed, for noise and compressed colour",
             "Preprocess Blur Size", "blur_pre", 0, 0, 64),
     Setting("grow", "Grow Matte", "Pixels by which the matte grows; below 0 it is choked", "Postprocess Dilate Size", "dilate_distance",
             0, -100, 100),

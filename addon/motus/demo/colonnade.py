@@ -33,7 +33,7 @@ def build(context):
     lighting.set_color_management(scene)
     colonnade_land.build(land, lighting.build_haze_group(sky))
     plane = aeroplane.build(air)
-    course = _course(air)
+    course = flight.add_course(air, COURSE, is_cyclic=True)
     flight.follow(
         plane, course, timing="SPEED", speed=SPEED, orientation="BANKING", bank_limit=BANK_LIMIT,
         bank_smoothing=BANK_SMOOTHING, forward_axis="POS_Y", up_axis="POS_Z")
@@ -41,20 +41,6 @@ def build(context):
     scene.frame_start, scene.frame_end = 1, round(flight.course_length(course) / SPEED * FRAMES_PER_SECOND)
     scene.frame_set(1)
     return scene
-
-
-def _course(collection):
-    data = bpy.data.curves.new("Course", "CURVE")
-    data.dimensions = "3D"
-    spline = data.splines.new("BEZIER")
-    spline.bezier_points.add(len(COURSE) - 1)
-    for point, place in zip(spline.bezier_points, COURSE):
-        point.co = place
-        point.handle_left_type = point.handle_right_type = "AUTO"
-    spline.use_cyclic_u = True
-    course = shapes.link_object(collection, "Course", data)
-    course.hide_render = True
-    return course
 
 
 def _add_camera(context, scene, collection, plane):

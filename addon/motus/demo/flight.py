@@ -7,7 +7,7 @@ import bpy
 from mathutils import Vector
 from mathutils.geometry import interpolate_bezier
 
-from . import landscape, materials
+from . import landscape, materials, shapes
 
 COURSE_FILE = Path(__file__).with_name("course.svg")
 COURSE_WIDTH = 540.0  # metres from the course's western to its eastern end
@@ -78,6 +78,21 @@ def move_points(points, move):
     for index, point in enumerate(points):
         moved = [move(Vector(v), index) for v in (point.handle_left, point.co, point.handle_right)]
         point.handle_left, point.co, point.handle_right = moved
+
+
+def add_course(collection, knots, is_cyclic=False):
+    """A smooth Bézier course through knots; it is not rendered."""
+    data = bpy.data.curves.new("Course", "CURVE")
+    data.dimensions = "3D"
+    spline = data.splines.new("BEZIER")
+    spline.bezier_points.add(len(knots) - 1)
+    for point, place in zip(spline.bezier_points, knots):
+        point.co = place
+        point.handle_left_type = point.handle_right_type = "AUTO"
+    spline.use_cyclic_u = is_cyclic
+    course = shapes.link_object(collection, "Course", data)
+    course.hide_render = True
+    return course
 
 
 def course_length(course):

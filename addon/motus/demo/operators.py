@@ -32,28 +32,26 @@ class MOTUS_OT_demo_scene(Operator, bpy.types.Operator):
             raise Refused(tr("A window is needed to show the new scene"))
 
     def run(self, context):
-        previous = context.window.scene
+        previous, known = context.window.scene, set(bpy.data.scenes)
         try:
             # Imported when one is built, and NumPy with it: most users build none.
             module = next(scene.module for scene in SCENES if scene.identifier == self.system)
             scene = import_module(f"{__package__}.{module}").build(context)
         except RuntimeError as error:  # one of the operators it calls refused
-            _discard(context.window, previous)
+            _discard(context.window, previous, set(bpy.data.scenes) - known)
             raise Refused(tr("The demo scene could not be finished: {error}").format(error=error)) from error
         self.report({"INFO"}, tr("Built {scene}").format(scene=scene.name))
 
 
-def _discard(window, previous):
-    """Remove the half-built scene that the window shows, and show the previous one."""
-    unfinished = window.scene
+def _discard(window, previous, unfinished):
+    """Remove the half-built scenes, and show the previous one."""
     window.scene = previous
-    if unfinished == previous:
-        return
-    for thing in list(unfinished.objects):
-        bpy.data.objects.remove(thing)
-    for collection in list(unfinished.collection.children_recursive):
-        bpy.data.collections.remove(collection)
-    bpy.data.scenes.remove(unfinished)
+    for scene in unfinished:
+        for thing in list(scene.objects):
+            bpy.data.objects.remove(thing)
+        for collection in list(scene.collection.children_recursive):
+            bpy.data.collections.remove(collection)
+        bpy.data.scenes.remove(scene)
 
 
 classes = (MOTUS_OT_demo_scene,)

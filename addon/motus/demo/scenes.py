@@ -71,4 +71,11 @@ SCENES = (
         ambience=2.0,
         stereo=("ANAGLYPH", "SIDEBYSIDE", "ANAGLYPH", "ANAGLYPH"),
     ),
+    DemoScene(
+        name="chroma", identifier="CHROMA", module="keyed", label="Keyed Pilot",
+        description="A pilot who was filmed before a green screen stands among columns while his aeroplane passes",
+        stills=(("Place Camera", 1.8), ("Place Camera", 2.2), ("Place Camera", 0.9)),
+        film=(0.0, 71 / 24),
+        ambience=2.0,
+    ),
 )

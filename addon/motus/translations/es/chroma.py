@@ -74,7 +74,7 @@ INTERFACE = {
     "Share of the picture that the screen fills": "Parte de la imagen que ocupa la pantalla",
     "Show the key in the viewport too, on a plane that fills the camera's view and is not rendered":
         "Muestra el croma también en la vista 3D, en un plano que llena la vista de la cámara y no se procesa",
-    "Smooth Chroma": "Suavizar color",
+    "Smooth Color": "Suavizar color",
     "Socket Before": "Conector anterior",
     "Source": "Origen",
     "Spill": "Reflejo",
@@ -98,7 +98,7 @@ INTERFACE = {
         "La pantalla está iluminada de forma desigual, en un {percent} %: sube «Recortar negro» hasta que el estado la muestre negra",
     "The screen shines on the subject, by {percent} %: lower Clip White until the status shows it white":
         "La pantalla ilumina al sujeto, en un {percent} %: baja «Recortar blanco» hasta que el estado lo muestre blanco",
-    "The screen's colour is not the same everywhere: raise Smooth Chroma":
+    "The screen's colour is not the same everywhere: raise Smooth Color":
         "El color de la pantalla no es igual en todas partes: sube «Suavizar color»",
     "The subject over the background": "El sujeto sobre el fondo",
     "There is no clip, no image and no file {object}": "No hay ningún clip, ninguna imagen ni ningún archivo {object}",
@@ -118,6 +118,9 @@ INTERFACE = {
     "What the scene had before the key": "Lo que la escena tenía antes del croma",
     "Which of the two other channels the screen's channel is compared with: 0 the larger, 1 the smaller":
         "Con cuál de los otros dos canales se compara el de la pantalla: 0 con el mayor, 1 con el menor",
+    "Keyed Pilot": "Piloto con croma",
+    "A pilot who was filmed before a green screen stands among columns while his aeroplane passes":
+        "Un piloto filmado ante una pantalla verde está entre columnas mientras pasa su avión",
     "White where the subject is opaque, black where it is clear": "Blanco donde el sujeto es opaco, negro donde es transparente",
     "With a background, footage lies underneath": "Con un fondo, lo que hay debajo es filmación",
     "blue": "azul",
