@@ -144,15 +144,14 @@ enum class Kind : std::uint8_t { screen, subject };
     return true;
 }
 
-/// Means of the colours at most `reach` away along a line of pixels, which begins at `first` and goes on
-/// every `step`.
-void smooth_line(std::span<glm::dvec3> colors, std::size_t first, std::size_t step, std::size_t count,
-                 std::size_t reach) {
+/// Means of the colours at most `reach` away along a line of `count` pixels, of which each stands a `step`
+/// behind the one before.
+void smooth_line(std::span<glm::dvec3> colors, std::size_t step, std::size_t count, std::size_t reach) {
     std::vector<glm::dvec3> sums(count + 1, glm::dvec3(0.0));
-    for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + colors[first + i * step];
+    for (std::size_t i = 0; i < count; ++i) sums[i + 1] = sums[i] + colors[i * step];
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t from = i - std::min(i, reach), to = std::min(i + reach + 1, count);
-        colors[first + i * step] = (sums[to] - sums[from]) / static_cast<double>(to - from);
+        colors[i * step] = (sums[to] - sums[from]) / static_cast<double>(to - from);
     }
 }
 
@@ -161,9 +160,9 @@ void smooth_line(std::span<glm::dvec3> colors, std::size_t first, std::size_t st
     const std::size_t height = picture.pixels.size() / picture.width;
     std::vector<glm::dvec3> smoothed(picture.pixels.begin(), picture.pixels.end());
     for (std::size_t row = 0; row < height; ++row)
-        smooth_line(smoothed, row * picture.width, 1, picture.width, reach);
+        smooth_line(std::span(smoothed).subspan(row * picture.width), 1, picture.width, reach);
     for (std::size_t column = 0; column < picture.width; ++column)
-        smooth_line(smoothed, column, picture.width, height, reach);
+        smooth_line(std::span(smoothed).subspan(column), picture.width, height, reach);
     std::vector<Kind> kinds(smoothed.size());
     for (std::size_t i = 0; i < kinds.size(); ++i)
         kinds[i] = picture.pixels[i].w < 0.5F ? Kind::subject : kind_of(smoothed[i], color);
