@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Vector
 
-from . import evening_land, evening_props, lighting, materials, shapes, staging
+from . import evening_land, evening_props, lighting, shapes, staging
 
 SCENE_NAME = "Motus Snow"
 FRAMES_PER_SECOND = 24
@@ -48,18 +48,8 @@ def build(context):
 
 def _world():
     """The last light of the day."""
-    world = bpy.data.worlds.new("Motus Dusk")
-    if not world.use_nodes:
-        world.use_nodes = True
-    world.node_tree.nodes.clear()
-    shader = materials.Shader(world.node_tree)
-    direction = shader.add("ShaderNodeTexCoord").outputs["Generated"]
-    height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
-    color = shader.ramp(shader.math("MAXIMUM", height, 0.0), SKY_STOPS)
-    background = shader.add("ShaderNodeBackground", {"Color": color, "Strength": SKY_STRENGTH})
-    output = shader.add("ShaderNodeOutputWorld")
-    shader.feed(output.inputs["Surface"], background.outputs[0])
-    return world
+    return lighting.build_gradient_world(
+        "Motus Dusk", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0))
 
 
 def _add_moon(collection):

@@ -125,3 +125,19 @@ def set_color_management(scene, views=VIEWS):
             continue
         view.exposure = exposure
         break
+
+
+def build_gradient_world(name, stops, strength, of_height):
+    """A sky that is a gradient. of_height(shader, height): the place on it, where height is the sine of the elevation."""
+    world = bpy.data.worlds.new(name)
+    if not world.use_nodes:
+        world.use_nodes = True
+    world.node_tree.nodes.clear()
+    shader = materials.Shader(world.node_tree)
+    direction = shader.add("ShaderNodeTexCoord").outputs["Generated"]
+    height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
+    color = shader.ramp(of_height(shader, height), stops)
+    background = shader.add("ShaderNodeBackground", {"Color": color, "Strength": strength})
+    output = shader.add("ShaderNodeOutputWorld")
+    shader.feed(output.inputs["Surface"], background.outputs[0])
+    return world

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 from mathutils import Vector
 
-from . import landscape, materials, shapes
+from . import landscape, lighting, materials, shapes
 
 PLANK, GAP, THICKNESS, LENGTH = 0.62, 0.012, 0.14, 26.0  # of the table's planks, m
 TABLE_DEPTH = (-6.6, 4.4)
@@ -18,18 +18,8 @@ WORLD_STOPS = ((0.30, (0.10, 0.075, 0.06)), (0.52, (0.30, 0.36, 0.40)), (1.0, (0
 
 def build_world():
     """The dim light that comes from everywhere."""
-    world = bpy.data.worlds.new("Motus Studio")
-    if not world.use_nodes:
-        world.use_nodes = True
-    world.node_tree.nodes.clear()
-    shader = materials.Shader(world.node_tree)
-    direction = shader.add("ShaderNodeTexCoord").outputs["Generated"]
-    height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
-    color = shader.ramp(shader.math("MULTIPLY", shader.math("ADD", height, 1.0), 0.5), WORLD_STOPS)
-    background = shader.add("ShaderNodeBackground", {"Color": color, "Strength": 0.55})
-    output = shader.add("ShaderNodeOutputWorld")
-    shader.feed(output.inputs["Surface"], background.outputs[0])
-    return world
+    return lighting.build_gradient_world("Motus Studio", WORLD_STOPS, 0.55, lambda shader, height: shader.math(
+        "MULTIPLY", shader.math("ADD", height, 1.0), 0.5))
 
 
 def build(collection):

@@ -99,44 +99,48 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
         settings.active_wagon = len(settings.wagons) - 1
 
 
-class MOTUS_OT_path_wagon_remove(Operator, bpy.types.Operator):
-    bl_idname = "motus.path_wagon_remove"
-    bl_label = "Remove Wagon"
-    bl_description = "Take a wagon out of the train; those behind keep their places"
+class WagonOperator(Operator):
+    """What the operators on one wagon of a train have."""
 
     object: object_keyword("Name of the leader; empty takes the active one")
     index: bpy.props.IntProperty(
         name="Index", description="Which wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
-    def run(self, context):
+    def chosen(self, context):
+        """(the leader, index of the wagon); refuses where there is none."""
         obj = follower_for(context, self.object)
         settings = obj.motus.path
         index = settings.active_wagon if self.index < 0 else self.index
         if index >= len(settings.wagons):
             raise Refused(tr("There is no such wagon"))
+        return obj, index
+
+
+class MOTUS_OT_path_wagon_remove(WagonOperator, bpy.types.Operator):
+    bl_idname = "motus.path_wagon_remove"
+    bl_label = "Remove Wagon"
+    bl_description = "Take a wagon out of the train; those behind keep their places"
+
+    def run(self, context):
+        obj, index = self.chosen(context)
+        settings = obj.motus.path
         targets.check_uncouplable(obj, index)
         setup.uncouple(obj, index)
         settings.active_wagon = max(0, min(settings.active_wagon, len(settings.wagons) - 1))
 
 
-class MOTUS_OT_path_wagon_move(Operator, bpy.types.Operator):
+class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
     bl_idname = "motus.path_wagon_move"
     bl_label = "Move Wagon"
     bl_description = "Let a wagon change places with the one in front of it or behind it; the gaps stay where they are"
 
-    object: object_keyword("Name of the leader; empty takes the active one")
-    index: bpy.props.IntProperty(
-        name="Index", description="Which wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
     direction: bpy.props.EnumProperty(
         name="Direction", description="Which way", items=(('UP', "Up", ""), ('DOWN', "Down", "")), default='UP')
     redo = (Rows(("direction",)),)
 
     def run(self, context):
-        obj = follower_for(context, self.object)
+        obj, index = self.chosen(context)
         settings = obj.motus.path
-        index = settings.active_wagon if self.index < 0 else self.index
-        if index >= len(settings.wagons):
-            raise Refused(tr("There is no such wagon"))
         place = index + (1 if self.direction == 'DOWN' else -1)
         if not 0 <= place < len(settings.wagons):
             raise Refused(tr("The wagon is at the end of the train already"))
