@@ -50,7 +50,7 @@ def followed(owner, data_path, index, frame, scene, numbers):
             stamp, ("second_order", data_path, index, what), lambda: _made(track_of(owner, data_path, index), *what))
     if not made:
         return track_of(owner, data_path, index).present()[0]
-    return float(made.evaluate((frame - first) * length)[0])
+    return made.value((frame - first) * length)
 
 
 def _made(track, *what):
@@ -66,7 +66,7 @@ def _followed(track, numbers, first, pieces, length):
     # The same samples up to any frame, however many pieces there are: whoever asks for later ones changes nothing before.
     frames = np.arange(first * PARTS, (first + pieces * PIECE) * PARTS + 1) / PARTS
     return native.module.Track(
-        native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames)[:, None])
+        native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames))
 
 
 def present(owner, data_path, index):

@@ -76,13 +76,26 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
     return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
-/// A number: int, float or an array of no dimension. TypeError for others, ValueError where it is not finite.
-[[nodiscard]] inline double number(py::handle object, std::string_view name) {
+/// Of an int or float of Python's, without the cost of an array; nothing of other objects, and of integers
+/// that no float64 holds. ValueError where it is not finite.
+[[nodiscard]] inline std::optional<double> plain_number(py::handle object, std::string_view name) {
     if (PyFloat_Check(object.ptr()) != 0) {
         const double value = PyFloat_AS_DOUBLE(object.ptr());
         if (!std::isfinite(value)) value_error(name, "must be finite");
         return value;
     }
+    if (PyLong_CheckExact(object.ptr()) == 0) return std::nullopt;
+    const double value = PyLong_AsDouble(object.ptr());
+    if (value == -1.0 && PyErr_Occurred() != nullptr) {
+        PyErr_Clear();
+        return std::nullopt;
+    }
+    return value;
+}
+
+/// A number: int, float or an array of no dimension. TypeError for others, ValueError where it is not finite.
+[[nodiscard]] inline double number(py::handle object, std::string_view name) {
+    if (const std::optional<double> plain = plain_number(object, name)) return *plain;
     const DoubleArray array = doubles(object, name);
     if (array.ndim() != 0) type_error(name, "must be a number, not an array of shape " + shape_of(array));
     return *array.data();
@@ -92,8 +105,8 @@ using DoubleArray = py::array_t<double, py::array::c_style>;
 class Numbers {
   public:
     Numbers(py::handle object, std::string_view name) {
-        if (PyFloat_Check(object.ptr()) != 0) {
-            single_ = number(object, name);
+        if (const std::optional<double> plain = plain_number(object, name)) {
+            single_ = *plain;
             return;
         }
         DoubleArray array = doubles(object, name);

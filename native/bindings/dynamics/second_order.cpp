@@ -212,6 +212,16 @@ or its length is a whole number of periods without damping.)")
             "times"_a, R"(
 Outputs at times, s, a number or (m,): of the shape of the times, with the inputs' d at its end where they had one.)")
         .def(
+            "value",
+            [](const BoundTrack& self, double time) {
+                if (!self.is_plain) value_error("inputs", "must have had the shape (m,)");
+                double result = 0.0;
+                self.track.evaluate(time, {&result, 1});
+                return result;
+            },
+            "time"_a, R"(
+The output of inputs (m,) at one time, s, as a float, without the cost of arrays.)")
+        .def(
             "offsets",
             [](const BoundTrack& self, const py::object& times) {
                 return rows_at(self, times,

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <initializer_list>
 #include <limits>
 #include <span>
 
@@ -76,6 +78,22 @@ struct Place {
     double cycles = 0.0;
 };
 
+/// The last sample whose time is not after the given one, and the first where there is none. Samples mostly
+/// come evenly: they are looked at first where they then would be, since a search has to wait for memory at
+/// each step.
+[[nodiscard]] inline std::size_t sample_before(double time, std::span<const double> times) {
+    const double share = (time - times.front()) / (times.back() - times.front());
+    const double last = static_cast<double>(times.size() - 1);
+    if (share > 0.0 && share < 1.0) {
+        const auto near = static_cast<std::size_t>(share * last);
+        for (const std::size_t sample : {near, near + 1, std::max<std::size_t>(near, 1) - 1}) {
+            if (sample + 1 < times.size() && times[sample] <= time && time < times[sample + 1]) return sample;
+        }
+    }
+    const auto after = std::ranges::upper_bound(times, time);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times.begin() - 1, 0));
+}
+
 [[nodiscard]] inline Place place_of(double time, std::span<const double> times, bool is_loop) {
     Place place;
     if (is_loop) {
@@ -83,8 +101,7 @@ struct Place {
         place.cycles = std::floor((time - times.front()) / cycle);
         time = std::clamp(time - place.cycles * cycle, times.front(), times.back());
     }
-    const auto after = std::ranges::upper_bound(times, time);
-    place.sample = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times.begin() - 1, 0));
+    place.sample = sample_before(time, times);
     place.seconds = std::max(time - times[place.sample], 0.0);
     return place;
 }

@@ -102,6 +102,12 @@ class SecondOrderTest(unittest.TestCase):
         self.assertEqual(track.evaluate(0.5).shape, (3,))
         self.assertEqual(native.Track(filter, times, values[:, 0]).evaluate(0.5).shape, ())
         self.assertEqual(native.Track(filter, times, values[:, 0]).evaluate([0.5, 0.6]).shape, (2,))
+        plain = native.Track(filter, times, values[:, 0])
+        self.assertEqual(plain.value(0.51), plain.evaluate(0.51))
+        with self.assertRaisesRegex(ValueError, "inputs"):
+            track.value(0.5)
+        with self.assertRaisesRegex(ValueError, "time"):
+            plain.value(float("nan"))
 
     def test_resets_and_loops(self):
         filter = native.SecondOrder(1.0, 0.3, 0.0)
