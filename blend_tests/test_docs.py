@@ -6,6 +6,7 @@ import sys
 import bpy
 
 import support
+import test_translations
 
 DOCS = support.CLONE / "docs"
 sys.path.insert(0, str(DOCS / "scripts"))
@@ -207,3 +208,56 @@ class PagesTest(support.SceneTestCase):
             for link in re.findall(r"\]\(([^)#]+)", page.read_text(encoding="utf-8")):
                 if "://" not in link:
                     self.assertTrue((page.parent / link).exists(), f"{page.name}: {link}")
+
+
+LABELLED = {"slider", "setting", "option", "mode", "falloff", "preset", "style"}
+"""What the first column of a table is called whose cells are labels of the interface."""
+SYMBOLS = {"X", "Y", "Z"}
+"""Labels that are the same in every language."""
+
+
+SYSTEMS = ("path", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "pendulums", "snow", "stereo", "chroma")
+"""Pages for artists, whose words in italics are labels of the interface."""
+OF_BLENDER = {
+    "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",
+    "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer"}
+NAMES = {"Motus Green Screen", "Motus Trail", "Motus Flake", "Motus Spark"}
+"""What is no label: datablocks that are made."""
+
+
+class LabelsTest(support.SceneTestCase):
+    def setUp(self):
+        super().setUp()
+        self.shown = {text for _, text in test_translations.english_texts()} | SYMBOLS
+
+    @support.in_one_blender
+    def test_what_the_tables_name_is_in_the_interface(self):
+        unknown = [f"{page.name}: {label}" for page in sorted(DOCS.glob("*.md")) for label in labels_of(page)
+                   if label not in self.shown]
+        self.assertEqual(unknown, [])
+
+    @support.in_one_blender
+    def test_what_stands_in_italics_is_in_the_interface(self):
+        unknown = [f"{name}: {label}" for name in SYSTEMS for label in italics_of(DOCS / f"{name}.md")
+                   if label not in self.shown | OF_BLENDER | NAMES]
+        self.assertEqual(unknown, [])
+
+
+def labels_of(page):
+    """What stands in the first column of a page's tables, if that holds labels."""
+    is_labelled = was_row = False
+    for line in page.read_text(encoding="utf-8").splitlines():
+        is_row = line.startswith("| ")
+        first = line.strip("| ").partition(" |")[0]
+        if is_row and not was_row:
+            is_labelled = first.lower() in LABELLED
+        elif is_row and is_labelled:
+            yield from first.replace("\\|", "|").strip("*").split(", ")
+        was_row = line.startswith("|")
+
+
+def italics_of(page):
+    """What stands in italics and begins with a capital: labels, and each part of a way through menus."""
+    prose = re.sub(r"```.*?```", "", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    for found in re.findall(r"(?<![*\w])\*([A-Z][^*0-9()]{2,})\*(?![*\w])", prose):
+        yield from re.split(" > |: ", " ".join(found.split()))

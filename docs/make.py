@@ -1,4 +1,7 @@
-"""Makes the generated parts of the manual: the operator page and the pictures. `./motus docs` runs it inside Blender."""
+"""Makes the generated parts of the manual: the operator page and the pictures. `./motus docs` runs it inside Blender.
+
+What is seen in a window is made by `./motus docs steps`, also the insets in the pictures of the demo scenes: steps.py.
+"""
 
 import sys
 from pathlib import Path

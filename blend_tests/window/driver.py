@@ -94,4 +94,5 @@ def main(picture_folder, *patterns):
     bpy.app.timers.register(stepper(steps), first_interval=0.0, persistent=True)
 
 
-main(*sys.argv[sys.argv.index("--") + 1:])
+if __name__ == "__main__":
+    main(*sys.argv[sys.argv.index("--") + 1:])

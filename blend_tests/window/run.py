@@ -106,4 +106,5 @@ def main(version, *patterns):
     return 1 if passed < len(run.tests) else 0
 
 
-sys.exit(main(*sys.argv[1:]))
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -176,11 +176,11 @@ def picture(name):
     """
     yield
     path = picture_folder / f"{name}.png"
-    path.write_bytes(_png(_screen()))
+    path.write_bytes(_png(screen()))
     return path
 
 
-def _screen():
+def screen():
     """What the X server shows: (height, width, 3) bytes, red first, from the top. It keeps that in a file of the format XWD."""
     content = (picture_folder / "Xvfb_screen0").read_bytes()
     header = struct.unpack(">25I", content[:100])

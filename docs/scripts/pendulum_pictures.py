@@ -9,16 +9,13 @@ from mathutils import Vector
 import stage
 
 SKY = (0.80, 0.85, 0.92)
-STEPS = ("1  add", "2  set", "3  pause", "4  drag", "5  play")
-STEP_WIDTH = 3.6
 TRAIL = (0.85, 0.20, 0.05, 1.0)
 
 
 def render_all(folder):
     """Render every picture into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
-    return [_render_double(folder / "pendulum_double.png"), _render_steps(folder / "pendulum_steps.png"),
-            _render_fan(folder / "pendulum_fan.png")]
+    return [_render_double(folder / "pendulum_double.png"), _render_fan(folder / "pendulum_fan.png")]
 
 
 def _scene():
@@ -64,33 +61,6 @@ def _render_double(file):
     _trail(pivot, np.arange(1.0 - 6.0 * (count - 1), 1.01, 0.25), stage.glossy_material("Trail", TRAIL, 0.6))
     stage.add_camera(scene, (0.0, -12.0, -0.3), (0.0, 0.0, -0.55), width=7.6)
     return stage.render(scene, file, (1280, 560), samples=48)
-
-
-def _render_steps(file):
-    """The five steps, one beside the other, each as it stands on the first frame."""
-    scene = _scene()
-    red = stage.glossy_material("Trail", TRAIL, 0.6)
-    start = {"angle1": math.radians(60.0), "angle2": math.radians(20.0)}
-    keywords = (
-        {"angle1": math.radians(15.0), "angle2": math.radians(15.0)}, start, start | {"start_frame": -11.0}, start,
-        start)
-    for column, (label, given) in enumerate(zip(STEPS, keywords)):
-        x = (column - 2) * STEP_WIDTH
-        pivot = _add(x, kind='DOUBLE', hue=0.12 * column, **given)
-        if column == 2:
-            _trail(pivot, np.arange(-11.0, 1.01, 0.25), red)
-        if column in {3, 4}:
-            before = _places(pivot, (1,))[0]
-            bpy.ops.motus.pendulum_drag(object=pivot.name, location=(x - 1.25, 0.0, -0.75))
-            after = _places(pivot, (1,))[0]
-            if column == 3:
-                stage.add_tube([before + Vector((0.0, -0.3, 0.0)), after + Vector((0.0, -0.3, 0.0))], 0.02, red)
-            else:
-                pivot.motus.pendulum.start_frame = -11.0
-                _trail(pivot, np.arange(-11.0, 1.01, 0.25), red)
-        stage.add_text(label, Vector((x, 0.0, -2.75)), 0.30)
-    stage.add_camera(scene, (0.0, -16.0, -0.6), (0.0, 0.0, -1.0), width=5.05 * STEP_WIDTH)
-    return stage.render(scene, file, (1280, 330), samples=48)
 
 
 def _render_fan(file):

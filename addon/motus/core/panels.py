@@ -243,7 +243,7 @@ class MOTUS_PT_sidebar(_Adding, ui.Sidebar, bpy.types.Panel):
 
 
 class _Overlay:
-    """What the viewport shows, system by system."""
+    """What the viewport shows, system by system: first those that the active object uses."""
 
     def draw_header(self, context):
         self.layout.prop(context.scene.motus, "show_overlay", text="")
@@ -252,8 +252,14 @@ class _Overlay:
         shown = context.scene.motus
         layout = self.layout
         layout.active = shown.show_overlay
-        for system in registered.values():
-            if system.overlay is not None:
+        drawn = [system for system in registered.values() if system.overlay is not None]
+        used = [system for system in drawn if is_used(system, context)]
+        for system in used:
+            _draw_switches(layout.column(), shown, system)
+        if used:
+            layout.separator()
+        for system in drawn:
+            if system not in used:
                 _draw_switches(layout.column(), shown, system)
 
 
@@ -274,6 +280,11 @@ def _draw_switches(column, shown, system):
         row = switches.row()
         row.separator(factor=2.0)
         row.prop(shown, switch.name)
+
+
+def is_used(system, context):
+    """Whether the context's owner uses a system; tools, which are there for all that suits, are not used."""
+    return any(panel.is_used and panel.is_shown(context) for panel in described(system))
 
 
 def draw_add(panel, layout, context):

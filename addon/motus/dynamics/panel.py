@@ -17,7 +17,8 @@ def draw_main(layout, context):
     """The list of what follows, what is wrong, and of the active entry what it follows and how."""
     owner = context.object
     settings = owner.motus.dynamics
-    ui.split(layout).prop(settings, "influence", text="Influence of All", slider=True)
+    ui.split(layout).prop(
+        settings, "influence", text="Rig Influence" if owner.type == 'ARMATURE' else "Influence", slider=True)
     _, remove, _ = ui.draw_list(layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry",
                                 "motus.dynamics_add", "motus.dynamics_remove", rows=2)
     entry = active_entry(owner)
@@ -55,7 +56,7 @@ def draw_graph(layout, numbers):
     box = layout.box().column(align=True)
     step = (times >= 0.0).astype(float)
     box.template_icon(graph.icon("dynamics", found, (0.0, 1.0), (step,)), scale=7.0)
-    box.label(text=tr("Step response: {seconds} s").format(seconds=f"{seconds:.2g}"), translate=False)
+    box.label(text=tr("A sudden move, over {seconds} s").format(seconds=f"{seconds:.2g}"), translate=False)
 
 
 def draw_loop(layout, context):

@@ -33,7 +33,7 @@ class FitKeywords:
             ('LINEAR', "Linear", "Straight from point to point"),
             ('CARDINAL', "Cardinal", "Smooth and tight, through the points"),
             ('CATMULL_ROM', "Catmull-Rom", "Smooth, through the points"),
-            ('BSPLINE', "B-Spline", "Smoothest; near the points, not through them")))
+            ('BSPLINE', "BSpline", "Smoothest; near the points, not through them")))
     use_parent: bpy.props.BoolProperty(
         name="Parent to Object", default=True,
         description="Where the lattice deforms one object only, let it move along as the object's child")

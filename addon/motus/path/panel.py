@@ -32,14 +32,20 @@ def draw_add(layout, context):
     """A curve, and the button that lets the object follow it; a curve can be looked at."""
     obj = context.object
     if obj.type == 'CURVE':
-        _draw_curve(layout, obj)
+        _draw_curve(layout, context, obj)
         return
     column = layout.column(align=True)
     column.prop(obj.motus.path, "curve", text="", icon='CURVE_DATA')
     column.operator("motus.path_follow_add", icon='CON_FOLLOWPATH')
 
 
-def _draw_curve(layout, curve):
+def _draw_curve(layout, context, curve):
+    others = len([obj for obj in context.selected_objects if obj != curve])
+    if others:
+        column = layout.column(align=True)
+        column.operator("motus.path_follow_add", icon='CON_FOLLOWPATH')
+        if others > 1:
+            column.operator("motus.path_train_add", icon='LINKED')
     followers = targets.followers_of(curve)
     if followers:
         column = layout.column(align=True)

@@ -117,7 +117,7 @@ PANEL = panels.SystemPanel(
     has_settings=_has_settings,
     draw=draw_main,
     parts=(
-        panels.Part("forces", "Forces", draw_forces, is_open=True),
+        panels.Part("forces", "Forces", draw_forces),
         panels.Part("time", "Time", draw_time, is_open=True),
         panels.Part("trail", "Trails", draw_trail),
     ),

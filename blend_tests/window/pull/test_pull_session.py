@@ -132,19 +132,36 @@ def test_numbers_are_typed():
     assert pull.pulling() is None
 
 
-def test_wheel_and_f_change_radius_and_strength():
+def test_wheel_zooms_as_under_the_tool():
     pull.build()
     yield from pull.session()
     x, y = window_support.centre()
+    far, radius = view_distance(), brush().radius
     pull.simulate('WHEELUPMOUSE', 'PRESS', x, y)
     yield
+    near = view_distance()
+    assert near < far and brush().radius == radius, (far, near, brush().radius)
+    yield from pull.key('ESC')
+    with window_support.override():
+        bpy.ops.wm.tool_set_by_id(name="motus.pick_pull")
+    yield
+    pull.simulate('WHEELUPMOUSE', 'PRESS', x, y)
+    yield
+    assert view_distance() < near and brush().radius == radius, (near, view_distance(), brush().radius)
+
+
+def view_distance():
+    return window_support.area().spaces.active.region_3d.view_distance
+
+
+def test_brackets_and_f_change_radius_and_strength():
+    pull.build()
+    yield from pull.session()
+    x, y = window_support.centre()
+    yield from pull.key('RIGHT_BRACKET')
     assert brush().radius > 0.8
-    pull.simulate('WHEELDOWNMOUSE', 'PRESS', x, y)
-    yield
+    yield from pull.key('LEFT_BRACKET')
     assert abs(brush().radius - 0.8) < 1e-6
-    pull.simulate('WHEELUPMOUSE', 'PRESS', x, y, shift=True)
-    yield
-    assert brush().strength > 0.1
     yield from pull.key('F')
     window_support.move(x + 40, y)
     yield

@@ -21,7 +21,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
     number: bpy.props.EnumProperty(
         name="Number", description="What is changed", items=NUMBERS, default='RADIUS', options={'SKIP_SAVE'})
     steps: bpy.props.IntProperty(
-        name="Steps", description="Notches of a wheel, up or down; 0 lets the mouse decide", default=0,
+        name="Steps", description="Steps up or down; 0 lets the mouse decide", default=0,
         options={'SKIP_SAVE'})
 
     def execute(self, context):

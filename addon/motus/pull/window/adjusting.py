@@ -11,7 +11,7 @@ EDGE_PIXELS = 20.0
 """Mouse's way for one edge more."""
 LEAST = 1e-4
 NOTCH = 1.1
-"""Factor for one notch of the wheel."""
+"""Factor for one step of a bracket key."""
 MOST_NOTCHES = 2000
 """So many take the least number to the largest."""
 

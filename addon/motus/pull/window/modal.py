@@ -16,12 +16,11 @@ GIVEN_PLACE = ("location", "vertex", "dabs")
 """Whoever says where wants no mouse."""
 
 VIEWING = {
-    'MIDDLEMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM', 'MOUSEROTATE', 'MOUSESMARTZOOM', 'HOME', 'ACCENT_GRAVE',
-    'NUMPAD_PLUS', 'NUMPAD_MINUS', 'NUMPAD_PERIOD', *(f'NUMPAD_{digit}' for digit in range(10))}
-"""Keys that turn the view or go to another."""
+    'MIDDLEMOUSE', 'WHEELUPMOUSE', 'WHEELDOWNMOUSE', 'TRACKPADPAN', 'TRACKPADZOOM', 'MOUSEROTATE', 'MOUSESMARTZOOM', 'HOME',
+    'ACCENT_GRAVE', 'NUMPAD_PLUS', 'NUMPAD_MINUS', 'NUMPAD_PERIOD', *(f'NUMPAD_{digit}' for digit in range(10))}
+"""Keys that turn or zoom the view or go to another: the same as under the resting tool."""
 ALWAYS_PASSED = {'TIMER', 'TIMER0', 'TIMER1', 'TIMER2', 'TIMER_REPORT', 'TIMERREGION', 'WINDOW_DEACTIVATE', 'NONE'}
 BUTTONS = {'LEFTMOUSE': 1.0, 'RIGHTMOUSE': -1.0}
-WHEEL = {'WHEELUPMOUSE': True, 'WHEELDOWNMOUSE': False}
 
 
 class PickPullModal:
@@ -177,10 +176,8 @@ class PickPullModal:
         if event.type in BUTTONS:
             sign = BUTTONS[event.type] * (-1.0 if event.ctrl else 1.0)
             pulling.press(context, view, event, sign, event.shift)
-        elif event.type in WHEEL:
-            pulling.turn_wheel(context, status.STRENGTH if event.shift else status.RADIUS, WHEEL[event.type])
         elif event.type in {'LEFT_BRACKET', 'RIGHT_BRACKET'}:
-            pulling.turn_wheel(context, status.RADIUS, event.type == 'RIGHT_BRACKET')
+            pulling.step(context, status.RADIUS, event.type == 'RIGHT_BRACKET')
         elif event.type == 'F':
             pulling.adjust(context, status.STRENGTH if event.shift else status.RADIUS, view, event)
         elif event.type == 'Z' and event.ctrl:
@@ -212,8 +209,6 @@ def _turns_view(context, event):
     """Whether an event is meant for the view."""
     if event.type in VIEWING or event.type.startswith('NDOF_'):
         return True
-    if event.type in WHEEL:
-        return event.ctrl or event.alt
     emulates = context.preferences.inputs.use_mouse_emulate_3_button
     return emulates and event.alt and event.type in BUTTONS
 

@@ -57,8 +57,8 @@ class Pulling:
         """Switch the mirror about an axis on or off."""
         self.set(context, "mirror", set(self.brush.mirror) ^ {axis})
 
-    def turn_wheel(self, context, name, up):
-        """One notch of the wheel for radius or strength."""
+    def step(self, context, name, up):
+        """One step up or down for radius or strength."""
         self.set(context, name, notched(self.brush, name, 1 if up else -1))
 
     def type_strength(self, context, kind):

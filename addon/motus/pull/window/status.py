@@ -72,11 +72,11 @@ class Key:
         self.text, self.icons = text, icons
 
 
-RADIUS_KEY = Key("Radius", 'EVENT_F', 'MOUSE_MMB_SCROLL')
+RADIUS_KEY = Key("Radius", 'EVENT_F')
 SHAPE_KEYS = (Key("Direction", 'EVENT_D'), Key("Falloff", 'EVENT_O'))
 LAST_KEYS = (
-    Key("Mirror", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'), Key("Inset View", 'EVENT_I'), Key("Confirm", 'EVENT_RETURN'),
-    Key("Cancel", 'EVENT_ESC'))
+    Key("Mirror", 'EVENT_X', 'EVENT_Y', 'EVENT_Z'), Key("Inset View", 'EVENT_I'), Key("Zoom", 'MOUSE_MMB_SCROLL'),
+    Key("Confirm", 'EVENT_RETURN'), Key("Cancel", 'EVENT_ESC'))
 SESSION_KEYS = (
     Key("Pull Up", 'MOUSE_LMB'), Key("Pull Down", 'MOUSE_RMB'), Key("Invert", 'EVENT_CTRL'), Key("Smooth", 'EVENT_SHIFT'),
     RADIUS_KEY, Key("Strength", 'EVENT_SHIFT', 'EVENT_F'), *SHAPE_KEYS, Key("Accumulate", 'EVENT_A'), *LAST_KEYS)

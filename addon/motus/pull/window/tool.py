@@ -33,13 +33,11 @@ class _Tool:
             layout.use_property_decorate = False
         draw_radius(layout, brush)
         draw_strength(layout, brush)
-        is_header = context.region.type == 'TOOL_HEADER'
-        for name in ("falloff", "distance", "direction"):
-            # In the header the values alone tell what they are.
-            layout.prop(brush, name, **({"text": ""} if is_header else {}))
+        for name in ("direction", "falloff", "distance"):
+            layout.prop(brush, name)
         draw_accumulate(layout, brush)
         row = layout.row(align=True)
-        if is_header:
+        if context.region.type == 'TOOL_HEADER':
             row.label(text="Mirror")
         row.prop(brush, "mirror", expand=True)
         layout.prop(brush, "show_inset")

@@ -1,7 +1,6 @@
 """Spanish: dynamics."""
 
 INTERFACE = {
-    "Influence of All": "Influencia de todos",
     "Dynamics": "Dinámica",
     "Dynamics Presets": "Preajustes de dinámica",
     "Follow": "Seguir",
@@ -105,7 +104,7 @@ INTERFACE = {
     "Index of a number in an array property; -1 for all of it": "Índice de un número en una propiedad múltiple; -1 para toda ella",
     "Input": "Entrada",
     "Exact at any frame": "Exacto en cualquier fotograma",
-    "Step response: {seconds} s": "Respuesta: {seconds} s",
+    "A sudden move, over {seconds} s": "Un movimiento repentino, durante {seconds} s",
     "Nothing here has dynamics": "Nada tiene dinámica aquí",
     "Select the bones that shall follow": "Selecciona los huesos que deben seguir",
     "Select what shall follow": "Selecciona lo que debe seguir",

@@ -7,9 +7,9 @@ INTERFACE = {
     "Apply": "Aplicar",
     "Axes of the lattice across whose middle the pull is repeated":
         "Ejes de la jaula a través de cuyo centro se repite el tirón",
-    "B-Spline": "B-spline",
     "Cardinal": "Cardinal",
     "Catmull-Rom": "Catmull-Rom",
+    "BSpline": "BSpline",
     "Deform only the vertices of the vertex group of this name":
         "Deforma solo los vértices del grupo de vértices de este nombre",
     "Fit": "Ajustada",

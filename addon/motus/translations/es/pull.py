@@ -70,6 +70,7 @@ INTERFACE = {
     "Index of the vertex that is pulled; -1 takes the one nearest to the location":
         "Índice del vértice del que se tira; -1 toma el más cercano a la posición",
     "Inset View": "Vista insertada",
+    "Zoom": "Zum",
     "Its weights tell how far each vertex follows; empty moves all":
         "Sus influencias dicen cuánto sigue cada vértice; vacío los mueve todos",
     "Kind": "Clase",
@@ -195,8 +196,7 @@ INTERFACE = {
     "Number": "Número",
     "What is changed": "Lo que se cambia",
     "Steps": "Pasos",
-    "Notches of a wheel, up or down; 0 lets the mouse decide":
-        "Muescas de una rueda, hacia arriba o abajo; con 0 decide el ratón",
+    "Steps up or down; 0 lets the mouse decide": "Pasos hacia arriba o hacia abajo; con 0 decide el ratón",
     "How far it reaches": "Hasta dónde llega",
     "How far one dab moves the root": "Cuánto mueve la raíz un toque",
     "Change the brush's radius or strength by the mouse or by typing a number":

@@ -1,0 +1,39 @@
+"""The manual's steps, in a Blender with a window, on an X server without a screen: python3 docs/steps.py [NAME...]
+
+NAME: of a page whose steps are done, such as pendulum. Writes docs/pictures/NAME_steps.png. The name inset stands for the overlays in the
+corners of the demo scenes' pictures.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+CLONE = HERE.parent
+VERSION = "5.2"
+SKIPPED = 77
+
+sys.path.insert(0, str(CLONE / "blend_tests" / "window"))
+
+import run  # noqa: E402  (found by the line above)
+
+
+def main(*names):
+    """Do the steps of these pages, or of all; the exit status."""
+    motus = str(CLONE / "motus")
+    if subprocess.run([motus, "has_blender", VERSION], check=False).returncode:
+        return SKIPPED
+    with tempfile.TemporaryDirectory(prefix="motus-steps-") as folder, run.x_server(folder) as display:
+        environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
+        environment.pop("WAYLAND_DISPLAY", None)
+        command = [
+            motus, "blender", "--version", VERSION, "--factory-startup", "--enable-event-simulate", "--gpu-backend", "opengl",
+            "--window-geometry", "0", "0", "1280", "800", "--python-exit-code", "1", "--python",
+            str(HERE / "scripts" / "steps" / "driver.py"), "--", folder, *names]
+        return subprocess.run(command, env=environment, check=False).returncode
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
