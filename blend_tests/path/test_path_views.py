@@ -10,37 +10,53 @@ class EditViews(PathTestCase):
     def spaces(self):
         return [area.spaces.active for area in bpy.context.screen.areas if area.type == 'VIEW_3D']
 
-    def test_two_orthographic_cameras_that_switch(self):
-        self.cubic()
-        bpy.ops.motus.path_edit_views(curve="Course")
-        cameras = [obj for obj in self.scene.objects if obj.type == 'CAMERA']
-        self.assertEqual(sorted(camera.name for camera in cameras), ["Motus Side View", "Motus Top View"])
-        self.assertEqual({camera.data.type for camera in cameras}, {'ORTHO'})
-        bpy.context.view_layer.update()
-        gaze = {camera.name: -np.array(camera.matrix_world.to_3x3().col[2]) for camera in cameras}
-        self.assertTrue(np.allclose(gaze["Motus Top View"], (0, 0, -1), atol=1e-6))
-        self.assertTrue(np.allclose(gaze["Motus Side View"], (0, 1, 0), atol=1e-6))
-        self.assertTrue(self.spaces())
-        for wanted in ("Motus Top View", "Motus Side View", "Motus Top View"):
-            for space in self.spaces():
-                self.assertEqual((space.camera.name, space.region_3d.view_perspective), (wanted, 'CAMERA'))
-            bpy.ops.motus.path_edit_views(curve="Course")
-        self.assertEqual(len([obj for obj in self.scene.objects if obj.type == 'CAMERA']), 2)
-        self.assertIsNone(self.scene.camera)
-        bpy.ops.motus.path_edit_views(view='LEAVE')
-        self.assertEqual({space.region_3d.view_perspective for space in self.spaces()}, {'PERSP'})
+    def state(self):
+        views = [space.region_3d for space in self.spaces()]
+        return [(tuple(view.view_location), tuple(view.view_rotation), view.view_perspective, view.view_distance) for view in views]
 
-    def test_whole_curve_in_the_frame(self):
+    def test_plain_views_that_switch(self):
+        self.cubic()
+        before = self.state()
+        objects, collections = len(bpy.data.objects), len(bpy.data.collections)
+        self.assertTrue(self.spaces())
+        for wanted in ((0, 0, -1), (0, 1, 0), (0, 0, -1)):
+            bpy.ops.motus.path_edit_views(curve="Course")
+            for space in self.spaces():
+                view = space.region_3d
+                gaze = -np.array(view.view_rotation.to_matrix().col[2])
+                self.assertTrue(np.allclose(gaze, wanted, atol=1e-6), gaze)
+                self.assertEqual((view.view_perspective, space.use_local_camera), ('ORTHO', False))
+        self.assertEqual((len(bpy.data.objects), len(bpy.data.collections), len(bpy.data.cameras)), (objects, collections, 0))
+        bpy.ops.motus.path_edit_views(view='LEAVE')
+        self.assertEqual(self.state(), before)
+        bpy.ops.motus.path_edit_views(view='LEAVE')
+        self.assertEqual(self.state(), before)
+
+    def test_whole_curve_in_the_view(self):
         curve = self.cubic()
         curve.location = 100.0, 50.0, -20.0
         curve.scale = 3.0, 3.0, 3.0
         for view, axes in (('TOP', (0, 1)), ('SIDE', (0, 2))):
             bpy.ops.motus.path_edit_views(curve="Course", view=view)
-            camera = self.spaces()[0].camera
-            bpy.context.view_layer.update()
-            centre = np.array(camera.matrix_world.translation)[list(axes)]
+            space = self.spaces()[0]
+            centre = np.array(space.region_3d.view_location)[list(axes)]
             points = dense([tuple(3.0 * c + o for c, o in zip(p, curve.location)) for p in CLIMB])[:, axes]
-            self.assertLess(np.abs(points - centre).max(), camera.data.ortho_scale / 2.0)
+            seen = 72.0 * space.region_3d.view_distance / space.lens
+            self.assertLess(np.abs(points - centre).max(), seen / 2.0)
+        bpy.ops.motus.path_edit_views(view='LEAVE')
+
+    def test_nothing_of_them_is_left_when_the_add_on_goes(self):
+        self.cubic()
+        before = self.state()
+        bpy.ops.motus.path_edit_views(curve="Course", view='TOP')
+        self.assertNotEqual(self.state(), before)
+        support.disable()
+        self.addCleanup(support.enable)
+        self.assertEqual(self.state(), before)
+
+    def test_all_at_once_need_a_window(self):
+        self.cubic()
+        self.assertRefused("without a window", bpy.ops.motus.path_edit_views, curve="Course", view='ALL')
 
     def test_refuses_without_a_curve(self):
         self.assertRefused("Choose a curve", bpy.ops.motus.path_edit_views)

@@ -1,4 +1,4 @@
-"""Draws the icons of the toolbar: python3 docs/scripts/tool_icons.py writes addon/motus/pull/window/icons/pick_pull.dat.
+"""Draws the icons of the toolbar: python3 docs/scripts/tool_icons.py writes ICONS below addon/motus/.
 
 Blender's icon geometry: the letters VCO and a zero byte, width and height, an unused offset of two bytes; then the
 corners of all triangles (two bytes each, from the lower left), then their colours (RGBA, one byte each).
@@ -9,7 +9,7 @@ import struct
 import sys
 from pathlib import Path
 
-FOLDER = Path(__file__).resolve().parents[2] / "addon" / "motus" / "pull" / "window" / "icons"
+FOLDER = Path(__file__).resolve().parents[2] / "addon" / "motus"
 SIZE = 255
 WHITE = (255, 255, 255, 255)
 # The colour in which Blender's own icons show what a tool changes.
@@ -84,10 +84,41 @@ def pick_pull():
     return geometry(below(points) + stroke(points) + arrow())
 
 
+def bone(head, tail):
+    """A bone of an armature, as Blender draws it."""
+    along = (tail[0] - head[0], tail[1] - head[1])
+    length = math.hypot(*along)
+    wide = (-along[1] / length * 26.0, along[0] / length * 26.0)
+    neck = (head[0] + 0.22 * along[0], head[1] + 0.22 * along[1])
+    corners = (head, (neck[0] - wide[0], neck[1] - wide[1]), tail, (neck[0] + wide[0], neck[1] + wide[1]))
+    return quad(corners, (BODY,) * 4)
+
+
+def disc(middle, radius, color):
+    """A round joint."""
+    rim = [(middle[0] + radius * math.cos(angle), middle[1] + radius * math.sin(angle))
+           for angle in (2.0 * math.pi * step / STEPS for step in range(STEPS))]
+    return [(place, color) for first, second in zip(rim, rim[1:] + rim[:1]) for place in (middle, first, second)]
+
+
+def drag_chain():
+    """Content of the icon of Drag Chain: two bones, held at their end by an arrow's foot."""
+    hip, knee, foot = (44.0, 40.0), (70.0, 156.0), (168.0, 160.0)
+    found = bone(hip, knee) + bone(knee, foot)
+    for joint in (hip, knee):
+        found += disc(joint, 14.0, BODY)
+    found += stroke([foot, (214.0, 200.0)]) + disc(foot, 17.0, WHITE)
+    return geometry(found + [(place, WHITE) for place in ((240.0, 226.0), (188.0, 214.0), (226.0, 174.0))])
+
+
+ICONS = {"pull/window/icons/pick_pull.dat": pick_pull, "ik/dragging/icons/drag_chain.dat": drag_chain}
+
+
 def main(folder):
-    folder = Path(folder)
-    folder.mkdir(parents=True, exist_ok=True)
-    (folder / "pick_pull.dat").write_bytes(pick_pull())
+    for name, drawn in ICONS.items():
+        path = Path(folder) / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(drawn())
 
 
 if __name__ == "__main__":

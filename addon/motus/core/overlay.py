@@ -1,12 +1,12 @@
-"""One draw handler for all systems: each gives batches of lines and points for a selected object."""
+"""What all systems show in the viewport: each gives batches of lines and points for a selected object, and a sentence for the active one."""
 
 import logging
 from dataclasses import dataclass
-from typing import Any, Callable, NamedTuple
+from typing import Any, Callable, NamedTuple, Optional
 
 import bpy
 
-from . import capabilities, native
+from . import capabilities, drawing, native
 from .bake import state
 from .system import registered
 
@@ -37,10 +37,14 @@ class Switch(NamedTuple):
 
 @dataclass(frozen=True)
 class Overlay:
-    """What a system shows of a selected object: draw(context, owner) gives batches."""
+    """What a system shows of a selected object: draw(context, owner) gives batches.
+
+    note(context, owner): a sentence that the viewport shows while the object is the active one, or "".
+    """
 
     draw: Callable
     switches: tuple = ()
+    note: Optional[Callable] = None
 
     def __call__(self, context, owner):
         return self.draw(context, owner)
@@ -68,13 +72,17 @@ def properties_of(system):
     return found
 
 
+NOTE_HEIGHT = 24.0
+"""Pixels above the viewport's lower edge, at the interface's normal size."""
+
 _handler = []
 _failed = set()
 
 
 def register():
     """Start drawing."""
-    _handler.append(bpy.types.SpaceView3D.draw_handler_add(_draw, (), 'WINDOW', 'POST_VIEW'))
+    for function, kind in ((_draw, 'POST_VIEW'), (_draw_notes, 'POST_PIXEL')):
+        _handler.append(bpy.types.SpaceView3D.draw_handler_add(function, (), 'WINDOW', kind))
 
 
 def unregister():
@@ -87,25 +95,59 @@ def unregister():
 def batches(context):
     """All batches for the context's selection; of what is baked nothing is computed."""
     owners = {found.name_full: found for found in [context.object, *context.selected_objects] if found}
-    shown = [system for system in registered.values()
-             if system.overlay and getattr(context.scene.motus, switch_of(system))]
-    return [batch for system in shown for owner in owners.values() if not state.is_baked(system, owner)
+    return [batch for system in _switched_on(context) for owner in owners.values() if not state.is_baked(system, owner)
             for batch in system.overlay(context, owner)]
 
 
+def notes(context):
+    """What is said of the active object, in the user's language."""
+    found = [system.overlay.note(context, context.object) for system in _switched_on(context)
+             if context.object and getattr(system.overlay, "note", None)]
+    return [bpy.app.translations.pgettext_tip(sentence) for sentence in found if sentence]
+
+
+def is_shown(context, system):
+    """Whether the context's viewport shows what the system draws."""
+    return _is_on(context) and system in _switched_on(context)
+
+
+def _is_on(context):
+    return native.module is not None and context.scene.motus.show_overlay and context.space_data.overlay.show_overlays
+
+
+def _switched_on(context):
+    return [system for system in registered.values()
+            if system.overlay and getattr(context.scene.motus, switch_of(system))]
+
+
 def _draw():
+    _draw_found(batches, _draw_batches)
+
+
+def _draw_notes():
+    _draw_found(notes, _draw_texts)
+
+
+def _draw_found(find, draw):
     context = bpy.context
-    if native.module is None or not context.scene.motus.show_overlay or not context.space_data.overlay.show_overlays:
+    if not _is_on(context):
         return
     try:
-        found = batches(context)
+        found = find(context)
     except Exception as error:
         # Drawn at every redraw: said once, not sixty times a second.
         if repr(error) not in _failed:
             _failed.add(repr(error))
             log.exception("Motus: the overlay could not be computed")
         return
-    _draw_batches(context, found)
+    draw(context, found)
+
+
+def _draw_texts(context, lines):
+    scale = context.preferences.system.ui_scale
+    for index, content in enumerate(reversed(lines)):
+        left = (context.region.width - drawing.width(content, scale)) / 2.0
+        drawing.text([content], left, (1.0 + index) * NOTE_HEIGHT * scale, scale)
 
 
 def _draw_batches(context, found):

@@ -4,6 +4,7 @@ from ..core.system import System
 from . import groups, operators, overlay, panel, presets, properties, solve
 from .checking import operators as checking_operators
 from .dragging import operators as dragging_operators
+from .dragging import tool as dragging_tool
 from .matching import operators as matching_operators
 from .switching import operators as switching_operators
 
@@ -23,6 +24,7 @@ SYSTEM = System(
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,
     overlay=overlay.overlay,
+    extras=(dragging_tool,),
     object_menu=("motus.ik_add", "motus.ik_remove"),
     pose_menu=(
         "motus.ik_add", "motus.ik_remove", "motus.ik_drag", None, "motus.ik_match_fk", "motus.fk_match_ik",

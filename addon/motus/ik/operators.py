@@ -3,13 +3,19 @@
 import bpy
 
 from ..core import operators, wiring
-from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
+from ..core.refusals import Refused, check_evaluated, check_finite, check_local, check_no_tweak_mode
 from ..core.rows import Rows
 from ..core.translations import tr
-from . import rows, setup, status, targets
-from .goals import placing
+from . import chains, rows, setup, status, targets
+from .goals import control_bones, made, placing
 from .properties import KEYWORDS, IkKeywords
 from .switching import blend_keys, blend_trigger
+
+
+MOST_SHOWN = 8
+"""Controls whose names are listed before they are deleted."""
+MADE_WIDTH = 320
+"""Of the dialog, pixels at the interface's normal size."""
 
 
 class OfARig(operators.OfARig):
@@ -47,6 +53,9 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
     keep_rotation: bpy.props.BoolProperty(
         name="Keep Rotation", description="Set the rotation offset so that the target's orientation means that of the "
         "bone as it stands now", default=True, options={'SKIP_SAVE'})
+    make_control_bone: bpy.props.BoolProperty(
+        name="New Control Bone", description="Make a bone of the armature itself the target, which stands at the end of the "
+        "chain, has no parent and deforms nothing; a pole that is made is such a bone too", default=False, options={'SKIP_SAVE'})
 
     redo = rows.ADDING
     for_scripts = ("hinge_angle", "target_blend", "is_muted")
@@ -77,6 +86,9 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
             changes.get(name, getattr(before or self, name)) for name in ("chain_length", "use_tail")))
         targets.check_free(rig, chain)
         target, pole = self._goals(context, rig, before)
+        if self.make_control_bone:
+            control_bones.check(context, rig)
+            target = None
         wanted = {name: changes[name] for name in ("chain_length", "use_tail") if name in changes}
         for goal, name in ((target, "target"), (pole, "pole")):
             wanted[name], wanted[name + "_bone"] = goal or (None, "")
@@ -86,6 +98,10 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         if before is None and "hinge_angle" not in changes:
             place = pole and placing.goal_matrix(context, *pole).translation
             changes["hinge_angle"] = placing.hinge_angle(rig, evaluated, chain, place)
+        if self.make_control_bone:
+            target = rig, control_bones.new_target(context, rig, chain)
+            evaluated = rig.evaluated_get(context.view_layer.depsgraph)
+            before = rig.motus.ik.entries.get(bone)
         if target and target != (before and (before.target, before.target_bone)) and self._keeps_rotation(changes):
             changes["rotation_offset"] = placing.rotation_offset(context, evaluated, chain, *target)
         if target is None:
@@ -96,14 +112,8 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         with setup.at_once(rig):
             entry = setup.add(rig, bone, changes)
         if self.make_pole and pole is None:
-            self._make_pole(context, rig, entry, turned)
-        return rig, entry, chain
-
-    @staticmethod
-    def _make_pole(context, rig, entry, turned):
-        context.view_layer.update()
-        with setup.at_once(rig):
-            entry.pole = placing.new_pole(context, rig, entry, turned)
+            _make_pole(context, rig, bone, turned, self.make_control_bone)
+        return rig, rig.motus.ik.entries[bone], chain
 
     def _keeps_rotation(self, changes):
         return self.keep_rotation and "rotation_offset" not in changes
@@ -120,6 +130,64 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         return target, pole
 
 
+def _make_pole(context, rig, name, turned, as_bone):
+    """Give an entry a pole that leaves the chain as it stands. turned: the Pole Angle that it stands turned by, rad."""
+    context.view_layer.update()
+    entry = rig.motus.ik.entries[name]
+    if as_bone:
+        place = placing.pole_place(rig, entry, context.view_layer.depsgraph, turned)
+        goal = rig, control_bones.new_pole(context, rig, chains.find(rig, entry), place)
+    else:
+        goal = placing.new_pole(context, rig, entry, turned), ""
+    with setup.at_once(rig):
+        entry = rig.motus.ik.entries[name]
+        entry.pole, entry.pole_bone = goal
+
+
+class MOTUS_OT_ik_pole_add(OfABone, bpy.types.Operator):
+    bl_idname = "motus.ik_pole_add"
+    bl_label = "Make Pole"
+    bl_description = "Give the chain a pole at the side that it bends to; nothing moves by that"
+
+    as_bone: bpy.props.BoolProperty(
+        name="As Bone", description="Make a control bone of the armature instead of an empty", default=False,
+        options={'SKIP_SAVE'})
+    redo = (Rows(("as_bone",)),)
+
+    def run(self, context):
+        rig = targets.rig_with_ik(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
+        if entry.pole:
+            raise Refused(tr("{bone} has a pole already: {pole}").format(bone=entry.name, pole=entry.pole.name))
+        if self.as_bone:
+            control_bones.check(context, rig)
+        check_evaluated(rig, context.view_layer)
+        _make_pole(context, rig, entry.name, entry.pole_angle, self.as_bone)
+
+
+class MOTUS_OT_ik_control_bone_add(OfABone, bpy.types.Operator):
+    bl_idname = "motus.ik_control_bone_add"
+    bl_label = "New Control Bone"
+    bl_description = "Make a bone of the armature itself the target, which stands where the target is, has no parent and deforms nothing"
+
+    def run(self, context):
+        rig = targets.rig_with_ik(context, self.object)
+        targets.check_editable(rig)
+        control_bones.check(context, rig)
+        entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
+        name, chain = entry.name, chains.find(rig, entry)
+        if chain is None:
+            raise Refused(tr("{object} has no bone {bone}").format(object=rig.name, bone=name))
+        context.view_layer.update()
+        place = targets.goal_place(context, entry)
+        made = control_bones.new_target(context, rig, chain, place)
+        with setup.at_once(rig):
+            entry = rig.motus.ik.entries[name]
+            entry.target, entry.target_bone = rig, made
+        self.report({'INFO'}, tr("{bone} of {object} reaches for {target}").format(bone=name, object=rig.name, target=made))
+
+
 class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
     bl_idname = "motus.ik_remove"
     bl_label = "Remove Inverse Kinematics"
@@ -133,15 +201,45 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
         default=False, options={'SKIP_SAVE'})
     redo = (Rows(("remove_controls",)),)
 
+    _made = ()
+
+    def invoke(self, context, event):
+        """Ask what becomes of what was made along with the chains, if there is any of it."""
+        try:
+            self._made = [made.label(*pair) for pair in made.of_entries(*self._found(context))]
+        except Refused as refusal:
+            return self.refuse(refusal)
+        if not self._made or context.window is None or self.is_given("remove_controls"):
+            return self.execute(context)
+        self.remove_controls = True
+        return context.window_manager.invoke_props_dialog(self, width=MADE_WIDTH)
+
+    def draw_below(self, _context):
+        column = self.layout.column(align=True)
+        column.active = self.remove_controls
+        for name in self._made[:MOST_SHOWN]:
+            column.label(text=name, icon='EMPTY_AXIS', translate=False)
+        if len(self._made) > MOST_SHOWN:
+            column.label(text=tr("and {count} more").format(count=len(self._made) - MOST_SHOWN), translate=False)
+
     def run(self, context):
+        rig, indices = self._found(context)
+        names = [rig.motus.ik.entries[index].name for index in indices]
+        controls = made.of_entries(rig, indices) if self.remove_controls else []
+        setup.remove(rig, indices)
+        kept = made.remove_unneeded(context, rig, controls)
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(names)))
+        if kept:
+            self.report({'INFO'}, tr("Something else needs {targets}, so that they stay").format(targets=", ".join(kept)))
+
+    def _found(self, context):
+        """The rig, and indices of the entries that are removed."""
         rig = targets.rig_with_ik(context, self.object)
         targets.check_editable(rig)
         indices = [targets.entry_for(rig, self.bone)] if self.bone else range(len(rig.motus.ik.entries))
         targets.check_removable(rig, indices)
         check_no_tweak_mode(rig)
-        names = [rig.motus.ik.entries[index].name for index in indices]
-        setup.remove(rig, indices, self.remove_controls)
-        self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(names)))
+        return rig, indices
 
 
 class MOTUS_OT_ik_refresh(OfARig, bpy.types.Operator):
@@ -207,5 +305,5 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
 
 
 classes = (
-    MOTUS_OT_ik_add, MOTUS_OT_ik_remove, MOTUS_OT_ik_refresh, MOTUS_OT_ik_target_add, MOTUS_OT_ik_target_remove,
+    MOTUS_OT_ik_add, MOTUS_OT_ik_pole_add, MOTUS_OT_ik_control_bone_add, MOTUS_OT_ik_remove, MOTUS_OT_ik_refresh, MOTUS_OT_ik_target_add, MOTUS_OT_ik_target_remove,
 )

@@ -43,6 +43,7 @@ def draw_add(layout, context):
         column.label(text=active.name, icon='BONE_DATA', translate=False)
     column.operator("motus.ik_add", icon='CON_KINEMATIC')
     column.operator("motus.ik_add", text="Add with a Pole", icon='EMPTY_AXIS').make_pole = True
+    column.operator("motus.ik_add", text="Add with a Control Bone", icon='BONE_DATA').make_control_bone = True
 
 
 def draw_goal(column, owner, pointer, bone):
@@ -57,6 +58,8 @@ def draw_target(layout, context):
     """What the chain goes to, and what else it can go to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
+    if entry.target != context.object:
+        _of_chain(layout, "motus.ik_control_bone_add", context.object, entry, icon='BONE_DATA')
     rows.OFFSET.draw(ui.split(layout), entry)
     layout.use_property_split = False
     layout.label(text="Further Targets")
@@ -72,10 +75,21 @@ def draw_target(layout, context):
     ui.split(layout).prop(entry, "target_blend")
 
 
+def _of_chain(layout, operator, rig, entry, **look):
+    """A button for a chain."""
+    button = layout.operator(operator, **look)
+    button.object, button.bone = rig.name, entry.name
+    return button
+
+
 def draw_pole(layout, context):
     """Where the chain bends to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "pole", "pole_bone")
+    if entry.pole is None:
+        row = layout.row(align=True)
+        _of_chain(row, "motus.ik_pole_add", context.object, entry, icon='EMPTY_AXIS')
+        _of_chain(row, "motus.ik_pole_add", context.object, entry, text="As Bone", icon='BONE_DATA').as_bone = True
     rows.POLE.draw(ui.split(layout), entry)
 
 
@@ -128,7 +142,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("target", "Target", draw_target, is_open=True),
         panels.Part("weights", "Weights", _draw_rows(rows.WEIGHTS), is_open=True),
-        panels.Part("pole", "Pole", draw_pole),
+        panels.Part("pole", "Pole", draw_pole, is_open=True),
         panels.Part("reach", "Reach", _draw_rows(rows.REACH)),
         panels.Part("limits", "Limits", _draw_limits, draw_header=lambda layout, context: layout.prop(
             shown_entry(context), "use_limits", text="")),

@@ -16,7 +16,7 @@ REACH = Rows(("softness", "stretch"), title="Reach")
 PRECISION = Rows(("tolerance", "iterations"), title="Precision")
 
 ADDING = (
-    CHAIN,
+    Rows((*CHAIN.rows, "make_control_bone"), title="Chain"),
     Rows((Row("make_pole", when=lambda operator: not operator.pole),
           Row("bend", when=lambda operator: operator.make_pole or bool(operator.pole)), "pole_angle"), title="Pole"),
     Rows((*WEIGHTS.rows, Row("keep_rotation", when=is_positive("rotation_weight")),

@@ -1,11 +1,7 @@
 """Setting chains up and taking them back: plain functions behind the operators."""
 
-import bpy
-
 from ..core import dependencies, entries
 from ..core.system import forget, registered
-from .goals.placing import CONTROL_KEY
-from .groups import goals
 
 
 def system():
@@ -49,18 +45,6 @@ def would_wait_for_itself(rig, bone, changes):
     return level is None
 
 
-def remove(rig, indices, with_controls=False):
-    """Take entries back, and with them the targets and poles that were made for them."""
-    removed = [rig.motus.ik.entries[index] for index in indices]
-    controls = [goal for entry in removed for goal in (entry.target, entry.pole) if goal and CONTROL_KEY in goal]
+def remove(rig, indices):
+    """Take entries back."""
     entries.remove(system(), rig, indices, "chosen_entry")
-    if with_controls:
-        for control in dict.fromkeys(controls):
-            if not _is_used(control):
-                bpy.data.objects.remove(control)
-
-
-def _is_used(control):
-    # To ask an object for its settings gives it some.
-    rigs = [found for found in bpy.data.objects if found.type == 'ARMATURE' and found.is_property_set("motus")]
-    return any(control == goal for rig in rigs for entry in rig.motus.ik.entries for goal, _ in goals(entry))

@@ -1,9 +1,10 @@
 """What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-from ..core import libraries
+from ..core import deleted, libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import chains, setup
+from .goals import placing
 
 
 def rig_for(context, name):
@@ -82,6 +83,13 @@ def goal_for(context, object_name, bone_name, rig=None):
     if bone_name:
         raise Refused(tr("Name the armature of the bone {bone}").format(bone=bone_name))
     return selected_goal(context, rig) if rig else None
+
+
+def goal_place(context, entry):
+    """World matrix of the entry's own target as it is evaluated; None where it has none."""
+    if entry.target is None or deleted.is_deleted(entry.target):
+        return None
+    return placing.goal_matrix(context, entry.target, entry.target_bone)
 
 
 def selected_goal(context, rig):

@@ -24,6 +24,7 @@ SYSTEM = System(
     over_time=over_time.over_time,
     shared=solve.SHARED,
     overlay=overlay.overlay,
+    extras=(edit_views,),
     add_menu=("motus.path_new_bezier",),
     object_menu=("motus.path_follow_add", "motus.path_train_add", "motus.path_follow_remove", "motus.path_edit_views"),
 )

@@ -5,7 +5,7 @@ import bpy
 from ..core import panels, ui, wiring
 from ..core.system import Problem
 from ..core.translations import tr
-from . import members, presets, rows, targets
+from . import edit_views, members, presets, rows, targets
 from .setup import is_stray, system
 
 MOST_SHOWN = 6  # followers of a curve
@@ -55,14 +55,14 @@ def _draw_curve(layout, context, curve):
                             translate=False).object = follower.name
         if len(followers) > MOST_SHOWN:
             column.label(text=tr("and {count} more").format(count=len(followers) - MOST_SHOWN), translate=False)
-    layout.operator("motus.path_edit_views", icon='VIEW_ORTHO')
+    edit_views.draw_buttons(layout, context)
 
 
 def draw_actions(layout, context):
     """Baking, looking and removing."""
     column = layout.column(align=True)  # a row would be too narrow in a narrow editor
     ui.draw_bake(column, system())
-    column.operator("motus.path_edit_views", text="Edit Views", icon='VIEW_ORTHO')
+    edit_views.draw_buttons(column, context)
     column.operator("motus.path_follow_remove", text="Remove", icon='X').object = context.object.name
 
 

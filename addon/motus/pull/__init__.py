@@ -3,7 +3,10 @@
 from ..core.system import System
 from . import grid, operators, panel, presets, properties
 from .pins import apply as pins_apply
+from .pins import dragging as pins_dragging
+from .pins import gizmo as pins_gizmo
 from .pins import operators as pins_operators
+from .pins import overlay as pins_overlay
 from .pins import panel as pins_panel
 from .pins import properties as pins_properties
 from .pins import setup as pins_setup
@@ -19,6 +22,7 @@ SYSTEM = System(
         # Groups before those that hold them.
         *properties.classes, *pins_properties.classes,
         *operators.classes, *adjust.classes, *grid.classes, *pins_operators.classes, *pins_apply.classes,
+        *pins_dragging.classes, *pins_gizmo.classes,
         *presets.classes, *panel.classes, *pins_panel.classes,
     ),
     inputs=pins_solve.INPUTS,
@@ -28,6 +32,7 @@ SYSTEM = System(
     moves_points=True,
     unbakeable=pins_solve.UNBAKEABLE,
     settle=pins_setup.settle,
+    overlay=pins_overlay.overlay,
     extras=(tool,),
     add_menu=("motus.grid_add",),
     object_menu=("motus.pick_pull", "motus.pin_add"),

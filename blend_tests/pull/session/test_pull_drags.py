@@ -198,10 +198,10 @@ class ByTheMouse(SessionTestCase):
             self.key(name)
             self.assertEqual([drag.displacement[other] for other in others], [0.0, 0.0])
             # Nowhere along the axis is it nearer to the line of sight.
-            target, index = drag._root + free, 'XYZ'.index(name)
+            target, index = drag.point + free, 'XYZ'.index(name)
             away = []
             for step in (-0.01, 0.0, 0.01):
-                place = drag._root + drag.displacement
+                place = drag.point + drag.displacement
                 place[index] += step
                 away.append((place - target).cross(view.sight(target)).length)
             self.assertLess(away[1], min(away[0], away[2]))

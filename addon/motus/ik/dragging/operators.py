@@ -83,6 +83,12 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         self.location = place
         self._held.pull(Vector(place))
 
+    def _click(self, _context):
+        # As with Blender's own tools; a press and its release are the drag's, so that the bone is selected here.
+        region = self._travel.view.region
+        place = [round(self._pressed[0] - region.x), round(self._pressed[1] - region.y)]
+        return bpy.ops.view3d.select('EXEC_REGION_WIN', deselect_all=True, location=place)
+
     def _finish(self, context):
         self._key(context, self._held)
 

@@ -8,6 +8,7 @@ from ...core.system import Problem
 from ...core.translations import OWN_SENSE
 from .. import rows
 from . import solve
+from .overlay import RESTING
 from .setup import system
 
 NO_MODIFIER = Problem("The modifier of the pins was removed or applied: remove the pins, or put it back")
@@ -36,6 +37,8 @@ def draw_list(layout, context):
     buttons.separator()
     for direction in ('UP', 'DOWN'):
         buttons.operator("motus.pin_move", text="", icon=f'TRIA_{direction}').direction = direction
+    if obj.mode == 'EDIT':
+        ui.draw_message(layout, RESTING.sentence, 'INFO')
     _draw_problems(layout, context, obj)
     ui.split(layout).prop(settings, "influence", slider=True)
 

@@ -81,6 +81,13 @@ def read(pins):
     return rows
 
 
+def numbers(pins, name, size, dtype=None):
+    """One setting of all pins, (n, size)."""
+    values = np.empty(len(pins) * size, dtype or np.float32)
+    pins.foreach_get(name, values)
+    return values.reshape(len(pins), size)
+
+
 def _floats(pins, name, size, count):
     values = _column(pins, name, np.empty(count * size, np.float32))
     return values if size == 1 else [tuple(values[size * row:size * (row + 1)]) for row in range(count)]

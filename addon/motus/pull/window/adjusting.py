@@ -1,7 +1,7 @@
 """Radius or strength by the mouse, as the F key does for Blender's brushes: drag or type, click to keep it."""
 
 from . import status
-from .entry import CONFIRMING, NumberEntry
+from ...core.number_entry import CONFIRMING, NumberEntry
 
 MOVES = {'MOUSEMOVE', 'INBETWEEN_MOUSEMOVE'}
 FINE = 0.1

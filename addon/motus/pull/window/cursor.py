@@ -9,12 +9,12 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from ...core import handlers, native
+from ...core import drawing, handlers, native
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
 from ...core.viewports import View
 from ..brush import AXIS_INDEX, Brush
-from . import cursor_shape, drawing, hover, inset, stage, status
+from . import cursor_shape, hover, inset, stage, status
 
 log = logging.getLogger(__name__)
 

@@ -6,7 +6,7 @@ What is kept is dropped as soon as anything else than a stroke changes the objec
 import bpy
 from bpy.app.handlers import persistent
 
-from ...core import handlers, viewports
+from ...core import handlers, toolbar, viewports
 from ...core.refusals import Refused
 from .. import fitting
 from ..brush import Brush
@@ -37,10 +37,7 @@ def unregister():
 
 def is_tool_active(context):
     """Whether Pick & Pull is the tool of the viewport's mode."""
-    if context.workspace is None or context.mode not in MODES:
-        return False
-    tool = context.workspace.tools.from_space_view3d_mode(context.mode, create=False)
-    return tool is not None and tool.idname == TOOL
+    return context.mode in MODES and toolbar.in_hand(context) == TOOL
 
 
 def session(context):

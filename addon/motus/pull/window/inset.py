@@ -6,8 +6,8 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from ...core import capabilities, native, viewports
-from . import drawing, hover, stage
+from ...core import capabilities, drawing, native, viewports
+from . import hover, stage
 
 log = logging.getLogger(__name__)
 

@@ -9,7 +9,7 @@ from .. import fitting
 from ..properties import KEYWORDS
 from . import hover, status
 from .adjusting import MOVES
-from .entry import CONFIRMING
+from ...core.number_entry import CONFIRMING
 from .pulling import Pulling
 
 GIVEN_PLACE = ("location", "vertex", "dabs")

@@ -6,7 +6,7 @@ from . import stage, status
 from .adjusting import Adjustment, notched, typed
 from .dabbing import Dabbing
 from .dragging import Dragging
-from .entry import NumberEntry
+from ...core.number_entry import NumberEntry
 
 
 class Pulling:

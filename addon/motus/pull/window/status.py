@@ -3,7 +3,7 @@
 import bpy
 
 from ...core.translations import tr
-from .entry import NumberEntry
+from ...core.number_entry import NumberEntry
 
 RADIUS, STRENGTH = "radius", "strength"
 LABELS = {RADIUS: "Radius", STRENGTH: "Strength"}
@@ -47,11 +47,7 @@ def numbers(brush, adjusted=None):
 
 def drag_header(context, settings, session, drag):
     """The line in the viewport's header during a drag: how far the root goes, and along which axis."""
-    typed = f"{drag.entry.text}|" if drag.entry.is_open else length(context, session.length(drag.displacement))
-    parts = [f"{label('Displacement')} {typed}"]
-    if drag.axis is not None:
-        parts.append(f"{label('Axis')} {drag.axis} ({item_label(settings, session.brush, 'unit')})")
-    return "    ".join(parts)
+    return drag.header(context, item_label(settings, session.brush, "unit"), length)
 
 
 def header(context, settings, brush, entry, adjusted):

@@ -1,11 +1,10 @@
 """Pick & Pull in the toolbar of Object, Edit and Sculpt Mode."""
 
-from functools import partial
 from pathlib import Path
 
 import bpy
 
-from ...core import teardown
+from ...core import teardown, toolbar
 from ..panel import draw_accumulate, draw_radius, draw_strength
 from . import cursor, hover, inset, keymap, stage
 
@@ -56,34 +55,16 @@ class SculptTool(_Tool, bpy.types.WorkSpaceTool):
 
 
 TOOLS = (ObjectTool, EditTool, SculptTool)
-RESTING = {'OBJECT': "builtin.select_box", 'EDIT_MESH': "builtin.select_box", 'SCULPT': "builtin.move"}
-
-_registered = []
 
 
 def register():
     """Put the tool into the toolbars, and get its cursor ready."""
-    has_keys = bpy.context.window_manager.keyconfigs.addon is not None  # there are none in the background
-    for one in TOOLS:
-        one.bl_keymap = keymap.TOOL_KEYMAP if has_keys else None
-        bpy.utils.register_tool(one, separator=True)
-        _registered.append(one)
+    toolbar.register(TOOLS, keymap.TOOL_KEYMAP)
     hover.register()
     cursor.register()
 
 
 def unregister():
-    """Take the tool back; where it is in hand, Blender's own takes its place."""
-    teardown.run(stage.clear, inset.stop, cursor.unregister, hover.unregister, _put_down)
-    while _registered:
-        teardown.run(partial(bpy.utils.unregister_tool, _registered.pop()))
-
-
-def _put_down():
-    for window in bpy.context.window_manager.windows:
-        for area in window.screen.areas:
-            if area.type != 'VIEW_3D':
-                continue
-            with bpy.context.temp_override(window=window, area=area):
-                if hover.is_tool_active(bpy.context):
-                    bpy.ops.wm.tool_set_by_id(name=RESTING[bpy.context.mode])
+    """Take the tool back."""
+    teardown.run(stage.clear, inset.stop, cursor.unregister, hover.unregister)
+    toolbar.unregister(TOOLS)

@@ -1,6 +1,8 @@
 """Spanish: what all systems share, Follow Path and the demos."""
 
 INTERFACE = {
+    "X, Y or Z locks an axis, a number sets the length; Esc or the right button cancels":
+        "X, Y o Z fija un eje, un número da la longitud; Esc o el botón derecho cancela",
     "Aircraft": "Avión",
     "Even speed, and the bank that its curves ask for":
         "Velocidad constante y el alabeo que piden sus curvas",
@@ -340,19 +342,23 @@ INTERFACE = {
     "Names with commas between, or a collection's name: their places are the control points, and moving one moves the curve":
         "Nombres separados por comas, o el nombre de una colección: sus posiciones son los puntos de control, y mover uno "
         "mueve la curva",
-    "Look at the path from the top or from the side through orthographic cameras; each call switches over":
-        "Ver la trayectoria desde arriba o de lado con cámaras ortográficas; cada llamada cambia de una a otra",
+    "Look at the path from the top, the front and the side at once, without perspective; once more to go back":
+        "Mira la trayectoria desde arriba, de frente y de lado a la vez, sin perspectiva; otra vez para volver",
+    "From the top, the front and the right, and the viewport's own view":
+        "Desde arriba, de frente y desde la derecha, y la vista propia de la ventana",
+    "Blender runs without a window: choose a single view": "Blender se ejecuta sin ventana: elige una sola vista",
+    "Edit Views of {curve}": "Vistas de edición de {curve}",
     "View": "Vista",
     "Which view to show": "Qué vista se muestra",
     "The system to show": "El sistema que se muestra",
     "Next": "Siguiente",
-    "The one of the two that is not shown": "La de las dos que no se muestra",
+    "From the top or from the side, whichever is not shown": "Desde arriba o de lado, la que no se muestra",
     "Top": "Arriba",
     "From above": "Desde arriba",
     "Side": "Lado",
     "From the side": "De lado",
     "Leave": "Salir",
-    "Back to the viewport's own view": "Volver a la vista propia de la ventana",
+    "Back to what the viewport showed before": "Volver a lo que la ventana mostraba antes",
     "Index": "Índice",
     "Follow Path Presets": "Preajustes de seguir trayectoria",
     "Keep these settings as a preset, or remove it": "Guardar estos ajustes como preajuste, o quitarlo",
@@ -362,7 +368,6 @@ INTERFACE = {
     "{object} follows {curve}": "{object} sigue {curve}",
     "{count} objects follow {curve}": "{count} objetos siguen {curve}",
     "{curve} has degree {degree}": "{curve} tiene grado {degree}",
-    "{view} of {curve}": "{view} de {curve}",
     "Removed from {objects}": "Quitado de {objects}",
     "Nothing here follows a path": "Aquí nada sigue una trayectoria",
     "Nothing here is a wagon of a train": "Aquí nada es un vagón de un tren",
@@ -423,6 +428,7 @@ OPERATORS = {
     "Copy": "Copiar",
     "Demo Scene": "Escena de demostración",
     "Edit Views": "Vistas de edición",
+    "Leave Edit Views": "Salir de las vistas de edición",
     "Follow Path": "Seguir trayectoria",
     "Follow Path as a Train": "Seguir trayectoria en tren",
     "Path Edit Views": "Vistas de edición de la trayectoria",

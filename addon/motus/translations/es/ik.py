@@ -1,6 +1,29 @@
 """Spanish: inverse kinematics."""
 
 INTERFACE = {
+    "New Control Bone": "Nuevo hueso de control",
+    "Make a bone of the armature itself the target, which stands at the end of the chain, has no parent and deforms nothing; a "
+    "pole that is made is such a bone too":
+        "Hace que el objetivo sea un hueso del propio esqueleto, que está al final de la cadena, no tiene padre y no deforma "
+        "nada; un polo que se cree es también un hueso así",
+    "Make a bone of the armature itself the target, which stands where the target is, has no parent and deforms nothing":
+        "Hace que el objetivo sea un hueso del propio esqueleto, que está donde está el objetivo, no tiene padre y no deforma nada",
+    "Give the chain a pole at the side that it bends to; nothing moves by that":
+        "Da a la cadena un polo del lado hacia el que se dobla; con eso no se mueve nada",
+    "As Bone": "Como hueso",
+    "Drag Chain": "Arrastrar cadena",
+    "Make a control bone of the armature instead of an empty": "Crea un hueso de control del esqueleto en vez de un vacío",
+    "{bone} has a pole already: {pole}": "{bone} ya tiene un polo: {pole}",
+    "The armature of {object} is linked from another file and can be given no bones: choose an object":
+        "El esqueleto de {object} está enlazado desde otro archivo y no admite huesos nuevos: elige un objeto",
+    "Target {bone}": "Objetivo {bone}",
+    "Pole {bone}": "Polo {bone}",
+    "Something else needs {targets}, so that they stay": "Otra cosa necesita {targets}, así que se quedan",
+    "Take hold of a bone at any point with the left mouse button; the chain follows the mouse.\nX, Y and Z hold it to an axis; a "
+    "click selects the bone":
+        "Coge un hueso por cualquier punto con el botón izquierdo del ratón; la cadena sigue al ratón.\nX, Y y Z lo fijan a un eje; "
+        "un clic selecciona el hueso",
+    "All connected bones up to a branch": "Todos los huesos conectados hasta una bifurcación",
     "Limb": "Extremidad",
     "Slows down a little before it is straight, so that the knee does not snap":
         "Frena un poco antes de estar recta, para que la rodilla no salte",
@@ -325,6 +348,9 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Add with a Control Bone": "Agregar con un hueso de control",
+    "Make Pole": "Crear polo",
+    "New Control Bone": "Nuevo hueso de control",
     "Use Inverse Kinematics Preset": "Usar preajuste de cinemática inversa",
     "Add Inverse Kinematics Preset": "Agregar preajuste de cinemática inversa",
     "Add Target": "Agregar objetivo",

@@ -2,6 +2,16 @@
 
 INTERFACE = {
     "Pin": "Ancla",
+    "Pins rest in Edit Mode: the mesh is shown without them":
+        "Las anclas descansan en el modo Edición: la malla se muestra sin ellas",
+    "Take the root of a pin elsewhere; a click makes the pin the active one":
+        "Lleva la raíz de un ancla a otro lugar; un clic hace del ancla la activa",
+    "Where the root goes, in the world": "Adónde va la raíz, en el mundo",
+    "Press the left mouse button on the handle of a pin and drag it; Esc or the right button cancels":
+        "Pulsa el botón izquierdo del ratón sobre el control de un ancla y arrástralo; Esc o el botón derecho cancela",
+    "{pin} does not pull now: it is muted, or its strength or the influence is 0":
+        "{pin} no tira ahora: está silenciada, o su fuerza o la influencia es 0",
+    "{object} is scaled to nothing in a direction": "{object} está escalado a nada en una dirección",
     "Motus Pins": "Anclas de Motus",
     "Name of the pin": "Nombre del ancla",
     "How much of its way the pin pulls; negative pushes": "Cuánto de su recorrido tira el ancla; negativo empuja",
@@ -130,6 +140,7 @@ OPERATORS = {
     "Add Pull Pin": "Agregar ancla",
     "Apply Pins": "Aplicar anclas",
     "Bind Pin Again": "Volver a fijar el ancla",
+    "Drag Pin": "Arrastrar ancla",
     "Mirror Pin": "Reflejar ancla",
     "Move Pin": "Mover ancla",
     "Pin Last Pull": "Anclar el último tirón",

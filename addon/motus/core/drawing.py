@@ -1,7 +1,7 @@
 """Lines, shaded areas and text in pixels; the shaders named here are there in every Blender from 3.4 on."""
 
-from ...core import capabilities
-from ...core.lazy import numpy as np
+from . import capabilities
+from .lazy import numpy as np
 
 TEXT_SIZE = 11.0
 
@@ -76,3 +76,11 @@ def text(lines, x, y, scale):
         blf.position(font, x, y - index * 1.4 * size, 0.0)
         blf.draw(font, content)
     blf.disable(font, blf.SHADOW)
+
+
+def width(content, scale):
+    """Pixels of a line of text, as text() draws it."""
+    import blf
+
+    blf.size(0, TEXT_SIZE * scale)
+    return blf.dimensions(0, content)[0]

@@ -1,0 +1,83 @@
+"""Targets and poles that were made along with chains: which there are, and deleting those that nothing needs any more."""
+
+import itertools
+
+import bpy
+
+from ...core import wiring
+from ...core.system import systems
+from ..groups import goals
+from . import control_bones
+from .placing import CONTROL_KEY
+
+HOLDERS = {'COLLECTION', 'SCENE', 'ACTION', 'SCREEN', 'WINDOWMANAGER', 'WORKSPACE'}
+"""Types of datablocks for which an object does nothing."""
+
+
+def of_entries(rig, indices):
+    """(object, bone or "") of what was made for these entries of a rig, each once, and is no target or pole of another entry."""
+    entries = [rig.motus.ik.entries[index] for index in indices]
+    pairs = dict.fromkeys(pair for entry in entries for pair in goals(entry) if _is_made(rig, *pair))
+    others = {pair for one in _rigs() for index, entry in enumerate(one.motus.ik.entries)
+              if one != rig or index not in indices for pair in goals(entry)}
+    return [pair for pair in pairs if pair not in others]
+
+
+def label(obj, bone):
+    """Name of a control as it is shown."""
+    return f"{obj.name}: {bone}" if bone else obj.name
+
+
+def remove_unneeded(context, rig, controls):
+    """Delete controls that no entry has any more, but for what something else needs; gives the labels of those that stay."""
+    needed = [pair for pair in controls if (_is_bone_needed if pair[1] else _is_object_needed)(*pair)]
+    kept = [label(*pair) for pair in needed]
+    bones = [bone for obj, bone in controls if bone and (obj, bone) not in needed]
+    if bones:
+        control_bones.remove(context, rig, bones)
+    for obj in [obj for obj, bone in controls if not bone and (obj, bone) not in needed]:
+        bpy.data.objects.remove(obj)
+    return kept
+
+
+def _is_made(rig, obj, bone):
+    if bone:
+        return obj == rig and not rig.data.library and not rig.data.override_library and control_bones.is_made(rig, bone)
+    return CONTROL_KEY in obj
+
+
+def _rigs():
+    # To ask an object for its settings gives it some.
+    return [found for found in bpy.data.objects if found.type == 'ARMATURE' and found.is_property_set("motus")]
+
+
+def _is_object_needed(obj, _bone):
+    users = bpy.data.user_map(subset=[obj])[obj]
+    return any(user.id_type not in HOLDERS and user != obj for user in users)
+
+
+def _is_bone_needed(rig, bone):
+    """Whether another bone, object, constraint, driver or entry of a system hangs on a bone of the rig."""
+    if rig.data.bones[bone].children:
+        return True
+    for obj in bpy.data.objects:
+        if obj.parent == rig and obj.parent_type == 'BONE' and obj.parent_bone == bone:
+            return True
+        things = [obj, *(obj.pose.bones if obj.pose else ())]
+        constraints = itertools.chain.from_iterable(thing.constraints for thing in things)
+        if any(pair == (rig, bone) for constraint in constraints for pair in _constraint_targets(constraint)):
+            return True
+    path = f'pose.bones["{bpy.utils.escape_identifier(bone)}"]'
+    for _, _, variable, index in wiring.targets_on({rig}):
+        target = variable.targets[index]
+        if target.bone_target == bone or target.data_path.startswith(path):
+            return True
+    return any((rig, bone) in entry.reads or one == rig and bone in entry.drives
+               for system in systems() if system.entries for one in _rigs() for entry in system.entries(one))
+
+
+def _constraint_targets(constraint):
+    """(object, bone) of all that a constraint names."""
+    listed = constraint.targets if constraint.type == 'ARMATURE' else [constraint]
+    found = [(getattr(one, "target", None), getattr(one, "subtarget", "")) for one in listed]
+    return found + [(getattr(constraint, "pole_target", None), getattr(constraint, "pole_subtarget", ""))]

@@ -1,0 +1,140 @@
+"""motus.pin_drag: a pin's root is taken elsewhere, by its handle in the viewport or from a script."""
+
+import bpy
+from mathutils import Matrix, Vector
+
+from ...core.drag import PointDrag
+from ...core.lazy import numpy as np
+from ...core.refusals import Refused, check_finite
+from ...core.rows import Row, Rows, is_given
+from ...core.translations import tr
+from .. import keywords
+from ..mesh import arrays
+from . import binding, handles, setup, solve
+from .operators import PinOperator, index_keyword, mesh_keyword
+
+PROBE = 0.01
+"""Of the mesh's size: so far the root is moved to see where it goes."""
+LEAST_VOLUME = 1e-6
+"""Of what three ways along the axes span: below it the root does not follow its pin in all directions."""
+
+
+class Held:
+    """A pin whose root goes where pull() says. point: where it is seen now, in the world."""
+
+    def __init__(self, context, obj, index):
+        self._context, self._object, self.index = context, obj, index
+        self._pin = obj.motus.pull.pins[index]
+        self._before = Vector(self._pin.displacement)
+        self._active = obj.motus.pull.active_pin
+        self._inverse = None
+        self.point, self._is_broken = self._seen()
+        obj.motus.pull.active_pin = index
+
+    @property
+    def has_chosen(self):
+        """Whether another pin was the active one before."""
+        return self._active != self.index
+
+    def pull(self, place):
+        """Let the root be seen at a place in the world, where nothing but its own pin holds it back."""
+        if self._inverse is None:
+            self._inverse = self._ways().inverted()
+        self._pin.displacement = self._before + self._inverse @ (Vector(place) - self.point)
+
+    def restore(self):
+        """Everything is as it was."""
+        self._pin.displacement = self._before
+        self._object.motus.pull.active_pin = self._active
+
+    def _ways(self):
+        """How the root's place in the world changes with the pin's displacement.
+
+        Modifiers behind, vertex groups and shape keys turn and shorten its way, so that it is tried out.
+        """
+        if self._is_broken:
+            raise Refused(tr(solve.BROKEN.sentence))
+        depsgraph = self._context.view_layer.depsgraph
+        share = handles.share(self._object, depsgraph, self.index)
+        if share == 0.0:
+            raise Refused(tr("{pin} does not pull now: it is muted, or its strength or the influence is 0").format(
+                pin=self._pin.name))
+        plain = share * self._object.evaluated_get(depsgraph).matrix_world.to_3x3()
+        if plain.determinant() == 0.0:
+            raise Refused(tr("{object} is scaled to nothing in a direction").format(object=self._object.name))
+        step = PROBE * binding.diagonal(arrays.positions(self._object.data)) / abs(share)
+        tried = [(self._tried(step * axis) - self.point) / step for axis in Matrix.Identity(3)] if step > 0.0 else []
+        self._pin.displacement = self._before
+        found = Matrix(tried).transposed() if tried else plain
+        return found if abs(found.determinant()) > LEAST_VOLUME * abs(plain.determinant()) else plain
+
+    def _tried(self, more):
+        self._pin.displacement = self._before + more
+        return self._seen()[0]
+
+    def _seen(self):
+        """(Where the root is, whether the pin has lost it)."""
+        self._context.view_layer.update()
+        found = handles.read(self._object, self._context.view_layer.depsgraph)
+        rows = np.flatnonzero(found.indices == self.index)
+        if not len(rows):
+            raise Refused(tr(solve.UNUSABLE.sentence))
+        return Vector(found.places[rows[0]]), bool(found.is_broken[rows[0]])
+
+
+class MOTUS_OT_pin_drag(PointDrag, PinOperator, bpy.types.Operator):
+    bl_idname = "motus.pin_drag"
+    bl_label = "Drag Pin"
+    bl_description = "Take the root of a pin elsewhere; a click makes the pin the active one"
+
+    object: mesh_keyword()
+    index: index_keyword()
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Where the root goes, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        options={'SKIP_SAVE'})
+    redo = (Rows((Row("location", when=is_given("location")),)),)
+
+    def change(self, context, obj):
+        if not self.is_given("location"):
+            raise Refused(tr("Say where to: location is missing"))
+        check_finite(self, ("location",))
+        index = setup.pin_at(obj, self.index)
+        setup.check_rooted(obj.motus.pull.pins[index])
+        Held(context, obj, index).pull(self.location)
+
+    def invoke(self, context, event):
+        if context.window is None or self.is_given("location"):
+            return self.execute(context)
+        try:
+            obj = keywords.object_of(self, context)
+            setup.check(obj)
+            self.object = obj.name
+            return self._begin(context, event)
+        except Refused as refusal:
+            return self.refuse(refusal)
+
+    def _show_keys(self, context):
+        context.workspace.status_text_set(
+            tr("Press the left mouse button on the handle of a pin and drag it; Esc or the right button cancels"))
+
+    def _hold(self, context, region, view, mouse):
+        obj = bpy.data.objects[self.object]
+        found = handles.read(obj, context.view_layer.depsgraph)
+        near = handles.NEAR * context.preferences.system.ui_scale
+        row = handles.pick(found, region, view.perspective_matrix, mouse, near)
+        if row is None:
+            return None
+        self.index = int(found.indices[row])
+        self._held = Held(context, obj, self.index)
+        seen, _ = handles.on_screen(found.places[row:row + 1], region, view.perspective_matrix)
+        return self._held.point, Vector(seen[0])
+
+    def _move(self, place):
+        self.location = place
+        self._held.pull(place)
+
+    def _click(self, _context):
+        return {'FINISHED'} if self._held.has_chosen else {'CANCELLED'}
+
+
+classes = (MOTUS_OT_pin_drag,)

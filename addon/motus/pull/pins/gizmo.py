@@ -1,0 +1,102 @@
+"""The handles of pins in the viewport: drawn and picked all at once, by one gizmo."""
+
+import bpy
+
+from ...core import drawing, native, overlay
+from ...core.lazy import numpy as np
+from ..window import hover
+from . import handles, setup
+from .dragging import MOTUS_OT_pin_drag
+
+RADIUS = 5.0
+"""Pixels, at the interface's normal size."""
+ACTIVE_RADIUS = 7.0
+RIM = 1.5
+CORNERS = 16
+PULLING, RESTING, BROKEN = (0.95, 0.95, 1.0, 0.9), (0.6, 0.6, 0.65, 0.6), (0.95, 0.25, 0.3, 0.9)
+ACTIVE = (1.0, 0.56, 0.16, 1.0)
+LIT = 0.35
+"""Of the way to white: what is under the mouse."""
+RIM_COLOR = (0.05, 0.05, 0.08, 0.85)
+
+
+class MOTUS_GT_pins(bpy.types.Gizmo):
+    bl_idname = "MOTUS_GT_pins"
+    __slots__ = ("hovered",)
+
+    def setup(self):
+        self.hovered = -1
+
+    def test_select(self, context, location):
+        found = -1
+        if not hover.is_tool_active(context):  # whose strokes may begin on a handle
+            shown = handles.read(context.object, context.evaluated_depsgraph_get())
+            near = handles.NEAR * context.preferences.system.ui_scale
+            row = handles.pick(shown, context.region, context.region_data.perspective_matrix, location, near)
+            found = -1 if row is None else int(shown.indices[row])
+        if found != self.hovered:
+            self.hovered = found
+            context.area.tag_redraw()
+        return 0 if found >= 0 else -1
+
+    def draw(self, context):
+        import gpu
+
+        obj = context.object
+        shown = handles.read(obj, context.evaluated_depsgraph_get())
+        places, is_before = handles.on_screen(shown.places, context.region, context.region_data.perspective_matrix)
+        if not is_before.any():
+            return
+        active = shown.indices == obj.motus.pull.active_pin
+        scale = context.preferences.system.ui_scale
+        radii = np.where(active, ACTIVE_RADIUS, RADIUS) * scale
+        colors = np.where(shown.acts[:, None], PULLING, RESTING)
+        colors[shown.is_broken] = BROKEN
+        colors[active & ~shown.is_broken] = ACTIVE
+        hovered = (shown.indices == self.hovered) if self.is_highlight else np.zeros(len(active), bool)
+        colors[hovered] += LIT * (1.0 - colors[hovered])
+        gpu.state.blend_set('ALPHA')
+        rims = np.tile(RIM_COLOR, (len(places), 1))
+        _discs(places[is_before], radii[is_before] + RIM * scale, rims[is_before])
+        _discs(places[is_before], radii[is_before], colors[is_before])
+        for row in np.flatnonzero(hovered & is_before):
+            x, y = places[row] + (1.5 * ACTIVE_RADIUS * scale, ACTIVE_RADIUS * scale)
+            drawing.text([obj.motus.pull.pins[int(shown.indices[row])].name], x, y, scale)
+        gpu.state.blend_set('NONE')
+
+
+def _discs(places, radii, colors):
+    """Discs about places (n, 2) of the region."""
+    angles = np.linspace(0.0, 2.0 * np.pi, CORNERS, endpoint=False)
+    corners = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    points = (places[:, None, :] + radii[:, None, None] * corners).reshape(-1, 2)
+    fan = np.array([(0, corner, corner + 1) for corner in range(1, CORNERS - 1)])
+    triangles = (CORNERS * np.arange(len(places))[:, None, None] + fan).reshape(-1, 3)
+    drawing.triangles(points, np.repeat(colors, CORNERS, axis=0), triangles)
+
+
+class MOTUS_GGT_pins(bpy.types.GizmoGroup):
+    bl_idname = "MOTUS_GGT_pins"
+    bl_label = "Pins"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'WINDOW'
+    bl_options = {'PERSISTENT', 'SHOW_MODAL_ALL'}
+
+    @classmethod
+    def poll(cls, context):
+        obj, space = context.object, context.space_data
+        if native.module is None or obj is None or context.mode != 'OBJECT' or not space.show_gizmo:
+            return False
+        # To ask an object for its settings gives it some.
+        if obj.type != 'MESH' or not obj.is_property_set("motus") or not obj.motus.pull.is_active:
+            return False
+        return overlay.is_shown(context, setup.system()) and obj.visible_get()
+
+    def setup(self, _context):
+        made = self.gizmos.new(MOTUS_GT_pins.bl_idname)
+        made.target_set_operator(MOTUS_OT_pin_drag.bl_idname)
+        made.use_draw_modal = True
+        made.use_tooltip = False  # it would cover the pin's name
+
+
+classes = (MOTUS_GT_pins, MOTUS_GGT_pins)
