@@ -20,10 +20,10 @@ class Settings(PullTestCase):
     def test_header(self):
         layout = self.drawn('TOOL_HEADER')
         self.assertEqual(layout.names, [
-            "radius", "use_pressure_size", "strength", "use_pressure_strength", "falloff", "distance", "direction",
+            "radius", "use_pressure_size", "strength", "use_pressure_strength", "direction", "falloff", "distance",
             "accumulate", "mirror", "show_inset"])
         for name in ("falloff", "distance", "direction"):
-            self.assertEqual(layout.texts[name], "")
+            self.assertIsNone(layout.texts[name])
         self.assertIn("Mirror", layout.labels)
         self.assertFalse(layout.use_property_split)
 
