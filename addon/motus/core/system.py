@@ -128,6 +128,11 @@ class Deformed:
     name: str
     of: str
 
+    def awaited(self, settings):
+        """The objects that come first."""
+        target = getattr(settings, self.of)
+        return [target] if target else []
+
     def variable(self, owner, settings):
         # A driver cannot depend on another object's geometry, but on the transform of an object that does.
         return settings.order_proxy and Variable('OBJECT', settings.order_proxy, "matrix_world")
@@ -144,6 +149,21 @@ class Geometry(Deformed):
 
     def read(self, value, settings):
         return getattr(settings, self.of) if Matrix.read(value, settings) is not None else None
+
+
+@dataclass(frozen=True)
+class Geometries(Deformed):
+    """{object: evaluated object} of those that the function `of` gives for settings, once the final geometry of all is there."""
+
+    of: Callable
+
+    def awaited(self, settings):
+        return self.of(settings)
+
+    def read(self, value, settings):
+        if Matrix.read(value, settings) is None:
+            return {}
+        return {one.target.original: one.target for one in settings.order_proxy.constraints if one.target}
 
 
 @dataclass(frozen=True)
@@ -247,7 +267,8 @@ class Points:
     kind: 'FLOAT', 'INT', 'VECTOR', 'COLOR', or 'QUATERNION' (w, x, y, z), which before Blender 4.0 arrives as Euler angles.
     Names that Blender knows: the FLOAT "radius" of points and curves; the VECTOR "velocity", in metres a second, of which
     motion blur is made; the INT "id", by which instances on the points are the same from one frame to the next.
-    shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; or 'TUBES' around such.
+    shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; 'TUBES' around such; or 'FACES',
+    a surface of triangles: see Context.
     space: 'WORLD', in which the points stay where they are while the owner moves, or 'LOCAL', the owner's.
     capacity: more points than that there never are.
     unneeded: says of settings which attributes' names there is no need for: points have them neither, nor the time that they
@@ -335,6 +356,8 @@ class Context:
     common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
     points(count): arrays for so many points by the names of their attributes, of a system that makes points. All of them are
     to be filled; they are shorter where there is no room for so many, and Blender's own memory, valid until solve() returns.
+    Of a surface it is points(count, edges, triangles), and there are also "edges" (e, 2) and "triangles" (t, 3), the points that
+    each joins, and "sides" (t, 3), the edges that leave each triangle's corners; none of anything where there is no room.
     """
 
     settings: Any

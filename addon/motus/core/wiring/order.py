@@ -14,8 +14,8 @@ _WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP'}
 
 def geometries(system, settings):
     """The objects whose geometry the system reads as it is evaluated."""
-    named = (getattr(settings, declared.of) for declared in system.inputs if isinstance(declared, Deformed))
-    return list(dict.fromkeys(obj for obj in named if obj and obj.type in _WAITING))
+    named = (obj for declared in system.inputs if isinstance(declared, Deformed) for obj in declared.awaited(settings))
+    return list(dict.fromkeys(obj for obj in named if obj.type in _WAITING))
 
 
 def proxy_for(system, settings):
