@@ -51,7 +51,7 @@ class Cover(CoverTestCase):
         self.add(**FALLING)
         for surfaces in ("Meadow", "Meadow,Roof"):
             with self.subTest(surfaces):
-                cover = self.cover(surfaces, resolution=0.2, smoothing=0, thinnest=0.0)
+                cover = self.cover(surfaces, resolution=0.2, smoothing=0.0, thinnest=0.0)
                 if "Roof" not in surfaces:
                     # What only shelters is the emitter's own collider.
                     bpy.data.objects["Snow"].motus.snow.collider = bpy.data.objects["Roof"]
@@ -84,7 +84,7 @@ class Cover(CoverTestCase):
     def test_thin_snow_is_hidden(self):
         self.square()
         self.add(**FALLING)
-        cover = self.cover(thinnest=0.01, smoothing=0, resolution=0.2)
+        cover = self.cover(thinnest=0.01, smoothing=0.0, resolution=0.2)
         go_to(42)
         positions, depths, _ = layer(cover)
         shown = positions[depths > 0.01]
@@ -176,7 +176,9 @@ class Cover(CoverTestCase):
     def test_the_snow_is_the_library_s(self):
         self.square()
         self.add(**FALLING)
-        cover = self.cover(thinnest=0.0, smoothing=3)
+        cover = self.cover(thinnest=0.0, smoothing=0.4)
+        rounds = support.addon("snow.cover.work").rounds(0.4, COARSE["resolution"])
+        self.assertEqual(rounds, 5)
         module = native()
         positions, triangles = module.refine(SQUARE, [(0, 1, 2), (0, 2, 3)], COARSE["resolution"])
         matrix = np.diag((1.0, -1.0, -1.0, 1.0))[None]
@@ -184,7 +186,7 @@ class Cover(CoverTestCase):
         snow = module.Snow(
             rate=300.0, start_speed=2.0, lifetime=4.0, cone_radius=1.9, seed=3, emitter_times=[0.0], emitter_matrices=matrix,
             collider=module.SnowCollider(positions, triangles))
-        lying = module.SnowCover(snow, end=seconds(250), flake_volume=LUMP ** 3, repose=cover.motus.snow_cover.repose, smoothing=3)
+        lying = module.SnowCover(snow, end=seconds(250), flake_volume=LUMP ** 3, repose=cover.motus.snow_cover.repose, smoothing=rounds)
         go_to(90)
         np.testing.assert_allclose(self.output(cover, "volume"), lying.volume(seconds(90)), rtol=1e-6)
         np.testing.assert_allclose(layer(cover)[1].max(), lying.heights(seconds(90)).max(), rtol=1e-5)

@@ -28,7 +28,7 @@ CLOUDS = (
 )
 AHEAD = 8.0  # s before the scene in which it begins to snow: at first there is little but on roofs
 LIFETIME = 14.0  # s, until flakes have come down
-COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 14, "thinnest": 0.012}
+COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0)}
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
 CAMERA_TRAVEL = 1.1  # m to the left, in the whole scene
 

@@ -136,7 +136,7 @@ def _add_steeple(walls, roof, house):
 def _add_light(collection, body, house):
     """The light that falls out of the windows onto the snow."""
     data = bpy.data.lights.new("Window Light", "AREA")
-    data.energy, data.color = 130.0, evening_props.WARM
+    data.energy, data.color = 260.0, evening_props.WARM
     data.shape, data.size, data.size_y = "RECTANGLE", 2.6, 0.8
     lamp = shapes.link_object(collection, "Window Light", data, parent=body)
     lamp.location = sum(house.windows) / len(house.windows), -0.5 * house.size[1] - 0.4, WINDOW_HEIGHT

@@ -50,7 +50,7 @@ def _add_lanterns(collection, covered):
         lantern = shapes.link_object(covered, "Lantern", mesh)
         lantern.location = (*place, evening_land.ground_at(*place))
         data = bpy.data.lights.new("Lantern Light", "POINT")
-        data.energy, data.color, data.shadow_soft_size = 210.0, WARM, 0.16
+        data.energy, data.color, data.shadow_soft_size = 320.0, WARM, 0.16
         shapes.link_object(collection, "Lantern Light", data, parent=lantern).location.z = 2.5
 
 

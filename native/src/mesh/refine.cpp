@@ -28,8 +28,7 @@ class Round {
                 if (is_long(corners[side], corners[(side + 1) % 3]))
                     halved_.push_back(key_of(corners[side], corners[(side + 1) % 3]));
         std::ranges::sort(halved_);
-        const auto rest = std::ranges::unique(halved_);
-        halved_.erase(rest.begin(), rest.end());
+        halved_.erase(std::unique(halved_.begin(), halved_.end()), halved_.end());
     }
 
     [[nodiscard]] std::size_t count() const { return halved_.size(); }

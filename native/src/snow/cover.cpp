@@ -36,7 +36,7 @@ constexpr double grip_range = 0.5;
                                                            const glm::dvec3& pull, double friction,
                                                            std::vector<Slide>& slides) {
     const glm::dvec3 down = unit_vector(pull);
-    constexpr int most_ways = 256;  // slides and falls
+    constexpr int most_ways = 16;  // slides and falls
     for (int way = 0; way < most_ways; ++way) {
         glm::dvec3 up = collider.normal(place.triangle);
         if (place.is_behind) up = -up;

@@ -9,7 +9,9 @@ KEY = "motus_snow_cover"
 """Custom property of the material that is made here, by which it is found again."""
 NAME = "Motus Snow Cover"
 COLOR = 0.86, 0.90, 0.96, 1.0
-GRAIN, BUMP = 40.0, 0.15
+GRAIN, BUMP = 22.0, 0.25
+CLOSED = 0.035
+"""m: thinner snow leaves gaps, as far as its grain is uneven."""
 
 
 def dress(cover):
@@ -43,25 +45,35 @@ def _drop_unused():
 
 
 def _new():
-    """White, a little blue, and grainy. Few nodes, for the file's sake."""
+    """White, a little blue, and grainy; thin snow has gaps. Few nodes, for the file's sake."""
     material = bpy.data.materials.new(NAME)
     material[KEY] = True
     if not material.use_nodes:
         material.use_nodes = True
+    if hasattr(material, "blend_method"):
+        material.blend_method = 'CLIP'
+    if hasattr(material, "shadow_method"):
+        material.shadow_method = 'OPAQUE'
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
-    place, noise, bump, shader, output = (nodes.new(kind) for kind in (
-        "ShaderNodeNewGeometry", "ShaderNodeTexNoise", "ShaderNodeBump", "ShaderNodeBsdfPrincipled",
-        "ShaderNodeOutputMaterial"))
-    for index, node in enumerate((place, noise, bump, shader, output)):
+    place, noise, bump, shader, depth, share, lies, clear, mix, output = (nodes.new(kind) for kind in (
+        "ShaderNodeNewGeometry", "ShaderNodeTexNoise", "ShaderNodeBump", "ShaderNodeBsdfPrincipled", "ShaderNodeAttribute",
+        "ShaderNodeMath", "ShaderNodeMath", "ShaderNodeBsdfTransparent", "ShaderNodeMixShader", "ShaderNodeOutputMaterial"))
+    for index, node in enumerate(nodes):
         node.location.x = 200.0 * index
     noise.inputs["Scale"].default_value = GRAIN
+    noise.inputs["Detail"].default_value = 4.0
     bump.inputs["Strength"].default_value = BUMP
     bump.inputs["Distance"].default_value = 0.02
     shader.inputs["Base Color"].default_value = material.diffuse_color = COLOR
     shader.inputs["Roughness"].default_value = 0.65
-    links.new(place.outputs["Position"], noise.inputs["Vector"])
-    links.new(noise.outputs[0], bump.inputs["Height"])
-    links.new(bump.outputs["Normal"], shader.inputs["Normal"])
-    links.new(shader.outputs[0], output.inputs["Surface"])
+    depth.attribute_name = "depth"
+    share.operation, share.inputs[1].default_value = 'DIVIDE', CLOSED
+    lies.operation = 'GREATER_THAN'
+    for source, target in (
+            (place.outputs["Position"], noise.inputs["Vector"]), (noise.outputs[0], bump.inputs["Height"]),
+            (bump.outputs["Normal"], shader.inputs["Normal"]), (depth.outputs["Fac"], share.inputs[0]),
+            (share.outputs[0], lies.inputs[0]), (noise.outputs[0], lies.inputs[1]), (lies.outputs[0], mix.inputs[0]),
+            (clear.outputs[0], mix.inputs[1]), (shader.outputs[0], mix.inputs[2]), (mix.outputs[0], output.inputs["Surface"])):
+        links.new(source, target)
     return material

@@ -4,7 +4,7 @@ import bpy
 
 from ...core import libraries, wiring
 from ...core.operators import OBJECT_MODE, Operator, object_keyword
-from ...core.over_frames import OverFrames
+from ...core.over_frames import Job
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
 from ...core.rows import Rows
 from ...core.system import Problem
@@ -186,6 +186,7 @@ class _InList(_OnCover):
 
     what: bpy.props.EnumProperty(name="List", description="Which list", items=(
         ('SURFACES', "Surfaces", "What snow lies on"), ('EMITTERS', "Snow", "What snow falls from")), options={'SKIP_SAVE'})
+    for_scripts = ("what",)
 
     def entries(self, cover):
         """The list."""
@@ -242,40 +243,23 @@ class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
         build.settle(cover)
 
 
-class MOTUS_OT_snow_cover_work_out(OverFrames, bpy.types.Operator):
+class MOTUS_OT_snow_cover_work_out(Job, bpy.types.Operator):
     bl_idname = "motus.snow_cover_work_out"
     bl_label = "Work Out"
     bl_description = "Find where all flakes land, which takes some time for so many; then any frame is there at once"
 
     object: object_keyword(_COVER)
-    redo = ()
-    for_scripts = ("object",)
 
-    def frames(self, scene):
-        return range(self._parts)
-
-    def invoke(self, context, event):
-        self.object = self.object or (context.object.name if context.object else "")
-        return super().invoke(context, event)
-
-    def execute(self, context):
-        try:
-            cover = cover_for(context, self.object)
-            self._plan = work.asked(cover.name)
-            if self._plan is None:
-                raise Refused(tr("There is nothing to work out"))
-        except Refused as refusal:
-            return self.refuse(refusal)
-        self._parts = work.part_count(self._plan)
-        return super().execute(context)
-
-    def steps(self, context, _frames):
-        yield from work.steps(self._plan)
+    def begin(self, context):
+        self._cover = cover_for(context, self.object).name
+        self._plan = work.asked(self._cover)
+        if self._plan is None:
+            raise Refused(tr("There is nothing to work out"))
+        return work.part_count(self._plan), work.steps(self._cover, self._plan)
 
     def result(self, context):
-        cover = cover_for(context, self.object)
-        wiring.touch(build.system(), cover)
-        found = work.known(self._plan)
+        wiring.touch(build.system(), cover_for(context, self._cover))
+        found = work.known(self._cover, self._plan)
         if isinstance(found, Problem):
             raise Refused(tr(found.sentence))
 

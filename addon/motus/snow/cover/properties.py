@@ -30,9 +30,9 @@ class SnowCoverKeywords:
     repose: _number(
         "Slope", "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
         math.radians(50.0), min=0.0, max=math.radians(89.0), subtype='ANGLE')
-    smoothing: bpy.props.IntProperty(
-        name="Smoothing", description="Rounds in which snow evens out with what lies beside it", default=8, min=0, max=1000,
-        soft_max=50, options=set(), override=OVERRIDABLE, update=touch)
+    smoothing: _number(
+        "Smoothing", "Over which snow evens out with what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0,
+        subtype='DISTANCE')
     thinnest: _number(
         "Thinnest", "Snow that is thinner is hidden, so that the surface shows between the first flakes", 0.004, min=0.0, max=1e3,
         soft_max=0.05, subtype='DISTANCE')

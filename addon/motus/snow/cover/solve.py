@@ -39,7 +39,7 @@ def solve(context, scenery, influence):
     settings = context.settings
     if sources.signature(settings) != settings.reads:
         context.wants_to_settle = True
-    numbers = settings.lump, settings.resolution, settings.repose, settings.thinnest, influence
+    numbers = settings.lump, settings.resolution, settings.repose, settings.smoothing, settings.thinnest, influence
     if not all(abs(number) < INFINITE for number in numbers):
         return NOT_FINITE
     if influence <= 0.0:
@@ -47,11 +47,12 @@ def solve(context, scenery, influence):
     plan, times, fault = _plan(context, settings, scenery)
     if plan is None:
         return fault
-    found = work.known(plan)
+    name = context.owner.name
+    found = work.known(name, plan)
     if found is None and work.seconds(plan) > work.LONG and work.may_wait(context.depsgraph):
-        work.ask(context.owner.name, plan)
+        work.ask(name, plan)
         return WAITING
-    found = found or work.do(plan)
+    found = found or work.do(name, plan)
     if isinstance(found, Problem):
         return found
     _fill(context, found, times, influence)
@@ -105,7 +106,8 @@ def _plan(context, settings, scenery):
         fault = fault or MOVES
     plan = work.Plan(
         lain_on, tuple(filter(None, (_placed(scenery[obj]) for obj in shelters))), settings.resolution,
-        tuple(-part for part in pull), tuple(falls), settings.lump ** 3, settings.repose, settings.smoothing)
+        tuple(-part for part in pull), tuple(falls), settings.lump ** 3, settings.repose,
+        work.rounds(settings.smoothing, settings.resolution))
     return plan, times, fault
 
 

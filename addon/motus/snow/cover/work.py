@@ -14,14 +14,16 @@ from ...core.system import Problem
 from .. import flakes
 from . import ground
 
-KEPT = 3
+KEPT, MOST_KEPT = 2, 64
+"""Works of one cover, and of all."""
 MOST_FLAKES = 10_000_000
 """That fall until the end."""
-FLIGHT, TRIANGLE = 8e-6, 2e-6
-"""Seconds, about, that one takes: a second of a flake's flight, and a triangle."""
+FLAKE, FLIGHT, TRIANGLE = 4e-5, 4e-6, 2e-6
+"""Seconds, about, that one takes: a flake, each second that it flies, and a triangle."""
 LONG = 2.0
 """Seconds of work from which on the viewport waits for the artist to ask for it."""
 PARTS = 24
+MOST_ROUNDS = 400
 
 TOO_FINE = Problem("The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces")
 
@@ -59,6 +61,7 @@ class Work(NamedTuple):
 
 
 _done = OrderedDict()
+"""(name of a cover's object, Plan) -> its Work, or what is wrong with it."""
 _asked = {}
 """Name of a cover's object -> the Plan that the viewport waits for."""
 _lock = threading.Lock()
@@ -76,16 +79,24 @@ def seconds(plan):
 
 
 def _seconds(fall):
-    return FLIGHT * fall.count * min(dict(fall.keywords)["lifetime"], max(0.0, fall.end))
+    return fall.count * (FLAKE + FLIGHT * min(dict(fall.keywords)["lifetime"], max(0.0, fall.end)))
 
 
-def known(plan):
-    """The Work of a plan, or what is wrong with it, if it was done before; else None."""
+def known(name, plan):
+    """The Work of a plan of the cover of a name, or what is wrong with it, if it was done before; else None."""
     with _lock:
-        found = _done.get(plan)
+        found = _done.get((name, plan))
         if found is not None:
-            _done.move_to_end(plan)
+            _done.move_to_end((name, plan))
         return found
+
+
+def rounds(smoothing, resolution):
+    """Rounds of the library's smoothing by which snow spreads about so far, on a layer of a resolution.
+
+    In a round half of a vertex's snow goes to its neighbours, edges away that are some three quarters of the resolution long.
+    """
+    return min(MOST_ROUNDS, round((2.0 * smoothing / (0.75 * resolution)) ** 2))
 
 
 def ask(name, plan):
@@ -98,24 +109,26 @@ def asked(name):
     return _asked.get(name)
 
 
-def do(plan):
+def do(name, plan):
     """The Work of a plan, or what is wrong with it."""
-    found = known(plan)
+    found = known(name, plan)
     if found is None:
-        for _ in steps(plan):
+        for _ in steps(name, plan):
             pass
-        found = known(plan)
+        found = known(name, plan)
     return found
 
 
-def steps(plan):
+def steps(name, plan):
     """Do the work of a plan in parts; yields how many of part_count() are done."""
     found = yield from _steps(plan)
     with _lock:
-        _done[plan] = found
-        if len(_done) > KEPT:
+        _done[name, plan] = found
+        for place in [place for place in _done if place[0] == name][:-KEPT]:
+            del _done[place]
+        if len(_done) > MOST_KEPT:
             _done.popitem(last=False)
-        for name in [name for name, one in _asked.items() if one == plan]:
+        if _asked.get(name) == plan:
             del _asked[name]
 
 

@@ -8,7 +8,6 @@ INTERFACE = {
     "A setting of the cover is not a finite number": "Un ajuste del manto no es un número finito",
     "A thin veil in which single flakes show, blown off slopes":
         "Un velo fino en el que se ven copos sueltos, que el viento quita de las pendientes",
-    "Add Selected": "Añadir selección",
     "Add a mesh that snow is to lie on": "Añade una malla sobre la que quede la nieve",
     "Add an emitter of snow that falls on the surfaces": "Añade un emisor de nieve que caiga sobre las superficies",
     "Add the objects that are named, or the selected ones, to those that snow lies on or falls from":
@@ -22,6 +21,7 @@ INTERFACE = {
         "Arista de un cubo de nieve caída por el que cuenta cada copo que llega: con más, la nieve crece más deprisa",
     "Edges of the layer are no longer than that, however large the faces are that it lies on":
         "Las aristas del manto no son más largas que esto, por grandes que sean las caras sobre las que está",
+    "Emitters": "Emisores",
     "Find where all flakes land, which takes some time for so many; then any frame is there at once":
         "Halla dónde caen todos los copos, que siendo tantos lleva su tiempo; después cualquier fotograma está al momento",
     "Flakes Land": "Los copos caen encima",
@@ -38,6 +38,7 @@ INTERFACE = {
     "Lying Snow": "Nieve caída",
     "Lying snow is computed on each frame: there is nothing to bake":
         "La nieve caída se calcula en cada fotograma: no hay nada que procesar",
+    "Material": "Material",
     "Mesh object that snow lies on, or emitter of snow": "Objeto de malla sobre el que queda la nieve, o emisor de nieve",
     "More than 10 million flakes fall until the end: let fewer fall, of larger lumps":
         "Hasta el final caen más de 10 millones de copos: deja caer menos, de terrones mayores",
@@ -57,7 +58,7 @@ INTERFACE = {
     "Powder": "Nieve polvo",
     "Reads": "Lee",
     "Removed {objects}": "Se ha quitado {objects}",
-    "Rounds in which snow evens out with what lies beside it": "Pasadas en las que la nieve se iguala con la de al lado",
+    "Over which snow evens out with what lies beside it": "Sobre la que la nieve se iguala con la de al lado",
     "Select the meshes that snow is to lie on": "Selecciona las mallas sobre las que quede la nieve",
     "Slope": "Pendiente",
     "Smoothing": "Suavizado",
