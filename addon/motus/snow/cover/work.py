@@ -147,14 +147,21 @@ def _steps(plan):
         snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.faces, place.collider)
         if isinstance(snow, Problem):
             return snow
-        if _seconds(fall) > LONG:
-            # The snow keeps where its flakes land.
-            start = dict(fall.keywords)["delay"]
-            for part in range(PARTS):
-                snow.landings(start + (fall.end - start) * (part + 1) / PARTS)
-                yield done + part + 1
-        covers.append(native.module.SnowCover(
-            snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=plan.smoothing))
+        try:
+            for part in _landed(snow, fall):
+                yield done + part
+            covers.append(native.module.SnowCover(
+                snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=plan.smoothing))
+        except ValueError:
+            return flakes.OUT_OF_RANGE
         done += PARTS + 1
         yield done
     return Work(place, tuple(covers))
+
+
+def _landed(snow, fall):
+    """Have the snow find where its flakes land, which it keeps; yields after each of PARTS, where that takes long."""
+    start = dict(fall.keywords)["delay"]
+    for part in range(PARTS if _seconds(fall) > LONG else 0):
+        snow.landings(start + (fall.end - start) * (part + 1) / PARTS)
+        yield part + 1
