@@ -33,6 +33,7 @@ class ControlBones(Controls):
         count = len(bpy.data.objects)
         entry = self.reach(target="", make_control_bone=True)
         self.assertEqual((entry.target, entry.target_bone), (self.arm_rig, "Target Bone 1"))
+        self.assertEqual(tuple(entry.rotation_offset), (0.0, 0.0, 0.0))
         self.assert_control("Target Bone 1")
         after = self.poses(self.arm_rig)
         names = [bone.name for bone in self.arm_rig.pose.bones if bone.name != "Target Bone 1"]

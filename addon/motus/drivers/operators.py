@@ -2,12 +2,15 @@
 
 import bpy
 
-from ..core import datablocks
+from ..core import capabilities, datablocks
 from ..core.operators import Operator
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr
 from . import expressions, history, places, preview
 from .keywords import REDO, DriverKeywords, given
+
+WIDTH = 360
+"""Of the dialog, pixels at the interface's normal size."""
 
 
 class _OnProperty(datablocks.OfADatablock):
@@ -64,7 +67,10 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             self._take_up(context, self.properties_meant(context))
         except Refused as refusal:
             return self.refuse(refusal)
-        return context.window_manager.invoke_props_dialog(self, width=360)
+        manager = context.window_manager
+        if self.replace and capabilities.has_dialog_titles():
+            return manager.invoke_props_dialog(self, width=WIDTH, title="Edit Motion Driver")
+        return manager.invoke_props_dialog(self, width=WIDTH)
 
     def _take_up(self, context, found):
         """Show what is there: the values of a driver of ours, else the property's own."""

@@ -17,8 +17,10 @@ def draw_main(layout, context):
     """The list of what follows, what is wrong, and of the active entry what it follows and how."""
     owner = context.object
     settings = owner.motus.dynamics
-    ui.split(layout).prop(
-        settings, "influence", text="Rig Influence" if owner.type == 'ARMATURE' else "Influence", slider=True)
+    if owner.type == 'ARMATURE':
+        ui.draw_rig_influence(layout, settings)
+    else:
+        ui.split(layout).prop(settings, "influence", slider=True)
     _, remove, _ = ui.draw_list(layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry",
                                 "motus.dynamics_add", "motus.dynamics_remove", rows=2)
     entry = active_entry(owner)
@@ -120,8 +122,9 @@ class MOTUS_UL_dynamics_entries(bpy.types.UIList):
         row = layout.row(align=True)
         row.active = not entry.is_muted
         name, icon = (entry.name, 'BONE_DATA') if entry.name else (entry.id_data.name, 'OBJECT_DATA')
-        row.label(text=name, icon=icon, translate=False)
-        row.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
+        columns = row.split(factor=0.65, align=True)  # a narrow sidebar has room for the name all the same
+        columns.label(text=name, icon=icon, translate=False)
+        columns.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 

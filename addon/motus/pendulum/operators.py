@@ -75,9 +75,10 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
     needs_native = True
     redo = (
         Rows(("kind", "take", Row("count", when=is_one_of("kind", 'FAN', 'CHAOS'))), title="Add"),
-        *rows.ALL,
+        # What the panel does not have comes first: the whole is higher than most viewports.
         Rows((Row("rod_radius"), Row("bob_radius", when=_has_look), Row("spacing", when=is_one_of("kind", 'FAN', 'CHAOS')),
               "hue", Row("use_trails", when=is_one_of("kind", 'SINGLE', 'DOUBLE', 'FAN'))), title="Look"),
+        *rows.ALL,
     )
 
     def run(self, context):

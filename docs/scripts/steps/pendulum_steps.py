@@ -14,7 +14,7 @@ def steps(strip):
     yield from hand.click()
 
     yield from hand.frame_view(zoom_out=3)
-    yield from hand.enter("0.7", "Lower Length", hand.box('UI'), beside=120)
+    yield from hand.enter("0.7", "Lower", hand.box('UI'), beside=120)
     yield from hand.enter("150", "Angle", hand.box('UI'), beside=120)
     yield from strip.shot(620, 80)
 

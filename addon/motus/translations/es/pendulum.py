@@ -1,6 +1,7 @@
 """Spanish: pendulums."""
 
 INTERFACE = {
+    "Lower": "Inferior",
     "Wild": "Salvaje",
     "Tumbles over itself, and never the same way twice": "Da vueltas sobre sí mismo y nunca dos veces igual",
     "Clock": "Reloj",
