@@ -188,6 +188,15 @@ class Add(DriverTestCase):
                 self.refused(sentence, **keywords)
         self.assertEqual(len(self.cube.animation_data.drivers), 1)
 
+    def test_what_the_dialog_begins_with_has_no_driver(self):
+        free = support.addon("drivers.places").free_channel
+        self.assertEqual(free(self.cube), 'ROTATION_X')
+        bpy.ops.motus.driver_add(channel='ROTATION_X')
+        self.cube.driver_add("rotation_euler", 1)
+        self.assertEqual(free(self.cube), 'ROTATION_Z')
+        self.cube.rotation_mode = 'QUATERNION'
+        self.assertEqual(free(self.cube), 'LOCATION_X')
+
     def test_linked_data_is_refused(self):
         path = str(self.folder / "library.blend")
         bpy.data.libraries.write(path, {self.cube})

@@ -63,7 +63,7 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
     def invoke(self, context, _event):
         try:
             if not self.take_hovered(context) and self.channel == places.BY_PATH:
-                self.channel = places.FIRST
+                self.channel = places.free_channel(self.id_data(context))
             self._take_up(context, self.properties_meant(context))
         except Refused as refusal:
             return self.refuse(refusal)
@@ -73,10 +73,10 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         return manager.invoke_props_dialog(self, width=WIDTH)
 
     def _take_up(self, context, found):
-        """Show what is there: the values of a driver of ours, else the property's own."""
-        curve = found[0].curve
+        """Show what the property that is pointed at has: the values of a driver of ours, else its own."""
+        curve = found[0].curve if self.data_path else None
         known = curve and expressions.read(curve.driver.expression)
-        if curve and not known and self.data_path:
+        if curve and not known:
             raise Refused(_is_driven(found[0]))
         if known:
             for name, value in known.items():

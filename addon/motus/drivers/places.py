@@ -95,6 +95,18 @@ def of_channel(obj, channel):
     return ("rotation_euler" if kind == 'ROTATION' else kind.lower()), "XYZ".index(axis)
 
 
+def free_channel(obj):
+    """The first of CHANNELS that has no driver, rotations before the others; FIRST where all have one."""
+    for channel in sorted((name for name, *_ in CHANNELS if name != BY_PATH), key=lambda name: not name.startswith('ROTATION')):
+        try:
+            place, = find(obj, *of_channel(obj, channel))
+        except Refused:
+            continue  # an object that is not turned by angles
+        if place.curve is None:
+            return channel
+    return FIRST
+
+
 def _key(name):
     return bpy.utils.unescape_identifier(name[2:-2])
 

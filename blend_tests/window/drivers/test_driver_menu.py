@@ -86,3 +86,21 @@ def test_from_the_menu_of_a_property_to_the_list():
     with window_support.override():
         bpy.ops.motus.driver_remove(datablock="Lamp", data_path="rotation_euler")
     assert not lamp.animation_data.drivers
+
+
+def test_a_second_one_from_the_sidebar_leaves_the_first():
+    lamp = build()
+    lamp.driver_add("rotation_euler", 1).driver.expression = "frame * 0.01"
+    bpy.ops.motus.driver_add(datablock="Lamp", data_path="rotation_euler", index=0)
+    yield from window_support.open_tab("Motus")
+    x, y = window_support.centre()
+    window_support.move(x, y)
+    yield
+    with window_support.override():
+        bpy.ops.motus.driver_add('INVOKE_DEFAULT')
+    yield
+    yield from window_support.picture("driver_second")
+    window_support.press('RET', x, y)
+    yield from window_support.until(lambda: len(lamp.animation_data.drivers) == 3)
+    expressions = {driven.array_index: driven.driver.expression for driven in lamp.animation_data.drivers}
+    assert expressions[1] == "frame * 0.01" and all("motus_pendulum" in expressions[index] for index in (0, 2)), expressions
