@@ -46,7 +46,8 @@ def steps(strip):
     yield from hand.click_at(SELECT_BOX)
     for place, up in (((3.0, -2.5, 0.0), 60), ((2.5, 3.0, 0.0), 90)):
         yield from _pin(place, up)
-    yield from hand.click_at(hand.pixel_of((-1.0, 0.5, 1.35)))
+    x, y = hand.pixel_of((3.0, -2.5, 0.0))
+    yield from hand.click_at((x, y + 60))
     yield from strip.panel("pull_handles", 250, 80, 1050, 720)
 
 
