@@ -112,9 +112,13 @@ def draw_actions(layout, context):
     column.operator("motus.dynamics_remove", text="Remove All", icon='X').object = context.object.name
 
 
-def draw_add(layout, _context):
+def draw_add(layout, context):
     """The buttons that add dynamics."""
-    layout.operator("motus.dynamics_add", icon='FORCE_HARMONIC')
+    column = layout.column(align=True)
+    # Said in so many words, or it would be what was chosen last.
+    column.operator("motus.dynamics_add", icon='FORCE_HARMONIC').whole_chains = False
+    if context.mode == 'POSE':
+        column.operator("motus.dynamics_add", text="Add to Whole Chains", icon='FORCE_HARMONIC').whole_chains = True
 
 
 class MOTUS_UL_dynamics_entries(bpy.types.UIList):

@@ -1,5 +1,7 @@
 """Dynamics as an artist sees them: the sidebar with the graph, which follows the numbers, and what has to be recorded."""
 
+import types
+
 import bpy
 import numpy as np
 from dynamics import dynamics_cases as cases
@@ -57,3 +59,24 @@ def test_what_has_to_be_recorded_is_said():
     yield from window_support.picture("dynamics_recorded")
     source = support.addon("dynamics.panel").input_of(child, child.motus.dynamics.entries[0], bpy.context.scene)
     assert source.is_known and "1-20" in source.unknown[0][0].sentence
+
+
+class _Buttons(list):
+    """A layout that keeps what its buttons would do."""
+
+    def column(self, align):
+        return self
+
+    def operator(self, identifier, **look):
+        self.append(types.SimpleNamespace(identifier=identifier))
+        return self[-1]
+
+
+def test_a_tail_has_a_button_of_its_own():
+    """Each button says whether it takes the bones below, so that none does what another did last."""
+    draw = support.addon("dynamics.panel").draw_add
+    for mode, wanted in (('OBJECT', [False]), ('POSE', [False, True])):
+        buttons = _Buttons()
+        draw(buttons, types.SimpleNamespace(mode=mode))
+        assert [button.whole_chains for button in buttons] == wanted, (mode, buttons)
+    yield

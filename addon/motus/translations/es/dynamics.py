@@ -130,6 +130,7 @@ INTERFACE = {
 
 OPERATORS = {
     "Add Dynamics": "Añadir dinámica",
+    "Add to Whole Chains": "Añadir a cadenas enteras",
     "Use Dynamics Preset": "Usar preajuste de dinámica",
     "Add Dynamics Preset": "Añadir preajuste de dinámica",
     "Loop over the Scene": "Bucle de la escena",
