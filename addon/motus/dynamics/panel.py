@@ -94,7 +94,8 @@ def draw_input(layout, context):
     for track, keywords in unknown:
         tracks.draw(layout, track, **keywords)
     if not unknown:
-        ui.draw_message(layout, tr("Exact at any frame"), 'INFO')
+        moves = source.extent is not None
+        ui.draw_message(layout, tr("Exact at any frame") if moves else tr("Nothing moves here yet that could be followed"), 'INFO')
 
 
 def input_of(owner, entry, scene):

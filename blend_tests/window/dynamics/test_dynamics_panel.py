@@ -80,3 +80,27 @@ def test_a_tail_has_a_button_of_its_own():
         draw(buttons, types.SimpleNamespace(mode=mode))
         assert [button.whole_chains for button in buttons] == wanted, (mode, buttons)
     yield
+
+
+def test_what_stands_still_is_said():
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    ball = cases.link("Ball")
+    bpy.context.view_layer.objects.active = ball
+    bpy.ops.motus.dynamics_add(object="Ball")
+    ui, said = support.addon("core.ui"), []
+    draw = ui.draw_message
+    ui.draw_message = lambda layout, sentence, icon: said.append(sentence) or draw(layout, sentence, icon)
+    try:
+        yield from window_support.open_tab("Motus")
+        yield from window_support.picture("dynamics_still")
+        assert "Nothing moves here yet that could be followed" in said, said
+        ball.keyframe_insert("location", frame=1)
+        ball.location.x = 3.0
+        ball.keyframe_insert("location", frame=20)
+        said.clear()
+        window_support.draw_all()
+        yield
+        assert "Exact at any frame" in said, said
+    finally:
+        ui.draw_message = draw

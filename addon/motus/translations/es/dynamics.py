@@ -103,6 +103,7 @@ INTERFACE = {
         "Ruta de una sola propiedad desde el objeto, que se sigue con un controlador",
     "Index of a number in an array property; -1 for all of it": "Índice de un número en una propiedad múltiple; -1 para toda ella",
     "Input": "Entrada",
+    "Nothing moves here yet that could be followed": "Aquí aún no se mueve nada que se pueda seguir",
     "Exact at any frame": "Exacto en cualquier fotograma",
     "A sudden move, over {seconds} s": "Un movimiento repentino, durante {seconds} s",
     "Nothing here has dynamics": "Nada tiene dinámica aquí",
