@@ -10,8 +10,9 @@ from ..groups import goals
 from . import control_bones
 from .placing import CONTROL_KEY
 
-HOLDERS = {'COLLECTION', 'SCENE', 'ACTION', 'SCREEN', 'WINDOWMANAGER', 'WORKSPACE'}
-"""Types of datablocks for which an object does nothing."""
+HOLDERS = (
+    bpy.types.Collection, bpy.types.Scene, bpy.types.Action, bpy.types.Screen, bpy.types.WindowManager, bpy.types.WorkSpace)
+"""Types of datablocks for which an object does nothing. ID.id_type, which would name them, is not there in 3.4."""
 
 
 def of_entries(rig, indices):
@@ -53,7 +54,7 @@ def _rigs():
 
 def _is_object_needed(obj, _bone):
     users = bpy.data.user_map(subset=[obj])[obj]
-    return any(user.id_type not in HOLDERS and user != obj for user in users)
+    return any(not isinstance(user, HOLDERS) and user != obj for user in users)
 
 
 def _is_bone_needed(rig, bone):
