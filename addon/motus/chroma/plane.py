@@ -6,6 +6,9 @@ from mathutils import Matrix
 from ..core import capabilities
 from . import footage, group
 
+DISTANCE = 10.0
+"""From the camera to the plane, where nobody says otherwise."""
+
 
 def add(scene, camera, image, color, levels, distance):
     """A plane that fills the camera's view, so far away, in the space of the camera. levels: clip black and white."""
@@ -62,8 +65,7 @@ def _material(image, color, levels):
     add_node, links = tree.nodes.new, tree.links
     texture = add_node("ShaderNodeTexImage")
     texture.image = image
-    texture.image_user.frame_duration, texture.image_user.frame_start = footage.duration(image), 1
-    texture.image_user.use_auto_refresh = True
+    footage.play(image, texture.image_user)
     matte = _matte(tree, texture.outputs["Color"])
     emission, clear, mixed, end = (
         add_node(kind) for kind in ("ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeMixShader", "ShaderNodeOutputMaterial"))

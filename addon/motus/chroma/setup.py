@@ -57,6 +57,18 @@ def measure(scene, color=None):
     return found
 
 
+def add_plane(scene):
+    """Show a scene's key, with the colour and levels that it has, on a plane before the scene's camera."""
+    node = key(scene)
+    source = compositor.node_of(scene, compositor.FOREGROUND)
+    color = settings.place_of_input(node, settings.COLOR)
+    levels = [settings.place(node, one) for one in settings.OF_KEYING if one.keyword in ("black", "white")]
+    if source is None or source.image is None or None in (color, *levels):
+        raise Refused(tr("The key has lost its footage"))
+    scene.motus.chroma.plane = plane.add(
+        scene, scene.camera, source.image, tuple(getattr(*color))[:3], [getattr(*one) for one in levels], plane.DISTANCE)
+
+
 def remove(scene):
     """Take all back that a key has brought."""
     noted = scene.motus.chroma

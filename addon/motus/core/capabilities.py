@@ -89,6 +89,12 @@ def has_compositor_sockets():
     return "clip_black" not in bpy.types.CompositorNodeKeying.bl_rna.properties
 
 
+def has_compositor_in_viewport():
+    """The viewport shows what the compositor makes of it (3.5), in the camera's view or everywhere."""
+    shading = bpy.types.View3DShading.bl_rna.properties
+    return "use_compositor" in shading and shading["use_compositor"].type == 'ENUM'
+
+
 def has_shader_nodes_in_compositor():
     """The compositor has the nodes Math and Mix of shaders (5.0), not its own."""
     return not hasattr(bpy.types, "CompositorNodeMath")

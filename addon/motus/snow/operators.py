@@ -5,7 +5,7 @@ import dataclasses
 import bpy
 from mathutils import Vector
 
-from ..core import libraries, wiring
+from ..core import libraries, viewports, wiring
 from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named
 from ..core.rows import Rows
@@ -13,7 +13,7 @@ from ..core.translations import tr
 from . import build, flakes, look, presets, rows
 from .properties import KEYWORDS, SnowKeywords
 
-ABOVE = 6.0  # m, of an emitter that is added by hand, over the 3D cursor
+ABOVE = 6.0  # m, of an emitter that is added by hand, over the 3D cursor or what the viewport looks at
 _OBJECT = "Name of the emitter; empty takes the active object"
 
 
@@ -55,7 +55,7 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
         if not self.is_given("preset"):
             self.preset = 'GENTLE'
         if not self.is_given("location") and not self.surface:
-            self.location = context.scene.cursor.location + Vector((0.0, 0.0, ABOVE))
+            self.location = viewports.seen_place(context, context.scene.cursor.location) + Vector((0.0, 0.0, ABOVE))
         return self.execute(context)
 
     def run(self, context):

@@ -15,7 +15,9 @@ def draw_main(layout, context):
     emitter = context.object
     ui.draw_problem(layout, context, system(), emitter)
     button = layout.row()
-    button.operator_menu_enum("motus.snow_preset", "preset", icon='PRESET')
+    kind = presets.kind_of(emitter.motus.snow)
+    label = {"text": kind, "text_ctxt": "*"} if kind else {}
+    button.operator_menu_enum("motus.snow_preset", "preset", icon='PRESET', **label)
     rows.EMISSION.draw(ui.split(layout), emitter.motus.snow)
 
 
@@ -64,6 +66,7 @@ def draw_flakes(layout, context):
     """What flakes look like, and their colours."""
     settings = context.object.motus.snow
     rows.FLAKES.draw(ui.split(layout), settings)
+    layout.label(text="Gradient")
     column = layout.column(align=True)
     for index, stop in enumerate(settings.stops):
         row = column.row(align=True)

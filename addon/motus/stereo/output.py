@@ -30,6 +30,11 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
     use_360: bpy.props.BoolProperty(
         name="360 Degrees", description="Let the camera see all around, where the render engine can", default=False)
 
+    def invoke(self, context, _event):
+        if self.is_given("format"):
+            return self.execute(context)
+        return context.window_manager.invoke_props_dialog(self)
+
     def run(self, context):
         camera = targets.rig_for(context, self.object)
         targets.check_removable(camera)
@@ -39,6 +44,9 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
         self._set_format(scene, camera)
         see = around.begin if self.use_360 else around.end
         see(camera.motus.stereo, camera.data)
+        label = next(label for identifier, label, _ in FORMATS if identifier == self.format)
+        self.report({'INFO'}, tr("Both eyes are written as: {format}").format(
+            format=bpy.app.translations.pgettext_iface(label)))
 
     def _set_format(self, scene, camera):
         render = scene.render

@@ -1,6 +1,16 @@
 """Spanish: stereo cameras."""
 
 INTERFACE = {
+    "Anaglyph View": "Vista anaglifo",
+    "Both eyes are written as: {format}": "Ambos ojos se escriben así: {format}",
+    "Fit to Screen": "Ajustar a la pantalla",
+    "Look through both eyes of the camera in the viewport, with red and cyan glasses; once more to look as before":
+        "Mira por ambos ojos de la cámara en la vista, con gafas rojas y cian; otra vez para mirar como antes",
+    "Set the parallax of the budget to what is comfortable on this screen, and not deeper than it is round":
+        "Fija el paralaje del presupuesto en lo que es cómodo en esta pantalla, y no más profundo que redondo",
+    "The budget strains the eyes: on this screen {near} % in front and {far} % behind are comfortable":
+        "El presupuesto cansa la vista: en esta pantalla son cómodos {near} % delante y {far} % detrás",
+    "There is no 3D viewport here": "Aquí no hay ninguna vista 3D",
     "14 cm wide, seen from 30 cm": "14 cm de ancho, vista desde 30 cm",
     "60 cm wide, seen from 70 cm": "60 cm de ancho, vista desde 70 cm",
     "1.2 m wide, seen from 2.5 m": "1,2 m de ancho, vista desde 2,5 m",
