@@ -8,6 +8,7 @@ from ..core.tracks import rotations
 from ..core.tracks.animation import Channel
 from ..core.tracks.question import answered
 from ..core.tracks.reason import Reason
+from ..core.tracks.solved import turned
 from ..core.tracks.strips import together
 from . import inputs, motion, setup
 from .properties import KEYWORDS
@@ -55,8 +56,7 @@ class OverTime:
         matrices = np.broadcast_to(matrices, (count, 4, 4)).copy()
         moves, turns, ratios = part.at(inputs.seconds_of(np.asarray(times, float), self._scene), weight)
         if turns is not None:
-            # Along the axes of the object, whatever its scale.
-            matrices[:, :3, :3] = rotations.chained(matrices[:, :3, :3], _between_scales(matrices, rotations.matrices(turns)))
+            matrices = turned(matrices, turns, tracks.own_track(self._owner).values(times).scales)
         if ratios is not None:
             matrices[:, :3, :3] *= ratios[:, None, :]
         if moves is not None:
@@ -96,10 +96,3 @@ class OverTime:
             render.fps, render.fps_base, self._scene.frame_start, self._owner.motus.dynamics.influence, entry.is_muted,
             *(tuple(sorted(value)) if isinstance(value, set) else value for value in (getattr(entry, name) for name in KEYWORDS)),
             tracks.own_track(self._owner).stamp))
-
-
-def _between_scales(matrices, turns):
-    """Turns (n, 3, 3) as they are between matrices' axes of different lengths: S^-1 R S."""
-    sizes = np.sqrt((matrices[:, :3, :3] ** 2).sum(axis=1))
-    safe = np.where(sizes > 0.0, sizes, 1.0)
-    return turns * sizes[:, None, :] / safe[:, :, None]

@@ -59,6 +59,15 @@ def placed(matrices, locations, turns, acts):
     return found
 
 
+def turned(matrices, turns, scales):
+    """World matrices with turns (n, 4) after the objects' own rotation, below their own scales (n, 3)."""
+    found = matrices.copy()
+    safe = np.where(scales != 0.0, scales, 1.0)
+    below = rotations.matrices(turns) * scales[:, None, :] / safe[:, :, None]
+    found[:, :3, :3] = rotations.chained(matrices[:, :3, :3], below)
+    return found
+
+
 def of(obj, scene):
     """The Solved of an object, original or evaluated; None where no system drives it that can be asked, or not it alone."""
     acting = [constraint for constraint in obj.constraints if not constraint.mute]
