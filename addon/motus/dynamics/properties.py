@@ -74,7 +74,13 @@ KEYWORDS = tuple(DynamicsKeywords.__annotations__)
 
 class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Bone", description="Bone that follows; empty is the object itself", update=rewire, override=OVERRIDABLE)
+        name="Bone", description="Bone that follows; empty is the object itself, or a property", update=rewire, override=OVERRIDABLE)
+    data_path: bpy.props.StringProperty(
+        name="Property", description="Path of a single property from the object that follows; empty is the object itself, "
+        "or its bone", update=rewire, override=OVERRIDABLE)
+    index: bpy.props.IntProperty(
+        name="Index", description="Which number of an array property; -1 is all of them", default=-1, min=-1, update=rewire,
+        options=set(), override=OVERRIDABLE)
     chain: bpy.props.StringProperty(
         name="Chain", description="Topmost bone of the chain that it was added with", options=set(), override=OVERRIDABLE)
     mass: _number("Mass", "What hangs on the spring", 1.0, min=1e-3, soft_max=100.0, unit='MASS', update=None)

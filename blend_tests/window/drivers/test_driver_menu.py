@@ -50,16 +50,16 @@ def test_from_the_menu_of_a_property_to_the_list():
     yield
     found = yield from hover("rotation_euler")
     assert found, "the editor shows no rotation"
-    (x, y), places = found, support.addon("drivers.places")
+    (x, y), under_mouse = found, support.addon("core.hovered")
 
-    hovered, as_it_is = [], places.hovered
-    places.hovered = lambda *arguments, **keywords: hovered.append(as_it_is(*arguments, **keywords)) or hovered[-1]
+    hovered, as_it_is = [], under_mouse.find
+    under_mouse.find = lambda *arguments, **keywords: hovered.append(as_it_is(*arguments, **keywords)) or hovered[-1]
     try:
         window_support.press('RIGHTMOUSE', x, y)
         yield from window_support.until(lambda: hovered)
         yield from window_support.picture("driver_menu")
     finally:
-        places.hovered = as_it_is
+        under_mouse.find = as_it_is
     assert hovered and hovered[0] is not None and hovered[0][:2] == (lamp, "rotation_euler"), hovered
     window_support.press('ESC', x, y)
     yield
