@@ -2,39 +2,14 @@
 
 import bpy
 import numpy as np
+import solved_cases
 import support
 
 from pendulum.pendulum_cases import PendulumTestCase, go_to, world
 
-FRAMES = (-3.0, 1.0, 2.5, 13.0, 24.25, 60.0, 120.0)
 
-
-class OverTime(PendulumTestCase):
-    def setUp(self):
-        super().setUp()
-        self.tracks = support.addon("core.tracks")
-        self.scene = bpy.context.scene
-
-    def track(self, thing):
-        return self.tracks.world_track(thing, self.scene)
-
-    def assertSolved(self, thing, tolerance=5e-6):
-        track = self.track(thing)
-        self.assertEqual(track.kind, self.tracks.Kind.SOLVED, track.sentence)
-        self.assertIn("Pendulum", track.sentence)
-        wanted = []
-        for frame in FRAMES:
-            go_to(frame)
-            wanted.append(world(thing))
-        found = track.values(FRAMES)
-        np.testing.assert_allclose(found, wanted, atol=tolerance)
-        evaluated = thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
-        np.testing.assert_array_equal(self.tracks.world_track(evaluated, self.scene).values(FRAMES), found)
-
-    def key(self, settings, name, *keys):
-        for frame, value in keys:
-            setattr(settings, name, value)
-            settings.id_data.keyframe_insert(f"{settings.path_from_id()}.{name}", frame=frame)
+class OverTime(solved_cases.Solved, PendulumTestCase):
+    label = "Pendulum"
 
     def test_rods_and_bobs(self):
         for keywords in ({"kind": 'SINGLE'}, {"kind": 'DOUBLE', "damping": 0.1, "start_frame": 7.5}, {"kind": 'FAN', "count": 3}):
@@ -54,33 +29,31 @@ class OverTime(PendulumTestCase):
     def test_keyed_time_and_influence(self):
         pivot = self.add(kind='DOUBLE')
         settings = pivot.motus.pendulum
-        self.key(settings, "is_playing", (1, True), (10, False), (20, True))
-        self.key(settings, "speed", (1, 1.0), (60, 0.5))
-        self.key(settings, "influence", (1, 0.2), (60, 1.0))
+        solved_cases.key(settings, "is_playing", {1: True, 10: False, 20: True})
+        solved_cases.key(settings, "speed", {1: 1.0, 60: 0.5})
+        solved_cases.key(settings, "influence", {1: 0.2, 60: 1.0})
         self.assertSolved(self.bobs(pivot)[1])
 
     def test_a_pivot_that_is_moved_and_felt(self):
         pivot = self.add(kind='SINGLE', angle1=0.3)
-        for frame, place in ((1, (0.0, 0.0, 0.0)), (30, (2.0, 0.0, 0.0))):
-            pivot.location = place
-            pivot.keyframe_insert("location", frame=frame)
+        solved_cases.key(pivot, "location", {1: (0.0, 0.0, 0.0), 30: (2.0, 0.0, 0.0)})
         self.assertSolved(self.bobs(pivot)[0])
         pivot.motus.pendulum.use_pivot_motion = True
         self.assertSolved(self.bobs(pivot)[0])
-        self.assertIn(30.0, self.track(self.bobs(pivot)[0]).bounds(1.0, 60.0))
+        self.assertIn(30.0, solved_cases.track(self.bobs(pivot)[0]).bounds(1.0, 60.0))
 
     def test_when_it_moves(self):
         pivot = self.add(kind='SINGLE', start_frame=12.0)
         bob, = self.bobs(pivot)
-        self.assertEqual(self.track(bob).extent, (12.0, np.inf))
+        self.assertEqual(solved_cases.track(bob).extent, (12.0, np.inf))
         pivot.motus.pendulum.is_playing = False
-        self.assertIsNone(self.track(bob).extent)
+        self.assertIsNone(solved_cases.track(bob).extent)
 
     def test_what_is_not_known(self):
         pivot = self.add(kind='SINGLE')
         bob, = self.bobs(pivot)
         pivot.motus.pendulum.driver_add("speed").driver.expression = "frame / 10"
-        self.assertIn("driver", self.track(bob).sentence)
+        self.assertUnknown(bob, "driver")
         pivot.motus.pendulum.driver_remove("speed")
         self.assertSolved(bob)
         pivot.motus.pendulum.length1 = 0.0  # the panel says so; the rod hangs
