@@ -30,6 +30,13 @@ def value(id_data, frame, path="energy"):
     return id_data.evaluated_get(cases.go_to(frame)).path_resolve(path)
 
 
+def custom(holder, name):
+    """A custom property that is keyed."""
+    for frame, number in ROWS.items():
+        holder[name] = number
+        holder.keyframe_insert(f'["{name}"]', frame=frame)
+
+
 class DynamicsPropertiesTest(support.SceneTestCase):
     def add(self, obj, path, **keywords):
         bpy.ops.motus.dynamics_add(object=obj.name, data_path=path, **keywords)
@@ -65,11 +72,7 @@ class DynamicsPropertiesTest(support.SceneTestCase):
 
     def test_the_object_its_property_and_a_material(self):
         obj = cases.moved("Cube")
-        obj.data = None
-        cases.key(obj, '["glow"]', {}) if "glow" in obj else obj.__setitem__("glow", 0.0)
-        for frame, number in ROWS.items():
-            obj["glow"] = number
-            obj.keyframe_insert('["glow"]', frame=frame)
+        custom(obj, "glow")
         cases.add(obj, style='BOUNCY')
         self.add(obj, '["glow"]', frequency=1.0, damping=0.5, response=0.0)
         self.assertEqual(len(obj.motus.dynamics.entries), 2)
@@ -78,6 +81,32 @@ class DynamicsPropertiesTest(support.SceneTestCase):
                                    cases.filtered(keyed(obj, '["glow"]'), (1.0, 0.5, 0.0), frame), delta=3e-4)
             wanted = cases.filtered(lambda frames: cases.own(obj)(frames).locations, BOUNCY, frame)
             np.testing.assert_allclose(cases.place(obj, frame), wanted, atol=3e-4)
+
+    def test_modifiers_materials_and_constraints(self):
+        obj = cases.link("Cube", bpy.data.meshes.new("Cube"))
+        obj.modifiers.new("Displace", 'DISPLACE')
+        material = bpy.data.materials.new("Paint")
+        if not material.use_nodes:
+            material.use_nodes = True
+        obj.data.materials.append(material)
+        obj.constraints.new('LIMIT_LOCATION')
+        socket = material.node_tree.nodes["Principled BSDF"].inputs["Roughness"]
+        cases.key(obj.modifiers["Displace"], "strength", ROWS)
+        cases.key(socket, "default_value", ROWS)
+        cases.key(obj.constraints[0], "influence", ROWS)
+        paths = ('modifiers["Displace"].strength', f"material_slots[0].material.node_tree.{socket.path_from_id()}.default_value",
+                 'constraints["Limit Location"].influence')
+        for path in paths:
+            self.add(obj, path, style='BOUNCY')
+        self.assertIsNone(cases.problem(obj))
+        wanted = cases.filtered(keyed(obj, 'modifiers["Displace"].strength'), BOUNCY, 22)
+        self.assertGreater(wanted, 1.01)
+        self.assertAlmostEqual(value(obj, 22, paths[0]), wanted, delta=3e-4)
+        found = obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).material_slots[0].material.node_tree
+        self.assertAlmostEqual(found.nodes["Principled BSDF"].inputs["Roughness"].default_value, wanted, delta=3e-4)
+        self.assertAlmostEqual(value(obj, 14, paths[1]), cases.filtered(keyed(material.node_tree, paths[1].partition(
+            "node_tree.")[2]), BOUNCY, 14), delta=3e-4)
+        self.assertLess(value(obj, 14, paths[2]), 0.3)
 
     def test_weight_influence_mute_delay_loop_and_teleport(self):
         obj = lamp()
@@ -164,11 +193,7 @@ class DynamicsPropertiesTest(support.SceneTestCase):
 
     def test_properties_of_bones_whose_names_change(self):
         rig = cases.rope(1)
-        bone = rig.pose.bones["Root"]
-        bone["curl"] = 0.0
-        for frame, number in ROWS.items():
-            bone["curl"] = number
-            bone.keyframe_insert('["curl"]', frame=frame)
+        custom(rig.pose.bones["Root"], "curl")
         self.add(rig, 'pose.bones["Root"]["curl"]', style='BOUNCY')
         wanted = value(rig, 22, 'pose.bones["Root"]["curl"]')
         self.assertGreater(wanted, 1.01)
@@ -197,6 +222,18 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         self.assertEqual(len(obj.motus.dynamics.entries), 1)
         self.assertEqual(self.add(obj, "data.energy", delay=0.5).delay, 0.5)
         self.assertEqual(len(obj.motus.dynamics.entries), 1)
+
+    def test_linked_data_is_refused(self):
+        lamp()
+        path = str(self.folder / "library.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=path)
+        support.empty_scene()
+        with bpy.data.libraries.load(path, link=True) as (_, wanted):
+            wanted.lights = ["Lamp"]
+        obj = cases.link("Mine", bpy.data.lights["Lamp"])
+        with self.assertRaisesRegex(RuntimeError, "linked"):
+            self.add(obj, "data.energy")
+        self.assertFalse(obj.is_property_set("motus"))
 
     def test_a_property_that_is_gone(self):
         obj = lamp()

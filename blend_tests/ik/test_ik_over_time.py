@@ -41,11 +41,18 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
         self.moved("Pole", {1: (0.5, -2.0, 1.0), 60: (0.5, 2.0, 3.0)})
         entry = self.reach(pole="Pole", softness=0.1, rotation_weight=0.5, rotation_offset=(0.1, 0.2, 0.3))
         solved_cases.key(bpy.data.objects["Target"], "rotation_euler", {1: (0.0, 0.0, 0.0), 60: (0.4, 0.0, 1.0)})
-        solved_cases.key(entry, "position_weight", {1: 1.0, 40: 0.2})
-        solved_cases.key(entry, "pole_angle", {1: 0.0, 40: 0.5})
+        for frame, weight in ((1, 1.0), (40, 0.2)):  # by its name, as scripts may have it
+            entry.position_weight = weight
+            self.arm_rig.keyframe_insert('motus.ik.entries["Bone 1"].position_weight', frame=frame)
         solved_cases.key(self.arm_rig.motus.ik, "influence", {1: 1.0, 100: 0.5})
         solved_cases.key(self.bone("Shoulder"), "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 60: (0.9, 0.1, 0.3, 0.0)})
         self.assertSolved(self.bone("Bone 1"), 2e-5)
+
+    def test_a_keyed_pole_angle(self):
+        self.moved()
+        entry = self.reach(pole=self.target(name="Pole").name)
+        solved_cases.key(entry, "pole_angle", {1: 0.0, 40: 0.5})
+        self.assertSolved(self.bone("Bone 0"))
 
     def test_stretch_and_a_long_chain_with_limits(self):
         self.moved(rows={1: (3.0, 0.0, 1.0), 60: (2.0, 0.5, 2.0)})

@@ -24,7 +24,7 @@ TURN = frozenset({"rotation"})
 
 
 class Unit(NamedTuple):
-    """What is solved at once: the object, a bone by its own animation, bones that hang on each other by their tails, or a property.
+    """What is solved at once: the object, a bone by its own animation, bones that hang on each other by their tails, a property.
 
     entries: of the things, the topmost bone first. kind: 'OBJECT', 'OWN', 'TAILS' or 'PROPERTY', whose thing is its owner.
     """

@@ -159,7 +159,7 @@ class WorldInput(_Input):
 
 
 class ValueInput(_Input):
-    """The numbers of a property by its own keys, beneath the drivers through which it follows. None is there without a property."""
+    """The numbers of a property by its own keys, beneath the drivers through which it follows; no tracks where it is gone."""
 
     @functools.cached_property
     def listed(self):

@@ -134,7 +134,8 @@ def values_of(source, entry, outputs, place, scene, frame):
     numbers = source.values(frames)
     is_loop, jumps = inputs.has_loop(entry), inputs.sampling.resets(frames, numbers, entry.jump)
     track = native.module.Track(
-        filters.second_order(filters.numbers(entry)), inputs.seconds_of(frames, scene), numbers, [] if is_loop else jumps, is_loop)
+        filters.second_order(filters.numbers(entry)), inputs.seconds_of(frames, scene), numbers, [] if is_loop else jumps,
+        is_loop)
     return Values(outputs, place, entry.delay, is_loop and len(jumps) > 0, track)
 
 

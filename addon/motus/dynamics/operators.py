@@ -107,8 +107,12 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
         if any(map(self.is_given, OF_SPRING)) and self.is_given("response"):
             given.append("response")
         if len(given) > 1:
-            first, second = (tr(self.properties.bl_rna.properties[name].name) for name in given[:2])
-            raise Refused(tr("{first} and {second} say the same in two ways: give one of them").format(first=first, second=second))
+            first, second = map(self._label, given[:2])
+            raise Refused(tr("{first} and {second} say the same in two ways: give one of them").format(
+                first=first, second=second))
+
+    def _label(self, name):
+        return tr(self.properties.bl_rna.properties[name].name)
 
     def _numbers(self):
         """(frequency, damping, response) as they were given; () where none of them was."""
@@ -142,7 +146,7 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
         """{owner: {(path, index): settings of the entry}} of a single property."""
         for name in NOT_OF_A_PROPERTY:
             if self.is_given(name):
-                raise Refused(tr("{name} does not go with a single property").format(name=tr(self.properties.bl_rna.properties[name].name)))
+                raise Refused(tr("{name} does not go with a single property").format(name=self._label(name)))
         owner, followed = targets.property_of(context, self.object, self.data_path, self.index)
         targets.check_editable(owner)
         return {owner: {followed: changes}}

@@ -2,7 +2,7 @@
 
 import functools
 
-from ..core import native, rigs, tracks
+from ..core import entry_keys, native, rigs, tracks
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.animation import Channel
@@ -32,8 +32,11 @@ class _OverTime:
         self._owner, self._index, self._scene = owner, index, scene
         self._entry = owner.motus.dynamics.entries[index]
 
-    def _channels(self):
-        paths = self._owner.motus.dynamics.path_from_id() + ".influence", f"{self._entry.path_from_id()}.weight"
+    def _channels(self, indices=()):
+        entries = self._owner.motus.dynamics.entries
+        prefixes = [entry_keys.animated_prefix(self._owner, "motus.dynamics.entries", entries, index)
+                    for index in (self._index, *indices)]
+        paths = ["motus.dynamics.influence", *(prefix + name for prefix in prefixes for name in ("weight", "is_muted"))]
         return [Channel(self._owner, path, -1) for path in paths]
 
     @property
@@ -158,8 +161,8 @@ class _Tail(_OverTime):
         return super().reason or self._rig.reason
 
     def _channels(self):
-        paths = [f"{entry.path_from_id()}.weight" for entry in self._unit.entries]
-        return [*super()._channels(), *(Channel(self._owner, path, -1) for path in paths)]
+        settings = self._owner.motus.dynamics
+        return super()._channels([setup.find(settings, thing.name) for thing in self._unit.things])
 
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""

@@ -11,7 +11,7 @@ def system():
 
 
 def add(owner, wanted):
-    """Let things follow. wanted: {bone's name, "" for the object, or (path, index) of a property: settings of its entry by name}."""
+    """Let things follow. wanted: settings of their entries by name, by what find() takes."""
     with entries.at_once(system(), owner) as settings:
         for name, changes in wanted.items():
             index = find(settings, name)

@@ -46,7 +46,8 @@ def property_of(context, name, path, index):
     path, index = _parted(path, index)
     if path.startswith("motus.dynamics."):
         raise Refused(tr("{path} is a setting of the dynamics themselves").format(path=path))
-    if setup.find(obj.motus.dynamics, (path, index)) >= 0:
+    # To ask an object for its settings gives it some.
+    if obj.is_property_set("motus") and setup.find(obj.motus.dynamics, (path, index)) >= 0:
         return obj, (path, index)
     indices = inputs.indices_of(obj, path, index, inputs.MOST_NUMBERS + 1) or [index]
     if len(indices) > inputs.MOST_NUMBERS or index >= inputs.MOST_NUMBERS:
@@ -117,7 +118,7 @@ def owner_with(context, name):
 
 
 def indices_for(context, owner, operator, is_whole):
-    """Indices of the entries that an operator means: one of the list, of a property or bones by name, of the selected ones, or all."""
+    """Indices of the entries that an operator means: the marked one, those of a property or of bones, or all."""
     settings = owner.motus.dynamics
     if operator.only_active:
         return [settings.active_entry] if setup.active_entry(owner) else []

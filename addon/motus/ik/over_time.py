@@ -4,11 +4,11 @@ import functools
 
 from mathutils import Matrix
 
-from ..core import deleted, rigs
+from ..core import deleted, entry_keys, rigs
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.question import answered
-from ..core.tracks.rig_inputs import RigInputs, once
+from ..core.tracks.rig_inputs import RigInputs, SolvedBone, once
 from ..core.tracks.strips import together
 from . import groups, reading
 from .goals import places as goal_places
@@ -26,32 +26,22 @@ def over_time(owner, thing, scene):
     return OverTime(owner, found, thing.name, scene)
 
 
-class OverTime:
+class OverTime(SolvedBone):
     """A bone of a chain; see core/tracks/solved.py. Both original or both evaluated."""
 
     def __init__(self, owner, found, bone, scene):
         self._owner, self._found, self._bone = owner, found, bone
         entry, chain = found.entry, found.chain
         parent = owner.data.bones[chain.bones[0]].parent
-        path = entry.path_from_id()
-        settings = {name: (f"{path}.{name}", -1) for name in NUMBERS}
-        settings |= {axis: (f"{path}.rotation_offset", axis) for axis in range(3)}
+        entries = owner.motus.ik.entries
+        prefix = entry_keys.animated_prefix(owner, "motus.ik.entries", entries, entries.find(entry.name))
+        settings = {name: (prefix + name, -1) for name in NUMBERS}
+        settings |= {axis: (f"{prefix}rotation_offset", axis) for axis in range(3)}
         settings["influence"] = f"{owner.motus.ik.path_from_id()}.influence", -1
         goals = [(entry.pole, entry.pole_bone), (entry.target, entry.target_bone),
                  *((extra.object, extra.bone) for extra in entry.extra_targets)]
         self._goals = list(map(_goal, goals))
-        self._inputs = RigInputs(owner, scene, chain.driven, parent.name if parent else "", self._goals, settings)
-        self.bounds = self._inputs.bounds
-
-    @property
-    def reason(self):
-        """As Channel.reason."""
-        return self._inputs.reason
-
-    @property
-    def extent(self):
-        """As Channel.extent."""
-        return self._inputs.extent
+        super().__init__(RigInputs(owner, scene, chain.driven, parent.name if parent else "", self._goals, settings))
 
     @property
     def stamp(self):

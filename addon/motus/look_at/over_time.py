@@ -1,10 +1,10 @@
 """Where the bones of a head that looks are at any times, for systems that need their past: the solver is asked for each time."""
 
-from ..core import deleted, rigs
+from ..core import deleted, entry_keys, rigs
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.question import answered
-from ..core.tracks.rig_inputs import RigInputs, once
+from ..core.tracks.rig_inputs import RigInputs, SolvedBone, once
 from ..core.tracks.strips import together
 from . import groups, solve
 
@@ -16,28 +16,19 @@ def over_time(owner, thing, scene):
     return OverTime(owner, *found, thing.name, scene) if found else None
 
 
-class OverTime:
+class OverTime(SolvedBone):
     """A bone of a head, its spine or eyes; see core/tracks/solved.py. Both original or both evaluated."""
 
     def __init__(self, owner, entry, bones, bone, scene):
         self._owner, self._entry, self._bones, self._bone = owner, entry, bones, bone
         lowest = owner.data.bones[bones[0]].parent
-        settings = {name: (f"{entry.path_from_id()}.{name}", -1) for name in (*solve.NUMBERS, "is_muted")}
+        entries = owner.motus.look_at.entries
+        prefix = entry_keys.animated_prefix(owner, "motus.look_at.entries", entries, entries.find(entry.name))
+        settings = {name: (prefix + name, -1) for name in (*solve.NUMBERS, "is_muted")}
         settings["influence"] = f"{owner.motus.look_at.path_from_id()}.influence", -1
-        self._inputs = RigInputs(
+        super().__init__(RigInputs(
             owner, scene, dict.fromkeys(groups.read_bones(owner, entry, bones)), lowest.name if lowest else "",
-            [_target(entry)], settings)
-        self.bounds = self._inputs.bounds
-
-    @property
-    def reason(self):
-        """As Channel.reason."""
-        return self._inputs.reason
-
-    @property
-    def extent(self):
-        """As Channel.extent."""
-        return self._inputs.extent
+            [_target(entry)], settings))
 
     @property
     def stamp(self):

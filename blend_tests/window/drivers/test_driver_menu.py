@@ -2,9 +2,7 @@
 
 import bpy
 import support
-from window import window_support
-
-STEP = 6  # pixels
+from window import properties_editor, window_support
 
 
 def build():
@@ -18,37 +16,10 @@ def build():
     return cube
 
 
-def editor():
-    """The properties editor's region with the object's transform, the same in all Blenders."""
-    area = window_support.area('PROPERTIES')
-    area.spaces.active.context = 'OBJECT'
-    return area, next(one for one in area.regions if one.type == 'WINDOW')
-
-
-def over():
-    area, region = editor()
-    return bpy.context.temp_override(window=window_support.window(), area=area, region=region)
-
-
-def hover(wanted):
-    """Generator: moves the mouse down the editor until it is over that property; its value is the place, or None."""
-    _, region = editor()
-    x = region.x + 11 * region.width // 20
-    for y in range(region.y + region.height - STEP, region.y, -STEP):
-        window_support.move(x, y)
-        yield
-        with over():
-            if bpy.ops.ui.copy_data_path_button.poll():
-                bpy.ops.ui.copy_data_path_button(full_path=False)
-                if bpy.context.window_manager.clipboard.startswith(wanted):
-                    return x, y
-    return None
-
-
 def test_from_the_menu_of_a_property_to_the_list():
     lamp = build()
     yield
-    found = yield from hover("rotation_euler")
+    found = yield from properties_editor.hover("rotation_euler")
     assert found, "the editor shows no rotation"
     (x, y), under_mouse = found, support.addon("core.hovered")
 
@@ -68,7 +39,7 @@ def test_from_the_menu_of_a_property_to_the_list():
     yield
     window_support.move(x, y)
     yield
-    with over():
+    with properties_editor.over():
         if hasattr(bpy.context, "property"):
             bpy.ops.motus.driver_add('INVOKE_DEFAULT')
         else:

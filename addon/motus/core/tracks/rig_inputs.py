@@ -81,6 +81,24 @@ class RigInputs:
             yield poses, basis
 
 
+class SolvedBone:
+    """What System.over_time gives of a bone that is solved from these inputs alone, but for `applied` and `stamp`."""
+
+    def __init__(self, inputs):
+        self._inputs = inputs
+        self.bounds = inputs.bounds
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        return self._inputs.reason
+
+    @property
+    def extent(self):
+        """As Channel.extent."""
+        return self._inputs.extent
+
+
 def columns(matrices, count):
     """(count, 16) of matrices (count or 1, 4, 4) in rows, column by column."""
     return np.broadcast_to(np.swapaxes(matrices, 1, 2), (count, 4, 4)).reshape(count, 16)
