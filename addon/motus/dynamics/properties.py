@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import filters, styles
 
 FOLLOWS = (
@@ -20,8 +20,7 @@ SHAPES = (
     ('SPRING', "Spring", "By a mass on a spring and a damper"),
 )
 
-NO_KEYS = ". No keys: what is on a frame is made of the whole past"
-"""Each moment of which would have had other numbers."""
+# The state on a frame is made of the whole past, so that a number that changes would have to be known at all times.
 _STILL = {"update": touch, "options": set(), "override": OVERRIDABLE}
 
 

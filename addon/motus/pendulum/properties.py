@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import parts
 
 KINDS = (
@@ -17,9 +17,6 @@ def _fit(settings, context):
     if isinstance(settings, SystemSettings):
         parts.fit(settings.id_data)
     touch(settings, context)
-
-
-NO_KEYS = ". No keys: the whole motion follows from it"
 
 
 def _number(name, description, default, options=frozenset(), **more):

@@ -17,28 +17,28 @@ INTERFACE = {
     "The rotation follows": "Sigue la rotación",
     "The scale follows": "Sigue la escala",
     "Scale": "Escala",
-    "How many times a second it swings. No keys: what is on a frame is made of the whole past":
-        "Cuántas veces por segundo oscila. Sin claves: lo de un fotograma está hecho de todo el pasado",
-    "0 swings for ever, 1 comes to rest soonest without swinging. No keys: what is on a frame is made of the whole past":
-        "Con 0 oscila para siempre, con 1 se detiene lo antes posible sin oscilar. Sin claves: lo de un fotograma está hecho de todo el pasado",
-    "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first. No keys: what is on a frame is made of the whole past":
-        "Con 0 arranca despacio, con 1 enseguida, por encima de 1 se pasa, por debajo de 0 toma impulso antes. Sin claves: lo de un fotograma está hecho de todo el pasado",
+    "How many times a second it swings. No keys: the whole motion follows from it":
+        "Cuántas veces por segundo oscila. Sin claves: todo el movimiento depende de ello",
+    "0 swings for ever, 1 comes to rest soonest without swinging. No keys: the whole motion follows from it":
+        "Con 0 oscila para siempre, con 1 se detiene lo antes posible sin oscilar. Sin claves: todo el movimiento depende de ello",
+    "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first. No keys: the whole motion follows from it":
+        "Con 0 arranca despacio, con 1 enseguida, por encima de 1 se pasa, por debajo de 0 toma impulso antes. Sin claves: todo el movimiento depende de ello",
     "Delay": "Retraso",
-    "How much later it follows. No keys: what is on a frame is made of the whole past":
-        "Cuánto más tarde sigue. Sin claves: lo de un fotograma está hecho de todo el pasado",
+    "How much later it follows. No keys: the whole motion follows from it":
+        "Cuánto más tarde sigue. Sin claves: todo el movimiento depende de ello",
     "Delay per Bone": "Retraso por hueso",
     "How much later each bone of a chain follows than the one above it":
         "Cuánto más tarde sigue cada hueso de una cadena que el que está por encima",
     "From the animation (0) to what follows it (1)": "De la animación (0) a lo que la sigue (1)",
-    "Let the motion close without a seam over a range of frames. No keys: what is on a frame is made of the whole past":
-        "Hace que el movimiento se cierre sin costura en un intervalo de fotogramas. Sin claves: lo de un fotograma está hecho de todo el pasado",
-    "First frame of the loop. No keys: what is on a frame is made of the whole past":
-        "Primer fotograma del bucle. Sin claves: lo de un fotograma está hecho de todo el pasado",
-    "Frame on which the loop begins again, which looks like its first one. No keys: what is on a frame is made of the whole past":
-        "Fotograma en el que el bucle vuelve a empezar, igual que el primero. Sin claves: lo de un fotograma está hecho de todo el pasado",
+    "Let the motion close without a seam over a range of frames. No keys: the whole motion follows from it":
+        "Hace que el movimiento se cierre sin costura en un intervalo de fotogramas. Sin claves: todo el movimiento depende de ello",
+    "First frame of the loop. No keys: the whole motion follows from it":
+        "Primer fotograma del bucle. Sin claves: todo el movimiento depende de ello",
+    "Frame on which the loop begins again, which looks like its first one. No keys: the whole motion follows from it":
+        "Fotograma en el que el bucle vuelve a empezar, igual que el primero. Sin claves: todo el movimiento depende de ello",
     "Teleport": "Teletransporte",
-    "What moves farther than this in a frame has jumped there, and starts anew at rest; 0 never does. No keys: what is on a frame is made of the whole past":
-        "Lo que se mueve más que esto en un fotograma ha saltado allí, y empieza de nuevo en reposo; con 0 nunca. Sin claves: lo de un fotograma está hecho de todo el pasado",
+    "What moves farther than this in a frame has jumped there, and starts anew at rest; 0 never does. No keys: the whole motion follows from it":
+        "Lo que se mueve más que esto en un fotograma ha saltado allí, y empieza de nuevo en reposo; con 0 nunca. Sin claves: todo el movimiento depende de ello",
     "Bone that follows; empty is the object itself, or a property": "Hueso que sigue; vacío es el propio objeto o una propiedad",
     "Property": "Propiedad",
     "Path of a single property from the object that follows; empty is the object itself, or its bone":
