@@ -17,6 +17,7 @@ def _draw(menu, context):
     if index is None and not _is_keyed_decimal(*found[:2]):
         return
     kind, icon = (MOTUS_OT_dynamics_add, 'FORCE_HARMONIC') if index is None else (MOTUS_OT_dynamics_remove, 'X')
+    menu.layout.separator()
     menu.layout.operator_context = 'EXEC_DEFAULT'
     button = menu.layout.operator(kind.bl_idname, icon=icon)
     button.object, button.data_path, button.index = obj.name, path, found[2] if index is None else index

@@ -8,7 +8,7 @@ from ..core.tracks import rotations
 from ..core.tracks.animation import Channel
 from ..core.tracks.question import answered
 from ..core.tracks.reason import Reason
-from ..core.tracks.rig_inputs import RigInputs, once
+from ..core.tracks.rig_inputs import RigInputs, kept, once, stamp_of
 from ..core.tracks.solved import turned
 from ..core.tracks.strips import together
 from . import groups, inputs, motion, setup
@@ -18,9 +18,10 @@ from .properties import KEYWORDS
 def over_time(owner, thing, scene):
     """System.over_time; None where the object or bone itself has no dynamics."""
     if thing != owner:
-        surveyed = answered((hash(owner), "dynamics"), lambda: groups.units(owner))
-        unit = next((unit for unit in surveyed if thing in unit.things and unit.kind in _OF_BONES), None)
-        return unit and _OF_BONES[unit.kind](owner, unit, thing, scene)
+        index = setup.find(owner.motus.dynamics, thing.name)
+        surveyed = answered((hash(owner), "dynamics"), lambda: groups.units(owner)) if index >= 0 else ()
+        unit = next((unit for unit in surveyed if thing in unit.things), None)
+        return unit and _OF_BONES[unit.kind](owner, index, unit, thing, scene)
     index = setup.find(owner.motus.dynamics, "")
     return OverTime(owner, index, scene) if index >= 0 else None
 
@@ -75,12 +76,11 @@ class _OverTime:
         except (ValueError, motion.OpenLoop):
             return None
 
-    def _own_stamp(self, entry):
-        """Of an entry's settings."""
+    @property
+    def _time(self):
+        """Stamp of what seconds are, and where motions begin."""
         render = self._scene.render
-        return (render.fps, render.fps_base, self._scene.frame_start, self._owner.motus.dynamics.influence, entry.is_muted,
-                *(tuple(sorted(value)) if isinstance(value, set) else value
-                  for value in (getattr(entry, name) for name in KEYWORDS)))
+        return render.fps, render.fps_base, self._scene.frame_start
 
 
 class OverTime(_OverTime):
@@ -117,15 +117,24 @@ class OverTime(_OverTime):
     @property
     def stamp(self):
         """As Channel.stamp, of what no parent brings: whoever asks for the object asks for its parents too."""
-        return together((*self._own_stamp(self._entry), tracks.own_track(self._owner).stamp))
+        entry = self._entry
+        settings = (getattr(entry, name) for name in KEYWORDS)
+        return together((
+            *self._time, self._owner.motus.dynamics.influence, entry.is_muted, tracks.own_track(self._owner).stamp,
+            *(tuple(sorted(value)) if isinstance(value, set) else value for value in settings)))
 
 
 class _OwnBone(_OverTime):
     """A bone that follows its own animation."""
 
-    def __init__(self, owner, unit, bone, scene):
-        super().__init__(owner, setup.find(owner.motus.dynamics, bone.name), scene)
+    def __init__(self, owner, index, unit, bone, scene):
+        super().__init__(owner, index, scene)
         self._thing, self._input = bone, unit.input(scene)
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        return kept(self._owner, ("dynamics", self._index), lambda: super(_OwnBone, self).reason)
 
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""
@@ -141,19 +150,19 @@ class _OwnBone(_OverTime):
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return together((*self._own_stamp(self._entry), tracks.own_track(self._thing).stamp))
+        return together((*self._time, self._index, stamp_of(self._owner)))
 
 
 class _Tail(_OverTime):
     """A bone whose tail follows, of those that are turned together."""
 
-    def __init__(self, owner, unit, bone, scene):
-        super().__init__(owner, setup.find(owner.motus.dynamics, bone.name), scene)
+    def __init__(self, owner, index, unit, bone, scene):
+        super().__init__(owner, index, scene)
         self._unit, self._input = unit, unit.input(scene)
         self._row = unit.things.index(bone)
         parent = owner.data.bones[unit.things[0].name].parent
         read = {one.name: None for bone in unit.things for one in _down_to(bone, unit.things[0])}
-        self._rig = RigInputs(owner, scene, read, parent.name if parent else "", (), {})
+        self._rig = RigInputs(owner, scene, ("dynamics", unit.name), read, parent.name if parent else "", (), dict)
 
     @property
     def reason(self):
@@ -197,8 +206,8 @@ class _Tail(_OverTime):
     @property
     def stamp(self):
         """As Channel.stamp."""
-        entries = [part for entry in self._unit.entries for part in self._own_stamp(entry)]
-        return together((*entries, self._row, self._rig.stamp, *(track.stamp for track in self._input.tracks)))
+        above = [track.stamp for track, keywords in self._input.listed if keywords["transform"] == 'WORLD']
+        return together((*self._time, self._row, self._rig.stamp, *above))
 
 
 _OF_BONES = {'OWN': _OwnBone, 'TAILS': _Tail}

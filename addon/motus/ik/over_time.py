@@ -1,14 +1,12 @@
 """Where the bones of a chain are at any times, for systems that need their past: the solver is asked for each time."""
 
-import functools
-
 from mathutils import Matrix
 
 from ..core import deleted, entry_keys, rigs
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.question import answered
-from ..core.tracks.rig_inputs import RigInputs, SolvedBone, once
+from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
 from ..core.tracks.strips import together
 from . import groups, reading
 from .goals import places as goal_places
@@ -19,55 +17,73 @@ NUMBERS = (*reading.ANIMATED, "chain_length", "bend", "target_blend", "is_muted"
 
 def over_time(owner, thing, scene):
     """System.over_time; None for what is no bone of a chain, or keeps its scale while others are stretched."""
-    surveyed = answered((hash(owner), "ik"), lambda: groups.survey(owner))
-    found = next((one for one in surveyed if thing.name in one.chain.driven), None)
-    if found is None or (found.stretches and thing.name not in found.chain.bones):
+    surveyed = kept(owner, ("ik", "survey"), lambda: _survey(owner))
+    index, *found = next((one for one in surveyed if thing.name in one[1].driven), (-1,))
+    if index < 0 or (found[1] and thing.name not in found[0].bones):
         return None
-    return OverTime(owner, found, thing.name, scene)
+    entry = owner.motus.ik.entries[index]
+    solved = answered((hash(owner), "ik", index, hash(scene)), lambda: _Chain(owner, groups.Found(entry, *found), index, scene))
+    return OverTime(solved, thing.name)
+
+
+def _survey(owner):
+    """(index of the entry, chain, stretches, guards) of all that are solved."""
+    entries = owner.motus.ik.entries
+    return [(entries.find(found.entry.name), *found[1:]) for found in groups.survey(owner)]
 
 
 class OverTime(SolvedBone):
-    """A bone of a chain; see core/tracks/solved.py. Both original or both evaluated."""
+    """A bone of a chain; see core/tracks/solved.py. Original or evaluated."""
 
-    def __init__(self, owner, found, bone, scene):
-        self._owner, self._found, self._bone = owner, found, bone
-        entry, chain = found.entry, found.chain
-        parent = owner.data.bones[chain.bones[0]].parent
-        entries = owner.motus.ik.entries
-        prefix = entry_keys.animated_prefix(owner, "motus.ik.entries", entries, entries.find(entry.name))
-        settings = {name: (prefix + name, -1) for name in NUMBERS}
-        settings |= {axis: (f"{prefix}rotation_offset", axis) for axis in range(3)}
-        settings["influence"] = f"{owner.motus.ik.path_from_id()}.influence", -1
-        goals = [(entry.pole, entry.pole_bone), (entry.target, entry.target_bone),
-                 *((extra.object, extra.bone) for extra in entry.extra_targets)]
-        self._goals = list(map(_goal, goals))
-        super().__init__(RigInputs(owner, scene, chain.driven, parent.name if parent else "", self._goals, settings))
+    def __init__(self, chain, bone):
+        super().__init__(chain.inputs)
+        self._chain, self._bone = chain, bone
 
     @property
     def stamp(self):
         """As Channel.stamp."""
-        entry = self._found.entry
-        return together((self._bone, tuple(self._found.chain), entry.tolerance, entry.iterations, self._limits_stamp,
-                         tuple(goal is not None for goal in self._goals), self._inputs.stamp))
-
-    @property
-    def _limits_stamp(self):
-        bones = self._owner.pose.bones
-        return tuple(getattr(bones[name], f"{kind}_{letter}") for name in self._found.chain.bones for letter in "xyz"
-                     for kind in ("ik_min", "ik_max", "use_ik_limit", "lock_ik"))
+        return together((self._bone, self._chain.stamp))
 
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""
-        place, turns, factors = once(self._owner, ("ik", self._found.entry.name), times, lambda: self._solved(times))
+        place, turns, factors = self._chain.solved(times)
         row = place[self._bone]
         return transforms._replace(
             rotations=rotations.product(transforms.rotations, turns[:, row]), scales=transforms.scales * factors[:, row])
 
-    def _solved(self, times):
+
+class _Chain:
+    """What is solved of an entry: all its bones at once."""
+
+    def __init__(self, owner, found, index, scene):
+        self._owner, self._found, self._index = owner, found, index
+        entry, chain = found.entry, found.chain
+        parent = owner.data.bones[chain.bones[0]].parent
+        goals = [(entry.pole, entry.pole_bone), (entry.target, entry.target_bone),
+                 *((extra.object, extra.bone) for extra in entry.extra_targets)]
+        self._goals = list(map(_goal, goals))
+        self.inputs = RigInputs(
+            owner, scene, ("ik", index), chain.driven, parent.name if parent else "", self._goals, self._paths)
+
+    def _paths(self):
+        prefix = entry_keys.animated_prefix(self._owner, "motus.ik.entries", self._owner.motus.ik.entries, self._index)
+        paths = {name: (prefix + name, -1) for name in NUMBERS}
+        paths |= {axis: (f"{prefix}rotation_offset", axis) for axis in range(3)}
+        return paths | {"influence": ("motus.ik.influence", -1)}
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together((tuple(goal is not None for goal in self._goals), self.inputs.stamp))
+
+    def solved(self, times):
         """({bone: row}, rotations (n, rows, 4), scales (n, rows, 3)) of the chain's bones."""
+        return once(self._owner, ("ik", self._index), times, lambda: self._solved(times))
+
+    def _solved(self, times):
         wired, names = self._wired
         place = {names[row]: index for index, row in enumerate(wired.plan.rows)}
-        count, inputs = len(times), self._inputs
+        count, inputs = len(times), self.inputs
         turns, factors = np.zeros((count, len(place), 4)), np.ones((count, len(place), 3))
         turns[:, :, 0] = 1.0
         numbers = inputs.numbers(times)
@@ -85,7 +101,7 @@ class OverTime(SolvedBone):
                     poles[index:index + 1], limits=limits, rotations=turns[index], scales=factors[index])
         return place, turns, factors
 
-    @functools.cached_property
+    @property
     def _wired(self):
         """(Wired of the entry alone, names of the rig's bones)."""
         owner = self._owner

@@ -80,11 +80,12 @@ def test_a_property_from_its_menu_to_the_list():
     yield
     with window_support.override():
         bpy.ops.motus.dynamics_add(object="Ball", data_path=offered[0], style='BOUNCY')
-        bpy.ops.motus.dynamics_add(object="Ball", style='FLOPPY')
+        bpy.ops.motus.dynamics_add(object="Ball", style='FLOPPY', channels={'LOCATION'})
     drawn = yield from window_support.open_tab("Motus")
     assert "MOTUS_PT_dynamics_motion" in drawn, drawn
     for index, name in enumerate(("property", "object")):
         ball.motus.dynamics.active_entry = index
+        window_support.draw_all()
         yield
         yield from window_support.picture(f"dynamics_list_{name}")
     button = support.addon("dynamics.setup").label(ball.motus.dynamics.entries[0])

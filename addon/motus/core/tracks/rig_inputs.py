@@ -4,7 +4,7 @@ import functools
 
 from .. import copies
 from ..lazy import numpy as np
-from . import keys
+from . import keys, strips
 from .animation import Channel
 from .question import answered
 from .strips import together
@@ -12,30 +12,42 @@ from .transforms import Own, World
 
 
 class RigInputs:
-    """Of a rig, original or evaluated.
+    """Of a rig, original or evaluated. name: of what is solved from them, hashable.
 
     bones: names of those whose own transforms are read. above: name of the bone that they hang on, "" for none. goals:
-    (object, bone or "") whose world matrices are read, None where there is none. settings: data paths of numbers of the
+    (object, bone or "") whose world matrices are read, None where there is none. settings(): data paths of numbers of the
     rig, by any names, with an index for a number of an array: (path, index).
     """
 
-    def __init__(self, rig, scene, bones, above, goals, settings):
-        self._rig, self._scene = rig, scene
-        self.own = {name: Own(rig.pose.bones[name]) for name in bones}
-        self._above = above
+    def __init__(self, rig, scene, name, bones, above, goals, settings):
+        self._rig, self._name, self._bones, self._above, self._paths = rig, name, bones, above, settings
         self._hung = World(rig.pose.bones[above] if above else rig, scene)
         self._world = World(rig, scene)
         self._goals = [goal and World(goal[0].pose.bones[goal[1]] if goal[1] else goal[0], scene) for goal in goals]
-        self.settings = {name: Channel(rig, path, index) for name, (path, index) in settings.items()}
+
+    @functools.cached_property
+    def own(self):
+        """{name: Own} of the bones."""
+        return {name: Own(self._rig.pose.bones[name]) for name in self._bones}
+
+    @functools.cached_property
+    def settings(self):
+        """{name: Channel} of the settings."""
+        return {name: Channel(self._rig, path, index) for name, (path, index) in self._paths().items()}
+
+    @property
+    def _others(self):
+        return [self._hung, *filter(None, self._goals)]
 
     @property
     def _parts(self):
-        return [*self.settings.values(), *self.own.values(), self._hung, *filter(None, self._goals)]
+        return [*self.settings.values(), *self.own.values(), *self._others]
 
     @functools.cached_property
     def reason(self):
         """As Channel.reason."""
-        return next((part.reason for part in self._parts if part.reason), None)
+        mine = kept(self._rig, (*self._name, "reason"), lambda: _first_reason([*self.settings.values(), *self.own.values()]))
+        return mine or _first_reason(self._others)
 
     def bounds(self, first, last):
         """As Channel.bounds(): at each frame as well, since what is solved is smooth between keys alone where they are few."""
@@ -49,7 +61,7 @@ class RigInputs:
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return together((copies.number_of(self._rig.data) or None, *(part.stamp for part in self._parts)))
+        return together((stamp_of(self._rig), *(part.stamp for part in self._others)))
 
     def numbers(self, times):
         """{name: (n,)} of the settings."""
@@ -107,3 +119,25 @@ def columns(matrices, count):
 def once(rig, name, times, make):
     """What make() gives for a rig and times: bones that are solved together are asked for one by one."""
     return answered((hash(rig), name, times.tobytes()), make)
+
+
+def stamp_of(rig):
+    """As Channel.stamp, of all that a rig and its bones themselves are, but for drivers: settings, keys and rest pose."""
+    copy = copies.of(rig) if rig.is_evaluated else None
+    return together((copy and copy.number, strips.stamp_of(rig.animation_data), copies.number_of(rig.data) or None))
+
+
+def kept(rig, name, make):
+    """What make() gives of these, no references to Blender's data, until they change; made anew where nobody can tell."""
+    stamp = stamp_of(rig)
+    if stamp is None:
+        return make()
+    known = copies.of(rig).found
+    found = known.get(name)
+    if found is None or found[0] != stamp:
+        found = known[name] = stamp, make()
+    return found[1]
+
+
+def _first_reason(parts):
+    return next((part.reason for part in parts if part.reason), None)
