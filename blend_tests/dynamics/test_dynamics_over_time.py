@@ -51,3 +51,10 @@ class DynamicsOverTime(solved_cases.Solved, support.SceneTestCase):
         entries = cases.add(rig, bones="Tail 0 0", style='FLOPPY')
         entries[0].keyframe_insert("weight", frame=1)
         self.assertUnknown(rig.pose.bones["Tail 0 1"], "by a part alone")
+
+    def test_bones_between_those_that_follow(self):
+        rig = cases.rope(3)
+        cases.add(rig, bones="Tail 0 0, Tail 0 2")
+        self.assertSolved(rig.pose.bones["Tail 0 2"], 2e-5)
+        rig.pose.bones["Tail 0 1"].constraints.new('DAMPED_TRACK').target = cases.moved("Target")
+        self.assertUnknown(rig.pose.bones["Tail 0 2"], "Tail 0 1 has the constraint")

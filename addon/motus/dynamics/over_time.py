@@ -161,13 +161,16 @@ class _Tail(_OverTime):
         self._unit, self._input = unit, unit.input(scene)
         self._row = unit.things.index(bone)
         parent = owner.data.bones[unit.things[0].name].parent
-        read = {one.name: None for bone in unit.things for one in _down_to(bone, unit.things[0])}
+        read = {one.name: one for bone in unit.things for one in _down_to(bone, unit.things[0])}
+        self._between = [one for one in read.values() if one not in unit.things]
         self._rig = RigInputs(owner, scene, ("dynamics", unit.name), read, parent.name if parent else "", (), dict)
 
     @property
     def reason(self):
         """As Channel.reason."""
-        return super().reason or self._rig.reason
+        # Bones between those that follow count by their own transforms.
+        held = next(filter(None, map(inputs.transforms.constrained, self._between)), None)
+        return held or super().reason or self._rig.reason
 
     def _channels(self):
         settings = self._owner.motus.dynamics

@@ -293,7 +293,7 @@ class _Link:
     def _of_object(self):
         if self._object.rigid_body:
             return Reason(Reason.PHYSICS, thing=self._object.name)
-        return self.solved.reason if self.solved else _constrained(self._object)
+        return self.solved.reason if self.solved else constrained(self._object)
 
     @functools.cached_property
     def solved(self):
@@ -305,7 +305,7 @@ class _Link:
             return None
         for bone in self._bones:
             turning = self._turning.get(bone.name)
-            found = turning.reason if turning else _constrained(bone, self._beneath)
+            found = turning.reason if turning else constrained(bone, self._beneath)
             if found:
                 return found
         names = {bone.name for bone in self._bones}
@@ -379,7 +379,7 @@ def _numbers(matrix):
     return tuple(map(tuple, matrix))
 
 
-def _constrained(thing, beneath=None):
+def constrained(thing, beneath=None):
     """Why a constraint makes it unknown; None without one that acts. beneath: a System whose sinks do not count."""
     for constraint in thing.constraints:
         if not constraint.mute and not (beneath and wiring.is_sink(beneath, constraint)):
