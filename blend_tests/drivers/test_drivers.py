@@ -246,6 +246,17 @@ class FollowedKeys(DriverTestCase):
         curve.update()
         self.assertAlmostEqual(self.value(45), self.wanted(45, numbers), delta=5e-3)
 
+    def test_two_properties_that_follow_each_other(self):
+        """Both follow keys, which no driver sets: there is no loop."""
+        for frame, value in ((1, 0.0), (20, 2.0)):
+            self.cube.location.y = value
+            self.cube.keyframe_insert("location", index=1, frame=frame)
+        for index, source in ((0, 1), (1, 0)):
+            bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=index, function='SECOND_ORDER',
+                                     source="location", source_index=source)
+        self.assertAlmostEqual(self.value(45, index=1), self.wanted(45, (1.0, 0.5, 0.0)), delta=2e-3)
+        self.assertAlmostEqual(self.value(5000), 2.0, places=4)
+
     def test_far_frames_and_frame_rates(self):
         bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=0, function='SECOND_ORDER')
         late = self.value(5000)

@@ -80,11 +80,11 @@ def draw_native_status(layout):
     return False
 
 
-def draw_problem(layout, context, system, owner):
-    """The solver's sentence on this owner, if it has one; returns its Problem."""
+def draw_problem(layout, context, system, owner, tell=None):
+    """The solver's sentence on this owner, if it has one; returns its Problem. tell(problem): the sentence, in other words."""
     problem = wiring.problem(system, owner, context.view_layer.depsgraph)
     if problem:
-        draw_message(layout, problem.sentence, 'ERROR' if problem.blocking else 'INFO')
+        draw_message(layout, tell(problem) if tell else problem.sentence, 'ERROR' if problem.blocking else 'INFO')
     return problem
 
 

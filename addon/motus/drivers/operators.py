@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import capabilities, datablocks
+from ..core import capabilities, datablocks, hovered
 from ..core.operators import Operator
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr
@@ -33,10 +33,10 @@ class _OnProperty(datablocks.OfADatablock):
 
     def take_hovered(self, context):
         """Note the property under the mouse in words, by which the redo panel finds it again; whether there is one."""
-        hovered = None if self.data_path else places.hovered(context)
-        if hovered is None:
+        found = None if self.data_path else hovered.find(context)
+        if found is None:
             return bool(self.data_path)
-        datablock, path, self.index = hovered
+        datablock, path, self.index = found
         datablock, self.data_path = datablocks.named_by(datablock, path)
         self.datablock, self.collection = datablock.name, datablocks.collection_of(datablock)
         return True

@@ -171,37 +171,6 @@ def type_of(datablock):
     return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
 
 
-def hovered(context, is_drawing=False):
-    """(datablock, data path, index) of the property under the mouse, or whose menu is open; None without one.
-
-    is_drawing: while a menu is drawn 3.4 tells no index.
-    """
-    if hasattr(context, "property"):  # from 4.0 on
-        return context.property
-    struct, prop = getattr(context, "button_pointer", None), getattr(context, "button_prop", None)
-    if struct is None or prop is None or struct.id_data is None:
-        return None
-    try:
-        path = prop.identifier if struct == struct.id_data else struct.path_from_id(prop.identifier)
-    except ValueError:
-        return None
-    return struct.id_data, path, _hovered_index(context) if getattr(prop, "is_array", False) and not is_drawing else -1
-
-
-def _hovered_index(context):
-    """Which component of an array is meant; only the path that Blender copies tells."""
-    manager = context.window_manager
-    before = manager.clipboard
-    try:
-        if not bpy.ops.ui.copy_data_path_button.poll():
-            return -1
-        bpy.ops.ui.copy_data_path_button(full_path=True)
-        found = _INDEX.search(manager.clipboard)
-    finally:
-        manager.clipboard = before
-    return int(found[1]) if found else -1
-
-
 @dataclass(frozen=True)
 class Found:
     """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array.

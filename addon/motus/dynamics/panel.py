@@ -5,9 +5,9 @@ import bpy
 from ..core import graph, native, panels, tracks, ui
 from ..core.lazy import numpy as np
 from ..core.translations import OWN_SENSE, tr
-from . import filters, presets, rows
+from . import filters, presets, rows, told
 from .groups import units
-from .setup import active_entry, system
+from .setup import active_entry, label, system
 
 POINTS = 256  # of the graph
 BEFORE = 0.06  # of its width: before the step
@@ -24,8 +24,8 @@ def draw_main(layout, context):
     _, remove, _ = ui.draw_list(layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry",
                                 "motus.dynamics_add", "motus.dynamics_remove", rows=2)
     entry = active_entry(owner)
-    remove.object, remove.bones = owner.name, entry.name if entry else ""
-    ui.draw_problem(layout, context, system(), owner)
+    remove.object, remove.only_active = owner.name, True
+    ui.draw_problem(layout, context, system(), owner, lambda problem: told.sentence(owner, problem, context.scene))
     if entry:
         column = ui.split(layout)
         rows.FOLLOW.draw(column, entry)
@@ -68,7 +68,7 @@ def draw_loop(layout, context):
         return
     rows.LOOP.draw(ui.split(layout), entry)
     button = layout.operator("motus.dynamics_loop", icon='FILE_REFRESH')
-    button.object, button.bones = context.object.name, entry.name
+    button.object, button.only_active = context.object.name, True
 
 
 def _draw_loop_switch(layout, context):
@@ -86,6 +86,10 @@ def draw_input(layout, context):
     source = input_of(context.object, entry, context.scene)
     if source is None:
         ui.draw_message(layout, tr("{object} has no bone {bone}").format(object=context.object.name, bone=entry.name), 'ERROR')
+        return
+    if not source.tracks:
+        ui.draw_message(
+            layout, tr("{object} has no number {path}").format(object=context.object.name, path=entry.data_path), 'ERROR')
         return
     if source.reason is not None:
         ui.draw_message(layout, source.reason.sentence, 'ERROR')
@@ -126,9 +130,9 @@ class MOTUS_UL_dynamics_entries(bpy.types.UIList):
     def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
         row = layout.row(align=True)
         row.active = not entry.is_muted
-        name, icon = (entry.name, 'BONE_DATA') if entry.name else (entry.id_data.name, 'OBJECT_DATA')
+        icon = 'FCURVE' if entry.data_path else 'BONE_DATA' if entry.name else 'OBJECT_DATA'
         columns = row.split(factor=0.65, align=True)  # a narrow sidebar has room for the name all the same
-        columns.label(text=name, icon=icon, translate=False)
+        columns.label(text=label(entry), icon=icon, translate=False)
         columns.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 from dynamics import dynamics_cases as cases
 import support
-from window import window_support
+from window import properties_editor, window_support
 
 
 def build():
@@ -104,3 +104,36 @@ def test_what_stands_still_is_said():
         assert "Exact at any frame" in said, said
     finally:
         ui.draw_message = draw
+
+
+def test_a_property_from_its_menu_to_the_list():
+    ball = build()
+    bpy.ops.motus.dynamics_remove(object="Ball")
+    cases.key(ball, "rotation_euler", {1: (0.0, 0.0, 0.0), 20: (0.0, 0.0, 1.0)})
+    yield
+    found = yield from properties_editor.hover("rotation_euler")
+    assert found, "the editor shows no rotation"
+    targets, offered = support.addon("dynamics.targets"), []
+    as_it_is = targets.path_from
+    targets.path_from = lambda *arguments: offered.append(as_it_is(*arguments)) or offered[-1]
+    try:
+        window_support.press('RIGHTMOUSE', *found)
+        yield from window_support.until(lambda: offered)
+        yield from window_support.picture("dynamics_menu")
+    finally:
+        targets.path_from = as_it_is
+    assert offered[0] == "rotation_euler", offered
+    window_support.press('ESC', *found)
+    yield
+    with window_support.override():
+        bpy.ops.motus.dynamics_add(object="Ball", data_path=offered[0], style='BOUNCY')
+        bpy.ops.motus.dynamics_add(object="Ball", style='FLOPPY', channels={'LOCATION'})
+    drawn = yield from window_support.open_tab("Motus")
+    assert "MOTUS_PT_dynamics_motion" in drawn, drawn
+    for index, name in enumerate(("property", "object")):
+        ball.motus.dynamics.active_entry = index
+        window_support.draw_all()
+        yield
+        yield from window_support.picture(f"dynamics_list_{name}")
+    button = support.addon("dynamics.setup").label(ball.motus.dynamics.entries[0])
+    assert button == ball.bl_rna.properties["rotation_euler"].name, button

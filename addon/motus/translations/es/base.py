@@ -88,6 +88,8 @@ INTERFACE = {
     "Tangents": "Tangentes",
     "Draw the tangent at equal distances": "Dibujar la tangente a distancias iguales",
     "Frames": "Fotogramas",
+    "frame {frames}": "el fotograma {frames}",
+    "frames {frames}": "los fotogramas {frames}",
     "Path Frames": "Orientaciones",
     "Offset": "Desplazamiento",
     "Draw the orientation at equal distances": "Dibujar la orientación a distancias iguales",
