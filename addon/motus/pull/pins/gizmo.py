@@ -12,7 +12,6 @@ RADIUS = 5.0
 """Pixels, at the interface's normal size."""
 ACTIVE_RADIUS = 7.0
 RIM = 1.5
-CORNERS = 16
 PULLING, RESTING, BROKEN = (0.95, 0.95, 1.0, 0.9), (0.6, 0.6, 0.65, 0.6), (0.95, 0.25, 0.3, 0.9)
 ACTIVE = (1.0, 0.56, 0.16, 1.0)
 LIT = 0.35
@@ -57,22 +56,12 @@ class MOTUS_GT_pins(bpy.types.Gizmo):
         colors[hovered] += LIT * (1.0 - colors[hovered])
         gpu.state.blend_set('ALPHA')
         rims = np.tile(RIM_COLOR, (len(places), 1))
-        _discs(places[is_before], radii[is_before] + RIM * scale, rims[is_before])
-        _discs(places[is_before], radii[is_before], colors[is_before])
+        drawing.discs(places[is_before], radii[is_before] + RIM * scale, rims[is_before])
+        drawing.discs(places[is_before], radii[is_before], colors[is_before])
         for row in np.flatnonzero(hovered & is_before):
             x, y = places[row] + (1.5 * ACTIVE_RADIUS * scale, ACTIVE_RADIUS * scale)
             drawing.text([obj.motus.pull.pins[int(shown.indices[row])].name], x, y, scale)
         gpu.state.blend_set('NONE')
-
-
-def _discs(places, radii, colors):
-    """Discs about places (n, 2) of the region."""
-    angles = np.linspace(0.0, 2.0 * np.pi, CORNERS, endpoint=False)
-    corners = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    points = (places[:, None, :] + radii[:, None, None] * corners).reshape(-1, 2)
-    fan = np.array([(0, corner, corner + 1) for corner in range(1, CORNERS - 1)])
-    triangles = (CORNERS * np.arange(len(places))[:, None, None] + fan).reshape(-1, 3)
-    drawing.triangles(points, np.repeat(colors, CORNERS, axis=0), triangles)
 
 
 class MOTUS_GGT_pins(bpy.types.GizmoGroup):

@@ -1,0 +1,72 @@
+"""The handles of the active emitter in the viewport: drawn and picked all at once, by one gizmo."""
+
+import bpy
+
+from ..core import drawing, native, overlay
+from ..core.translations import tr
+from . import dragging, handles
+from .build import is_emitter, system
+
+RADIUS = 5.0
+"""Pixels, at the interface's normal size."""
+RIM = 1.5
+COLOR, LIT, RIM_COLOR = (0.55, 0.80, 1.0, 0.95), (1.0, 0.75, 0.35, 1.0), (0.05, 0.05, 0.08, 0.85)
+
+
+class MOTUS_GT_snow(bpy.types.Gizmo):
+    bl_idname = "MOTUS_GT_snow"
+    __slots__ = ("hovered",)
+
+    def setup(self):
+        self.hovered = ""
+
+    def test_select(self, context, location):
+        near = handles.NEAR * context.preferences.system.ui_scale
+        found = dragging.pick(context.object, context.region, context.region_data.perspective_matrix, location, near)
+        setting = found[0] if found else ""
+        if setting != self.hovered:
+            self.hovered = setting
+            context.area.tag_redraw()
+        return 0 if found else -1
+
+    def draw(self, context):
+        import gpu
+
+        emitter, region, matrix = context.object, context.region, context.region_data.perspective_matrix
+        scale = context.preferences.system.ui_scale
+        gpu.state.blend_set('ALPHA')
+        for setting, point in zip(*dragging.places(emitter)):
+            seen = drawing.project(matrix, point[None])
+            if seen is None:
+                continue
+            place = (seen[0] + 1.0) * (region.width / 2.0, region.height / 2.0)
+            is_hovered = self.is_highlight and setting == self.hovered
+            drawing.discs([place, place], [(RADIUS + RIM) * scale, RADIUS * scale],
+                          [RIM_COLOR, LIT if is_hovered else COLOR])
+            if is_hovered:
+                drawing.text([tr(emitter.motus.snow.bl_rna.properties[setting].name)], *(place + 1.5 * RADIUS * scale), scale)
+        gpu.state.blend_set('NONE')
+
+
+class MOTUS_GGT_snow(bpy.types.GizmoGroup):
+    bl_idname = "MOTUS_GGT_snow"
+    bl_label = "Emitter of Snow"
+    bl_space_type = 'VIEW_3D'
+    bl_region_type = 'WINDOW'
+    bl_options = {'PERSISTENT', 'SHOW_MODAL_ALL'}
+
+    @classmethod
+    def poll(cls, context):
+        obj, space = context.object, context.space_data
+        if native.module is None or obj is None or context.mode != 'OBJECT' or not space.show_gizmo:
+            return False
+        return is_emitter(obj) and obj.library is None and overlay.is_shown(context, system()) and obj.visible_get()
+
+    def setup(self, _context):
+        made = self.gizmos.new(MOTUS_GT_snow.bl_idname)
+        made.target_set_operator(dragging.MOTUS_OT_snow_drag.bl_idname)
+        made.use_draw_modal = True
+        made.use_tooltip = False
+
+
+classes = (*dragging.classes, MOTUS_GT_snow, MOTUS_GGT_snow)
