@@ -28,7 +28,8 @@ def _goes(obj, scene):
     if obj.animation_data is None and obj.parent is None and not obj.constraints and obj.rigid_body is None:
         return False
     track = births.track(obj, scene)
-    return not track.is_known or track.extent is not None
+    # A single key moves nothing.
+    return not track.is_known or track.extent is not None and track.extent[0] != track.extent[1]
 
 
 def _is_animated(data):

@@ -36,10 +36,8 @@ INTERFACE = {
     "What flakes land on, as it was on one frame": "Aquello en que caen los copos, como estaba en un fotograma",
     "Recorded Frame": "Fotograma registrado",
     "On which the colliders were as flakes land on them": "En el que los obstáculos estaban como los copos los encuentran",
-    "Record Colliders": "Registrar obstáculos",
     "Keep what flakes land on as it is on this frame, in the file, whatever moves later":
         "Guarda en el archivo aquello en que caen los copos como está en este fotograma, se mueva lo que se mueva después",
-    "Clear Recorded Colliders": "Borrar obstáculos registrados",
     "Let flakes land on the colliders themselves again": "Los copos vuelven a caer sobre los propios obstáculos",
     "There is nothing with faces that flakes land on": "No hay nada con caras en que caigan los copos",
     "Nothing was recorded": "No hay nada registrado",
@@ -61,10 +59,8 @@ INTERFACE = {
     "Flakes come into being in the view of a perspective camera alone":
         "Los copos solo nacen en la vista de una cámara en perspectiva",
     "The scene has no camera": "La escena no tiene cámara",
-    "Snow in its View": "Nieve en su vista",
     "The wind is not known ahead, and blows on all frames as it does now: key it, or record it":
         "El viento no se conoce de antemano y sopla en todos los fotogramas como ahora: anímalo con claves o regístralo",
-    "Drag Emitter's Handle": "Arrastrar asa del emisor",
     "Set the size, the cone angle or the speed of an emitter by its handles":
         "Ajusta el tamaño, el ángulo del cono o la velocidad de un emisor con sus asas",
     "Half the width of the emitter": "La mitad del ancho del emisor",
@@ -76,7 +72,6 @@ INTERFACE = {
     "The emitter has no such handle": "El emisor no tiene esa asa",
     "Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels":
         "Pulsa el botón izquierdo sobre un asa del emisor y arrástrala; Esc o el botón derecho cancela",
-    "Emitter of Snow": "Emisor de nieve",
     "All Attributes": "Todos los atributos",
     "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, and bare points a turn":
         "Para nodos propios, los copos tienen también lo que Blender no necesita de ellos: las instancias velocidad y los "
@@ -260,6 +255,10 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Record Colliders": "Registrar obstáculos",
+    "Clear Recorded Colliders": "Borrar obstáculos registrados",
+    "Snow in its View": "Nieve en su vista",
+    "Drag Emitter's Handle": "Arrastrar asa del emisor",
     "Add Color": "Añadir color",
     "Add Snow": "Añadir nieve",
     "Add Snow Preset": "Añadir ajuste de nieve",
