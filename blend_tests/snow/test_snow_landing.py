@@ -1,13 +1,14 @@
 """What flakes land on: the ground, a mesh, the meshes of a collection; what moves, is recorded, or goes."""
 
 import os
+from unittest import mock
 
+import bmesh
 import bpy
 import numpy as np
 import support
-from mathutils import Vector
 
-from snow.snow_cases import SnowTestCase, flakes, go_to, key_places, native, state
+from snow.snow_cases import SnowTestCase, flakes, go_to, key_places, state
 
 SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
 FALLING = {"start_speed": 2.0, "lifetime": 4.0, "rate": 60.0}
@@ -162,6 +163,59 @@ class Collection(LandingCase):
         empty.location.z = 0.5
         bpy.context.view_layer.update()
         self.assertGreater(self.lying(emitter, 0.75), 60)
+
+    def test_edits_of_a_mesh(self):
+        board = self.board("Board", (0.0, 0.0, 0.0))
+        self.gathered(board)
+        emitter = self.add(colliders="Scenery")
+        go_to(100)
+
+        def lift(height):
+            board.data.vertices.foreach_set("co", [part for one in board.data.vertices for part in (*one.co[:2], height)])
+            board.data.update()
+
+        def one_by_one(height):
+            for one in board.data.vertices:
+                one.co.z = height
+
+        def in_edit_mode(height):
+            bpy.context.view_layer.objects.active = board
+            bpy.ops.object.mode_set(mode='EDIT')
+            mesh = bmesh.from_edit_mesh(board.data)
+            for one in mesh.verts:
+                one.co.z = height
+            bmesh.update_edit_mesh(board.data)
+            bpy.ops.object.mode_set(mode='OBJECT')
+
+        def other_mesh(height):
+            kept, board.data = board.data, board.data.copy()
+            lift(height)
+            bpy.data.meshes.remove(kept)
+
+        for number, edit in enumerate((lift, one_by_one, in_edit_mode, other_mesh)):
+            with self.subTest(edit.__name__):
+                height = 0.25 + 0.25 * number
+                edit(height)
+                bpy.context.view_layer.update()
+                self.assertGreater(self.lying(emitter, height), 60)
+
+    def test_a_large_one_is_built_once(self):
+        side = 150
+        positions = [(0.03 * column - 2.2, 0.03 * row - 2.2, 0.5) for row in range(side) for column in range(side)]
+        faces = [(at, at + 1, at + side + 1, at + side) for at in range(side * (side - 1)) if at % side < side - 1]
+        self.gathered(self.mesh("Field", positions, faces))
+        emitter = self.add(colliders="Scenery")
+        flakes_of = support.addon("snow.flakes")
+        flakes_of.collider.cache_clear()
+        reading = mock.Mock(wraps=support.addon("snow.births")._read)
+        with mock.patch.object(support.addon("snow.births"), "_read", reading):
+            for frame in (60, 3, 100, 61):
+                go_to(frame)
+                emitter.motus.snow.friction += 0.01
+                bpy.context.view_layer.update()
+        self.assertGreater(self.lying(emitter, 0.5), 20)
+        self.assertEqual(flakes_of.collider.cache_info().misses, 1)
+        self.assertLessEqual(reading.call_count, 1)
 
     def test_a_file_that_is_opened_cold(self):
         self.gathered(self.board("Low", (1.0, 0.0, 0.5)), self.board("High", (-1.0, 0.0, 1.5)))

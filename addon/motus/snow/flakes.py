@@ -61,7 +61,8 @@ def numbers(settings):
         return TOO_MANY
     found = [(name, getattr(settings, name)) for name in _DIRECT]
     found += [("start_size", _size(settings)), ("shape", _SHAPES.get(settings.shape) or settings.shape.lower()),
-              ("wind", tuple(settings.wind)), ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops)))]
+              ("wind", tuple(settings.wind)),
+              ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops)))]
     if settings.use_ground:
         found.append(("ground", settings.ground))
     if settings.shape == 'CAMERA':

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import drawing, native, overlay
+from ..core import drawing, handle_groups
 from ..core.translations import tr
 from . import dragging, handles
 from .build import is_emitter, system
@@ -48,25 +48,17 @@ class MOTUS_GT_snow(bpy.types.Gizmo):
         gpu.state.blend_set('NONE')
 
 
-class MOTUS_GGT_snow(bpy.types.GizmoGroup):
+class MOTUS_GGT_snow(handle_groups.HandleGroup, bpy.types.GizmoGroup):
     bl_idname = "MOTUS_GGT_snow"
     bl_label = "Emitter of Snow"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'WINDOW'
-    bl_options = {'PERSISTENT', 'SHOW_MODAL_ALL'}
 
-    @classmethod
-    def poll(cls, context):
-        obj, space = context.object, context.space_data
-        if native.module is None or obj is None or context.mode != 'OBJECT' or not space.show_gizmo:
-            return False
-        return is_emitter(obj) and obj.library is None and overlay.is_shown(context, system()) and obj.visible_get()
+    gizmo, operator = MOTUS_GT_snow.bl_idname, dragging.MOTUS_OT_snow_drag.bl_idname
+    system = staticmethod(system)
 
-    def setup(self, _context):
-        made = self.gizmos.new(MOTUS_GT_snow.bl_idname)
-        made.target_set_operator(dragging.MOTUS_OT_snow_drag.bl_idname)
-        made.use_draw_modal = True
-        made.use_tooltip = False
+    @staticmethod
+    def is_owner(obj):
+        """Whether it snows, and may be edited."""
+        return is_emitter(obj) and obj.library is None
 
 
 classes = (*dragging.classes, MOTUS_GT_snow, MOTUS_GGT_snow)

@@ -446,7 +446,8 @@ Raises ValueError that names the argument, also where more than 1e7 flakes are b
         .def("find_landings", &find_landings, "time"_a, "most"_a, R"(
 Finds where flakes land of up to `most` blocks of 256 of those that live at `time`, s: some 3 ms a block. Returns how many
 blocks remain. evaluate() finds it for all.)")
-        .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), "known"_a = false, R"(
+        .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(),
+             "known"_a = false, R"(
 The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
 (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).
 

@@ -136,7 +136,7 @@ struct Run {
     const OwnNode* own_origin = nullptr;  ///< with offsets: their table's first node,
     const OwnNode* own_node = nullptr;    ///< and the one at u = 0 of a flake without offset
     const OwnAngles* own_angles = nullptr;
-    float unit = 1.0F;  ///< s
+    float unit = 1.0F;             ///< s
     std::array<Cubic, 3> drift{};  ///< gravity's and the wind's part of the way
     std::array<Cubic, 3> drift_velocity{};
     std::array<float, wave_count> phases{}, phase_changes{};  ///< at birth, at u = 0, and from there to u = 1

@@ -39,8 +39,7 @@ class Block {
           landings_(landings) {}
 
     /// Those of numbers from first to last, all in one block of block_size, as they land by its page.
-    void take(double time, std::uint64_t first, std::uint64_t last,
-              std::shared_ptr<const LandingPage> page) {
+    void take(double time, std::uint64_t first, std::uint64_t last, std::shared_ptr<const LandingPage> page) {
         count_ = 0;
         page_ = std::move(page);
         if (!page_ && landings_.are_any()) return;

@@ -1,5 +1,3 @@
-#include "motus/snow/snow.hpp"
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -10,6 +8,7 @@
 #include <vector>
 
 #include "flakes.hpp"
+#include "motus/snow/snow.hpp"
 
 using namespace motus;
 using namespace motus::snow;

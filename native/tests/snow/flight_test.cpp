@@ -1,5 +1,3 @@
-#include "motus/snow/snow.hpp"
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -12,6 +10,7 @@
 
 #include "flakes.hpp"
 #include "motus/noise/noise.hpp"
+#include "motus/snow/snow.hpp"
 
 using namespace motus;
 using namespace motus::snow;

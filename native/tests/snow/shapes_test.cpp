@@ -1,5 +1,3 @@
-#include "motus/snow/snow.hpp"
-
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "flakes.hpp"
+#include "motus/snow/snow.hpp"
 #include "random.hpp"
 
 using namespace motus;

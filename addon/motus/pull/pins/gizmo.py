@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core import drawing, native, overlay
+from ...core import drawing, handle_groups
 from ...core.lazy import numpy as np
 from ..window import hover
 from . import handles, setup
@@ -64,28 +64,17 @@ class MOTUS_GT_pins(bpy.types.Gizmo):
         gpu.state.blend_set('NONE')
 
 
-class MOTUS_GGT_pins(bpy.types.GizmoGroup):
+class MOTUS_GGT_pins(handle_groups.HandleGroup, bpy.types.GizmoGroup):
     bl_idname = "MOTUS_GGT_pins"
     bl_label = "Pins"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'WINDOW'
-    bl_options = {'PERSISTENT', 'SHOW_MODAL_ALL'}
 
-    @classmethod
-    def poll(cls, context):
-        obj, space = context.object, context.space_data
-        if native.module is None or obj is None or context.mode != 'OBJECT' or not space.show_gizmo:
-            return False
-        # To ask an object for its settings gives it some.
-        if obj.type != 'MESH' or not obj.is_property_set("motus") or not obj.motus.pull.is_active:
-            return False
-        return overlay.is_shown(context, setup.system()) and obj.visible_get()
+    gizmo, operator = MOTUS_GT_pins.bl_idname, MOTUS_OT_pin_drag.bl_idname
+    system = staticmethod(setup.system)
 
-    def setup(self, _context):
-        made = self.gizmos.new(MOTUS_GT_pins.bl_idname)
-        made.target_set_operator(MOTUS_OT_pin_drag.bl_idname)
-        made.use_draw_modal = True
-        made.use_tooltip = False  # it would cover the pin's name
+    @staticmethod
+    def is_owner(obj):
+        """Whether it has pins."""
+        return obj.type == 'MESH' and obj.motus.pull.is_active
 
 
 classes = (MOTUS_GT_pins, MOTUS_GGT_pins)
