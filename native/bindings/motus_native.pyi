@@ -626,7 +626,10 @@ class Snow:
         fields: Sequence[_FlakeField] | None = None,  # None: those in out, or all
         # C-contiguous, m rows or more, written into; or a function of m that gives them
         out: dict[str, NDArray] | Callable[[int], dict[str, NDArray]] | None = None,
+        known: bool = False,  # without those of which nobody has found yet where they land
     ) -> dict[str, NDArray]: ...
+    # Of up to `most` blocks of 256 flakes; how many blocks remain.
+    def find_landings(self, time: float, most: int) -> int: ...
     # By time: float64 time (n,), int64 id (n,), float32 position (n, 3), int64 triangle (n,), -1 for the ground.
     def landings(self, end: float) -> dict[str, NDArray]: ...
 

@@ -262,10 +262,7 @@ void Flight::fill(double time, const double* ages, const std::uint32_t* lows, st
             run_.phases[wave] = phase_at(course_.kind.waves[wave], time - run_.start);
             run_.phase_changes[wave] = static_cast<float>(-course_.kind.waves[wave].frequency * course_.step);
         }
-        if (course_.steering) {
-            run_.origin = &course_.steering->node(0);
-            run_.node = &course_.steering->node(static_cast<std::size_t>(interval));
-        }
+        if (course_.steering) course_.steering->set(static_cast<std::size_t>(interval), run_);
         course_.kernel->fill(course_.kind, run_, scratch_.data());
     });
 }

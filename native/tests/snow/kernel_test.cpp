@@ -26,6 +26,12 @@ struct Sample {
             for (double& one : node.slope) one = random.between(-2.0, 2.0);
             node.angle = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
         }
+        for (OwnNode& node : own_nodes) {
+            for (std::int32_t& one : node.integral)
+                one = static_cast<std::int32_t>(random.below(1U << 30U)) - (1 << 29);
+            for (float& one : node.slope) one = any();
+        }
+        for (OwnAngles& angles : own_angles) angles = {{any(), any()}, {any(), any()}};
         places = {0.0F, 0.3F, 0.3F};
         scales = {1.0F / 0.3F, 1e30F, 1.0F / 0.7F};
         changes.resize(places.size());
@@ -56,7 +62,7 @@ struct Sample {
         kind.changes = changes;
         kind.snow = random.chance(0.7);
         kind.snow_offsets = random.chance(0.5);
-        kind.offset_count = static_cast<float>(nodes.size() - 2);
+        kind.offset_count = static_cast<float>(own_nodes.size() - 2);
         kind.tumble = random.chance(0.5) ? 1.0F : 0.0F;
 
         kind.is_turbulent = random.chance(0.5);
@@ -86,7 +92,11 @@ struct Sample {
         for (Cubic& c : run.drift_velocity) number(c);
         for (float& phase : run.phases) phase = any();
         for (float& change : run.phase_changes) change = any();
-        run.origin = run.node = nodes.data();
+        run.node = nodes.data();
+        run.own_origin = own_nodes.data();
+        run.own_node = own_nodes.data() + 1;
+        run.own_angles = own_angles.data();
+        run.unit = 0x1p-28F;
     }
 
     [[nodiscard]] std::vector<float> filled(const Kernel& kernel) {
@@ -107,7 +117,9 @@ struct Sample {
     std::vector<double> ages = std::vector<double>(block_size);
     std::vector<std::uint32_t> lows = std::vector<std::uint32_t>(block_size);
     std::vector<Facet> facets = std::vector<Facet>(7);
-    std::vector<Node> nodes = std::vector<Node>(40);
+    std::vector<Node> nodes = std::vector<Node>(2);
+    std::vector<OwnNode> own_nodes = std::vector<OwnNode>(40);
+    std::vector<OwnAngles> own_angles = std::vector<OwnAngles>(40);
     std::vector<float> places, scales;
     std::vector<std::array<float, 4>> changes;
     Kind kind;
