@@ -103,6 +103,8 @@ class Functions(DriverTestCase):
         driver = self.cube.driver_add("location", 0).driver
         for bad, rest in (("motus_pendulum(frame, 0.5, 0)", 0.5), ("motus_pendulum(frame, 0.5, -2)", 0.5),
                           ("motus_pendulum(frame, 0.25, 'a')", 0.25), ("motus_pendulum(frame, 1e400, 1)", 0.0),
+                          ("motus_pendulum(frame, 0.5, 1, 1.7e308, 1e-10)", 0.5), ("motus_pendulum(frame, 0.5, 5e-324)", 0.5),
+                          ("motus_pendulum(frame * 1e6, 0.5, 1, 0, 9.81, 1e4)", 0.5),
                           ("motus_double_pendulum(frame, 7, 0.5, 0.5)", 0.0),
                           ("motus_double_pendulum(frame * 1e12, 1, 2, 0.75)", 0.75),
                           ("motus_ease(frame, 10, 5, 0.9, 0.9)", 1.0), ("motus_ease(frame, 1, 50, 0.9, 0.9)", 0.0),
@@ -177,6 +179,7 @@ class Add(DriverTestCase):
                 ("Cube has no property", {"data_path": 'modifiers["Gone"].strength'}),
                 ("Cube has no property", {"data_path": "__class__.x"}),
                 ("name is no number", {"data_path": "name"}), ("parent is no number", {"data_path": "parent"}),
+                ("location.x is no number", {"data_path": "location.x"}), ("keys is no number", {"data_path": "keys"}),
                 ("matrix_world is no number", {"data_path": "matrix_world"}),
                 (r'\["word"\] is no number', {"data_path": '["word"]'}),
                 ("location has 3 components", {"data_path": "location", "index": 5}),

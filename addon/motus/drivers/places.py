@@ -143,8 +143,10 @@ def _size(struct, name, value):
         if isinstance(value, (int, float)):
             return 0
         return len(value) if getattr(value, "typecode", None) in {"d", "f", "i", "b"} else None
-    prop = struct.bl_rna.properties[name]
-    if prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
+    # Vectors have no properties of Blender's, and among its attributes are methods.
+    rna = getattr(struct, "bl_rna", None)
+    prop = rna and rna.properties.get(name)
+    if prop is None or prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
         return None
     return prop.array_length if prop.is_array else 0
 
