@@ -167,6 +167,18 @@ class Add(DriverTestCase):
         self.assertEqual([self.value(80, index=index) for index in range(3)], shown)
         self.refused("has no motion driver", bpy.ops.motus.driver_remove, datablock="Cube", data_path="location")
 
+    def test_removed_though_the_property_is_gone(self):
+        cube = self.cube
+        cube["gone"], cube["word"], cube["short"] = 1.0, 1.0, [1.0, 2.0, 3.0]
+        for path in ('["gone"]', '["word"]', '["short"]', "scale"):
+            bpy.ops.motus.driver_add(datablock="Cube", data_path=path, function='NOISE')
+        del cube["gone"]
+        cube["word"], cube["short"] = "a", [1.0]
+        bpy.ops.motus.driver_remove(datablock="Cube", data_path='["gone"]')
+        self.assertEqual(sorted({one.data_path for one in cube.animation_data.drivers}), ['["short"]', '["word"]', "scale"])
+        bpy.ops.motus.driver_remove(datablock="Cube")
+        self.assertFalse(cube.animation_data and cube.animation_data.drivers)
+
     def test_refused(self):
         self.cube.driver_add("location", 0).driver.expression = "frame"
         self.cube["word"] = "a"
