@@ -160,21 +160,20 @@ class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):
         return self.execute(context)
 
     def run(self, context):
-        found = [place for place in self._meant(context)
-                 if place.curve and expressions.names_ours(place.curve.driver.expression)]
-        if not found:
-            raise Refused(_has_none(self.data_path or self.id_data(context).name))
+        datablock = self.id_data(context)
+        check_local(datablock)
+        is_one = bool(self.data_path) or self.channel != places.BY_PATH
+        gone = [one for one in places.gone(datablock) if not is_one or one.path == self.data_path]
+        meant = self.properties_meant(context) if is_one and not gone else [] if is_one else places.there(datablock)
+        found = [place for place in meant if place.curve and expressions.names_ours(place.curve.driver.expression)]
+        if not found and not gone:
+            raise Refused(_has_none(self.data_path or datablock.name))
         depsgraph = context.evaluated_depsgraph_get()
         for place, value in [(place, place.evaluated(depsgraph)) for place in found]:
             place.remove()
             place.rest_at(value)
-
-    def _meant(self, context):
-        if self.data_path or self.channel != places.BY_PATH:
-            return self.properties_meant(context)
-        datablock = self.id_data(context)
-        check_local(datablock)
-        return [place for one in places.on(datablock) for place in places.find(datablock, one.path, one.index)]
+        for one in gone:
+            one.remove()
 
 
 def _has_none(name):

@@ -155,8 +155,10 @@ def _size(struct, name, value):
         if isinstance(value, (int, float)):
             return 0
         return len(value) if getattr(value, "typecode", None) in {"d", "f", "i", "b"} else None
-    prop = struct.bl_rna.properties[name]
-    if prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
+    # Vectors have no properties of Blender's, and among its attributes are methods.
+    rna = getattr(struct, "bl_rna", None)
+    prop = rna and rna.properties.get(name)
+    if prop is None or prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
         return None
     return prop.array_length if prop.is_array else 0
 
@@ -184,6 +186,17 @@ class Found:
     index: int
     expression: str
 
+    def remove(self):
+        """Take the driver away, whether its property is there or not."""
+        path = self.path if self.holder == self.datablock else self.path.partition(".")[2]
+        drivers = self.holder.animation_data.drivers
+        for curve in [curve for curve in drivers if curve.data_path == path and self.index in (-1, curve.array_index)]:
+            drivers.remove(curve)
+
+    def places(self):
+        """The Places that it drives. Raises Refused where the property is gone, or no number any more."""
+        return find(self.datablock, self.path, self.index)
+
 
 def of_object(obj):
     """The drivers of our functions on an object, its data, its shape keys and its materials."""
@@ -202,6 +215,25 @@ def on(datablock, within=""):
         if expressions.names_ours(curve.driver.expression):
             path = f"{within}.{curve.data_path}" if within else curve.data_path
             yield Found(datablock, holder, path, curve.array_index if _is_array(datablock, path) else -1, curve.driver.expression)
+
+
+def there(datablock):
+    """The Places on a datablock that our functions drive."""
+    return [place for one in on(datablock) if not _is_gone(one) for place in one.places()]
+
+
+def gone(datablock):
+    """The drivers of our functions on a datablock, or on the node tree in it, whose property is gone, or no number any more."""
+    withins = ("", "node_tree") if getattr(datablock, "node_tree", None) else ("",)
+    return [one for within in withins for one in on(datablock, within) if _is_gone(one)]
+
+
+def _is_gone(found):
+    try:
+        found.places()
+    except Refused:
+        return True
+    return False
 
 
 def _is_array(datablock, path):

@@ -33,7 +33,6 @@ PLAYS = (
 OTHER_ANGLES = math.radians(-70.0), math.radians(-170.0)
 APART = 1.25
 """Of the reach of both rods, between the edges of the demonstration's pendulums."""
-LARGEST_FAN = 500
 
 _has_look = is_one_of("take", 'NEW', 'ACTIVE')
 
@@ -158,8 +157,8 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
         for name in ("gravity", "damping"):
             if getattr(self, name) < 0.0:
                 raise Refused(tr("{keyword} must not be less than 0").format(keyword=name))
-        if not 1 <= self.count <= LARGEST_FAN:
-            raise Refused(tr("A fan has 1 to {count} pendulums").format(count=LARGEST_FAN))
+        if not 1 <= self.count <= parts.LARGEST_FAN:
+            raise Refused(tr("A fan has 1 to {count} pendulums").format(count=parts.LARGEST_FAN))
         return keywords
 
     def _report(self, context, pivots):

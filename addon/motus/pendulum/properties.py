@@ -114,8 +114,8 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
     kind: bpy.props.EnumProperty(
         name="Kind", description="How many rods there are", items=KINDS, options=set(), override=OVERRIDABLE)
     count: bpy.props.IntProperty(
-        name="Count", description="How many pendulums swing about the pivot", default=1, min=1, options=set(),
-        override=OVERRIDABLE)
+        name="Count", description="How many pendulums swing about the pivot", default=1, min=1,
+        max=parts.LARGEST_FAN, options=set(), override=OVERRIDABLE)
     rods: bpy.props.CollectionProperty(type=MOTUS_PG_pendulum_rod, name="Rods", override=EXTENDABLE)
     trail: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE)

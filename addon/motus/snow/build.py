@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Euler
 
-from ..core import wiring
+from ..core import datablocks, wiring
 from ..core.system import forget, registered
 from ..core.translations import tr
 from . import colliders, look
@@ -55,11 +55,4 @@ def remove(emitter, keeps_object):
     forget(system(), emitter)
     if not was_made or keeps_object:
         return
-    mesh = emitter.data
-    for child in list(emitter.children):
-        place = child.matrix_world.copy()
-        child.parent = None
-        child.matrix_world = place
-    bpy.data.objects.remove(emitter)
-    if mesh.users == 0:
-        bpy.data.meshes.remove(mesh)
+    datablocks.remove_objects([emitter])

@@ -1,12 +1,14 @@
 #include "kernel.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <vector>
 
+#include "motus/core/numeric.hpp"
 #include "random.hpp"
 
 using namespace motus;
@@ -151,6 +153,26 @@ TEST_CASE("all instruction sets give the same bits", "[snow]") {
             kernel->ages(1000.0, 0.25, 31.0, 12345678901U, block_size, ages.data());
             for (std::size_t i = 0; i < block_size; ++i)
                 CHECK(ages[i] == 1000.0 - (0.25 + static_cast<double>(12345678902U + i) / 31.0));
+        }
+    }
+}
+
+TEST_CASE("angles of any size give numbers, the same in all instruction sets", "[snow]") {
+    test::Random random(4);
+    for (int round = 0; round < 100; ++round) {
+        Sample sample(random);
+        const float size = std::pow(10.0F, random.between(6.0F, 20.0F));
+        for (Wave& wave : sample.kind.waves) {
+            for (float& one : wave.vector) one *= size;
+            wave.rate *= size;
+        }
+        for (Node& node : sample.nodes)
+            for (double& angle : node.angle) angle *= static_cast<double>(size);
+        const std::vector<float> wanted = sample.filled(base_kernel);
+        CHECK(are_finite(std::span<const float>(wanted)));
+        for (const Kernel* kernel : kernels()) {
+            CAPTURE(round, kernel->name);
+            CHECK(are_same(sample.filled(*kernel), wanted));
         }
     }
 }

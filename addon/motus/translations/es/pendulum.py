@@ -14,6 +14,7 @@ INTERFACE = {
     "A sixth of the weight": "Un sexto del peso",
     "A copy of a rod, or one without its pivot: it hangs on another pendulum":
         "Una copia de una varilla, o una sin su pivote: depende de otro péndulo",
+    "A fan has 1 to 500 pendulums": "Un abanico tiene de 1 a 500 péndulos",
     "A fan has 1 to {count} pendulums": "Un abanico tiene de 1 a {count} péndulos",
     "A fan, beside it one pendulum alone, and a third one with quite other angles":
         "Un abanico, a su lado un péndulo solo, y un tercero con ángulos muy distintos",
