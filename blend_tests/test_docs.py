@@ -101,7 +101,7 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual([curve.data_path for curve in lamp.data.animation_data.drivers], ["energy"])
 
     def test_the_scripted_example_snows(self):
-        scripted, = [code for code in examples(DOCS / "snow.md") if "bpy.ops.motus" in code and "snow_cover" not in code]
+        _, scripted = [code for code in examples(DOCS / "snow.md") if "motus.snow_add" in code and "snow_cover" not in code]
         seen = []
         scope = {"print": seen.append}
         before = set(bpy.data.objects)
@@ -117,6 +117,13 @@ class ExamplesTest(support.SceneTestCase):
         # 220 a second on 12 m x 12 m for some 10 seconds and 3.4 litres each: 5 cm, more or less.
         self.assertTrue(0.04 < seen[1] < 0.2, seen[1])
         self.assertGreater(seen[0], 3000)
+
+    def test_the_scripted_example_hands_flakes_on(self):
+        exported, _ = [code for code in examples(DOCS / "snow.md") if "motus.snow_add" in code and "snow_cover" not in code]
+        seen = []
+        exec(compile(exported, "snow.md", "exec"), {"print": seen.append})
+        # Some 450 flakes of 43 faces.
+        self.assertGreater(seen[0], 15000)
 
     def test_the_native_example_of_snow_runs(self):
         scope = self.run_native("snow.md")
@@ -228,7 +235,8 @@ SYSTEMS = ("path", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "p
 """Pages for artists, whose words in italics are labels of the interface."""
 OF_BLENDER = {
     "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",
-    "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer"}
+    "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer", "Render", "Output", "Placeholders", "Overwrite",
+    "Realize Instances"}
 NAMES = {"Motus Green Screen", "Motus Trail", "Motus Flake", "Motus Spark"}
 """What is no label: datablocks that are made."""
 

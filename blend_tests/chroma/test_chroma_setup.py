@@ -107,6 +107,62 @@ class SetUp(support.SceneTestCase):
         bpy.data.movieclips.load(path).name = "Clip"
         self.set_up(clip="Clip")
 
+    def sequence(self, numbers):
+        """Names of pictures of a sequence in the test's folder."""
+        names = [f"shot_{number:03d}.png" for number in numbers]
+        for name in names:
+            footage(self.folder, name=name)
+        footage(self.folder, name="another_007.png")
+        return names
+
+    def test_a_sequence_is_chosen(self):
+        names = self.sequence(range(7, 12))
+        self.set_up(directory=str(self.folder), files=[{"name": name} for name in reversed(names)])
+        scene = bpy.context.scene
+        node = compositor.node_of(scene, "Footage")
+        self.assertEqual((node.image.source, node.image.name), ('SEQUENCE', names[0]))
+        self.assertEqual((node.frame_duration, node.frame_start, node.frame_offset), (5, 1, 6))
+        self.assertEqual((scene.frame_start, scene.frame_end), (1, 5))
+        self.assertEqual((scene.render.resolution_x, scene.render.resolution_y), (60, 40))
+
+    def test_a_still_stays_one_beside_its_sequence(self):
+        names = self.sequence(range(1, 4))
+        still = bpy.data.images.load(str(self.folder / names[0]))
+        self.set_up(directory=str(self.folder), files=[{"name": name} for name in names])
+        self.assertEqual(still.source, 'FILE')
+        bpy.ops.motus.chroma_key_remove()
+        self.assertEqual([image.name for image in bpy.data.images if image.source == 'SEQUENCE'], [])
+
+    def test_a_sequence_of_the_file_is_named(self):
+        names = self.sequence(range(7, 10))
+        bpy.data.images.load(str(self.folder / names[0])).source = 'SEQUENCE'
+        self.set_up(clip=names[0])
+        self.assertEqual(compositor.node_of(bpy.context.scene, "Footage").frame_duration, 3)
+
+    def test_files_that_make_no_sequence(self):
+        names = self.sequence(range(1, 3))
+        files = [{"name": name} for name in (*names, "another_007.png")]
+        self.refused("numbered sequence", directory=str(self.folder), files=files)
+
+    def test_what_lies_underneath_can_be_changed(self):
+        key = self.set_up(clip=footage(self.folder))
+        scene = bpy.context.scene
+        chroma, before = scene.motus.chroma, state(scene)
+        source = key.inputs["Background"].links[0].from_node.name
+        self.assertEqual(chroma.underneath, 'RENDER')
+        for wanted in ('FOOTAGE', 'NOTHING', 'FOOTAGE', 'RENDER'):
+            chroma.underneath = wanted
+            self.assertEqual(chroma.underneath, wanted)
+            self.assertEqual(compositor.node_of(scene, "Background") is not None, wanted == 'FOOTAGE')
+            self.assertEqual(len(key.inputs["Background"].links), int(wanted != 'NOTHING'))
+        self.assertEqual(key.inputs["Background"].links[0].from_node.name, source)
+        self.assertEqual(state(scene), before)
+
+    def test_a_viewer_shows_what_comes_out(self):
+        key = self.set_up(clip=footage(self.folder))
+        viewer, = (node for node in compositor.tree_of(bpy.context.scene).nodes if node.bl_idname == "CompositorNodeViewer")
+        self.assertEqual(viewer.inputs["Image"].links[0].from_node, key)
+
     # --- what is there already ---------------------------------------------------------------------------------------
 
     def own_tree(self):
@@ -223,6 +279,19 @@ class SetUp(support.SceneTestCase):
         bpy.data.objects.remove(bpy.context.scene.motus.chroma.plane)
         self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
         self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+
+    def test_the_copy_of_a_scene_leaves_the_first_one_its_key(self):
+        scene = bpy.context.scene
+        scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        self.set_up(clip=footage(self.folder), use_plane=True)
+        before, plane = state(scene), scene.motus.chroma.plane
+        bpy.context.window.scene = scene.copy()
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.assertIsNone(compositor.key_of(bpy.context.scene))
+        bpy.data.scenes.remove(bpy.context.scene)
+        self.assertEqual((state(bpy.context.scene), scene.motus.chroma.plane), (before, plane))
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.assertEqual([obj.type for obj in bpy.data.objects], ['CAMERA'])
 
     # --- what is refused ---------------------------------------------------------------------------------------------
 

@@ -188,6 +188,32 @@ class Eyes(StereoTestCase):
             bpy.context.view_layer.update()
             self.assert_eyes(local(), 0.1, 6.0)
 
+    def test_a_budget_that_fits_the_screen(self):
+        """Comfortable, and the eyes no further apart than what is round."""
+        fit = support.addon("stereo.budget").parallaxes
+        seen = support.addon("stereo.lens").Lens(LENS, SENSOR, 16.0 / 9.0, 1.0)
+        screens = support.addon("stereo.screens").SIZES
+        for name, (width, away) in screens.items():
+            screen = {"width": width, "viewing_distance": away, "eye_separation": 0.065}
+            comfortable = native().comfortable_parallax(**screen)
+            for near, far in ((2.0, 40.0), (9.7, 12.0), (5.0, 5.005)):
+                found = [0.01 * one for one in fit(near, far, seen, screen)]
+                interaxial, distance = native().solve_depth_budget(near, far, *found, LENS, SENSOR)
+                roundness = native().roundness(
+                    distance, interaxial=interaxial, focal_length=LENS, sensor_width=SENSOR, convergence=distance, **screen)
+                with self.subTest(name, near=near, far=far):
+                    self.assertTrue(all(mine <= limit for mine, limit in zip(found, comfortable)), (found, comfortable))
+                    # Two decimals of a percent are the least that the settings show.
+                    self.assertTrue(roundness <= 1.001 or min(found) < 1.5e-4, (roundness, found))
+
+    def test_fit_to_screen(self):
+        square("Near", (0.0, 4.0, 0.0), 1.0)
+        square("Wall", (0.0, 20.0, 0.0), 60.0)
+        obj = self.add(convergence='BUDGET', near=4.0, far=20.0, near_parallax=3.0, far_parallax=3.0, screen='CINEMA')
+        self.assertEqual(bpy.ops.motus.stereo_fit(object=obj.name), {'FINISHED'})
+        self.assertLess(obj.motus.stereo.far_parallax, 0.55)
+        self.assertGreater(obj.motus.stereo.far_parallax, 0.01)
+
     def test_presets(self):
         obj = self.add(screen='CINEMA', interocular=0.08)
         again = self.keep_preset("stereo")
@@ -245,6 +271,19 @@ class Removal(StereoTestCase):
         self.assertTrue(bpy.context.scene.render.use_multiview)
         bpy.ops.motus.stereo_rig_remove(object="Other")
         self.assertFalse(bpy.context.scene.render.use_multiview)
+
+    def test_the_scene_that_the_rig_set_is_given_back(self):
+        scene = bpy.context.scene
+        self.add()
+        other = bpy.data.scenes.new("Other")
+        other.render.use_multiview = True
+        other.collection.objects.link(bpy.data.objects["Camera"])
+        bpy.context.window.scene = other
+        bpy.ops.motus.stereo_rig_remove(object="Camera")
+        self.assertTrue(other.render.use_multiview)
+        self.assertFalse(scene.render.use_multiview)
+        bpy.context.window.scene = scene
+        bpy.data.scenes.remove(other)
 
 
 class Refusals(StereoTestCase):

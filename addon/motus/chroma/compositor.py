@@ -5,10 +5,10 @@ import bpy
 from ..core import capabilities, node_groups
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import group
+from . import footage, group
 
-FOREGROUND, BACKGROUND, MASK = "Footage", "Background", "Garbage Mask"
-"""Names of the nodes that bring pictures and the mask in; Blender may have added a number."""
+FOREGROUND, BACKGROUND, MASK, RENDER, VIEWER = "Footage", "Background", "Garbage Mask", "Render", "Viewer"
+"""Roles of the nodes that bring pictures and the mask in, and of the one that shows what comes out."""
 
 
 def tree_of(scene):
@@ -59,10 +59,10 @@ def _show_render(scene, tree):
         node_groups.link(tree, node.outputs["Image"], outlet(tree))
 
 
-def insert(scene, tree, key_group, footage, background, underneath, mask, noted):
-    """Add the key to a tree, before its output. background: an image, laid underneath where that is 'FOOTAGE'. Gives the node."""
+def insert(scene, tree, key_group, image, background, wanted, mask, noted):
+    """Add the key to a tree, before its output. background: an image, laid underneath where 'FOOTAGE' is wanted there. Gives the node."""
     target = _target(tree)
-    if noted.is_tree_made and underneath != 'RENDER':
+    if noted.is_tree_made and wanted != 'RENDER':
         # Nobody needs it, and it could not be rendered without a camera.
         for node in [node for node in tree.nodes if node.type == 'R_LAYERS']:
             tree.nodes.remove(node)
@@ -71,29 +71,63 @@ def insert(scene, tree, key_group, footage, background, underneath, mask, noted)
     right = max((node.location.x for node in tree.nodes), default=0.0)
     frame = _mark(tree.nodes.new("NodeFrame"), "Frame", "Chroma Key")
     key = _mark(tree.nodes.new("CompositorNodeGroup"), "Key", "Chroma Key")
-    key.node_tree = key_group
-    _link_image(tree, FOREGROUND, footage, 'FIT', key.inputs["Image"])
-    if underneath == 'FOOTAGE':
-        _link_image(tree, BACKGROUND, background, 'CROP', key.inputs["Background"])
-    elif underneath == 'RENDER':
-        if before is None:
-            render = _mark(tree.nodes.new("CompositorNodeRLayers"), "Render", "")
-            render.scene = scene
-            before = render.outputs["Image"]
-        node_groups.link(tree, before, key.inputs["Background"])
+    key.node_tree, key.width = key_group, 220.0
+    key.parent, key.location = frame, (right + 260.0 + _COLUMNS["Key"][0], _COLUMNS["Key"][1])
+    _link_image(tree, FOREGROUND, image, 'FIT', key.inputs["Image"])
+    _lay(scene, tree, key, wanted, background, noted)
     if mask is not None:
         # A node without a mask covers all in 4.3.
         node = _mark(tree.nodes.new("CompositorNodeMask"), MASK, MASK)
         node.mask = mask
         node_groups.link(tree, node.outputs[0], key.inputs["Garbage Mask"])
     node_groups.link(tree, key.outputs["Image"], target)
-    _arrange(tree, frame, key, target.node, right)
+    if not any(node.bl_idname == "CompositorNodeViewer" for node in tree.nodes):
+        # The backdrop and the image editor show it without a render.
+        viewer = _mark(tree.nodes.new("CompositorNodeViewer"), VIEWER, "")
+        node_groups.link(tree, key.outputs["Image"], viewer.inputs["Image"])
+    _arrange(tree, key)
+    target.node.location.x = max(target.node.location.x, right + 960.0)
     return key
+
+
+def underneath(scene):
+    """What lies underneath a scene's key: 'RENDER', 'FOOTAGE' or 'NOTHING'."""
+    key = key_of(scene)
+    link = next((link for link in tree_of(scene).links if link.to_node == key and link.to_socket.name == "Background"), None)
+    if link is None:
+        return 'NOTHING'
+    return 'FOOTAGE' if link.from_node.get(group.KEY) == f"{BACKGROUND} Size" else 'RENDER'
+
+
+def lay_underneath(scene, wanted, noted):
+    """Lay something else underneath a scene's key: footage has still to be chosen then."""
+    tree, key = tree_of(scene), key_of(scene)
+    if "Background" in key.inputs:
+        _lay(scene, tree, key, wanted, None, noted)
+        _arrange(tree, key)
+
+
+def _lay(scene, tree, key, wanted, background, noted):
+    """Connect what lies underneath, and take away what has."""
+    target = key.inputs["Background"]
+    for link in [link for link in tree.links if link.to_socket == target]:
+        tree.links.remove(link)
+    for node in [node for node in tree.nodes if node.get(group.KEY) in (BACKGROUND, f"{BACKGROUND} Size", RENDER)]:
+        tree.nodes.remove(node)
+    if wanted == 'FOOTAGE':
+        _link_image(tree, BACKGROUND, background, 'CROP', target)
+    elif wanted == 'RENDER':
+        source = _noted_source(tree, noted)
+        if source is None:
+            render = _mark(tree.nodes.new("CompositorNodeRLayers"), RENDER, "")
+            render.scene = scene
+            source = render.outputs["Image"]
+        node_groups.link(tree, source, target)
 
 
 def remove(scene, noted):
     """Take the key's nodes away, and connect the output with what it had before."""
-    tree = tree_of(scene)
+    tree = _own_tree(scene)
     key = key_of(scene)
     groups = {key.node_tree} if key else set()
     if tree is not None:
@@ -108,6 +142,14 @@ def remove(scene, noted):
     for one in groups:
         if one.users == 0:
             bpy.data.node_groups.remove(one)
+
+
+def _own_tree(scene):
+    """The tree of a scene; a copy of it, where another scene has the same one, as the copy of a scene does from Blender 5 on."""
+    tree = tree_of(scene)
+    if tree is not None and any(other != scene and tree_of(other) == tree for other in bpy.data.scenes):
+        tree = scene.compositing_node_group = tree.copy()
+    return tree
 
 
 def _remove_made_tree(scene, tree, noted):
@@ -165,10 +207,8 @@ def _link_image(tree, role, image, framing, target):
     """A picture or film, brought to the size of the render."""
     node = _mark(tree.nodes.new("CompositorNodeImage"), role, role)
     node.image = image
-    if image.source in {'MOVIE', 'SEQUENCE'}:
-        node.frame_duration = max(1, image.frame_duration)
-        node.frame_start = 1
-        node.use_auto_refresh = True
+    if image is not None and image.source in {'MOVIE', 'SEQUENCE'}:
+        footage.play(image, node)
     scale = _mark(tree.nodes.new("CompositorNodeScale"), f"{role} Size", "")
     if capabilities.has_compositor_sockets():
         scale.inputs["Type"].default_value = 'Render Size'
@@ -179,14 +219,15 @@ def _link_image(tree, role, image, framing, target):
     node_groups.link(tree, scale.outputs["Image"], target)
 
 
-def _arrange(tree, frame, key, end, right):
-    """Place the key's nodes in a frame to the right of all others, and the output behind them."""
-    columns = {"Footage": (0.0, 200.0), "Background": (0.0, -180.0), "Render": (0.0, -180.0), MASK: (0.0, -460.0),
-               "Footage Size": (200.0, 200.0), "Background Size": (200.0, -180.0), "Key": (420.0, 60.0)}
+_COLUMNS = {FOREGROUND: (0.0, 200.0), f"{FOREGROUND} Size": (200.0, 200.0), BACKGROUND: (0.0, -180.0), RENDER: (0.0, -180.0),
+            f"{BACKGROUND} Size": (200.0, -180.0), MASK: (0.0, -460.0), "Key": (420.0, 60.0), VIEWER: (700.0, -60.0)}
+"""Where nodes stand, by their roles."""
+
+
+def _arrange(tree, key):
+    """Place the key's new nodes around it, in its frame."""
+    left, low = key.location.x - _COLUMNS["Key"][0], key.location.y - _COLUMNS["Key"][1]
     for node in tree.nodes:
-        if group.KEY in node and node not in (frame, end):
-            x, y = columns.get(node[group.KEY], (0.0, 0.0))
-            node.location = (right + 260.0 + x, y)
-            node.parent = frame
-    key.width = 220.0
-    end.location.x = max(end.location.x, right + 960.0)
+        if node.get(group.KEY) in _COLUMNS and node != key and node.parent is None:
+            x, y = _COLUMNS[node[group.KEY]]
+            node.parent, node.location = key.parent, (left + x, low + y)

@@ -1,6 +1,8 @@
 """Footage: films, image sequences and stills, all of them image datablocks; and their pixels, scene-linear."""
 
+import contextlib
 import os
+import re
 from pathlib import Path
 
 import bpy
@@ -22,18 +24,33 @@ def find(name):
         name = bpy.data.movieclips[name].filepath
     if found is None:
         found = _loaded(name)
-    if not (found.size[0] and found.size[1]):
+    if not all(size(found)):
         raise Refused(tr("{object} cannot be read as a picture").format(object=name))
     return found
 
 
-def _loaded(name):
+def find_chosen(folder, names):
+    """The image of files that were chosen together: a sequence, if there are several that are numbered. Raises Refused."""
+    if len(names) == 1:
+        return find(os.path.join(folder, names[0]))
+    parts = [_numbered(name) for name in names]
+    if None in parts or len({(before, after) for before, _, after in parts}) > 1:
+        raise Refused(tr("Choose one file, or the pictures of one numbered sequence"))
+    first = os.path.join(folder, min(zip(parts, names), key=lambda one: int(one[0][1]))[1])
+    found = next((image for image in bpy.data.images if image.source == 'SEQUENCE' and bpy.path.abspath(image.filepath) == first), None)
+    if found is None:
+        found = _loaded(first, check_existing=False)  # a still of this file stays one
+        found.source = 'SEQUENCE'
+    return found
+
+
+def _loaded(name, check_existing=True):
     path = bpy.path.abspath(name)
     if not os.path.isfile(path):
         raise Refused(tr("There is no clip, no image and no file {object}").format(object=name))
     known = {image.name for image in bpy.data.images}
     try:
-        image = bpy.data.images.load(name, check_existing=True)
+        image = bpy.data.images.load(name, check_existing=check_existing)
     except RuntimeError as error:
         raise Refused(str(error)) from error
     if image.name not in known:
@@ -50,9 +67,62 @@ def drop_unused():
         bpy.data.images.remove(image)
 
 
+def size(image):
+    """Width and height in pixels; 0 of what cannot be read."""
+    with _first(image) as picture:
+        return tuple(picture.size) if picture else (0, 0)
+
+
 def duration(image):
-    """Frames of a film, 1 of a still."""
-    return max(1, image.frame_duration) if image.source in {'MOVIE', 'SEQUENCE'} else 1
+    """Frames of a film or sequence, 1 of a still."""
+    if image.source == 'SEQUENCE':
+        numbers = _numbers(image)
+        return numbers[-1] - numbers[0] + 1 if numbers else 1
+    return max(1, image.frame_duration) if image.source == 'MOVIE' else 1
+
+
+def play(image, user):
+    """Let a node or image user show footage from frame 1 on."""
+    numbers = _numbers(image) if image.source == 'SEQUENCE' else []
+    user.frame_duration, user.frame_start, user.use_auto_refresh = duration(image), 1, True
+    user.frame_offset = numbers[0] - 1 if numbers else 0
+
+
+def _numbered(name):
+    """(what is before, the digits, what is behind) the last number of a file's name; None without one."""
+    found = re.fullmatch(r"(.*?)(\d+)(\D*)", name)
+    return found.groups() if found else None
+
+
+def _numbers(image):
+    """Of the files of a sequence, in their order: all that have the name of its first one, but for the number."""
+    path = Path(bpy.path.abspath(image.filepath, library=image.library))
+    own = _numbered(path.name)
+    if own is None or not path.parent.is_dir():
+        return []
+    found = (_numbered(other.name) for other in path.parent.iterdir())
+    return sorted(int(parts[1]) for parts in found if parts and (parts[0], parts[2]) == (own[0], own[2]))
+
+
+@contextlib.contextmanager
+def _first(image):
+    """What has the pixels of the first frame: the image, or of a sequence a still that is there meanwhile; None without.
+
+    A sequence has a size and pixels only while something shows a frame of it.
+    """
+    if image.source != 'SEQUENCE':
+        yield image
+        return
+    try:
+        still = bpy.data.images.load(bpy.path.abspath(image.filepath, library=image.library))
+    except RuntimeError:
+        yield None
+        return
+    still.colorspace_settings.name = image.colorspace_settings.name
+    try:
+        yield still
+    finally:
+        bpy.data.images.remove(still)
 
 
 def rate(image):
@@ -70,6 +140,11 @@ def rate(image):
 
 def pixels(image):
     """(rows, columns, 4) float32 of its first frame, scene-linear, thinned out where it is large."""
+    with _first(image) as picture:
+        return _pixels(picture)
+
+
+def _pixels(image):
     width, height = image.size
     values = np.empty(len(image.pixels), np.float32)
     image.pixels.foreach_get(values)

@@ -6,15 +6,9 @@ from ..core.operators import OBJECT_MODE, Operator
 from ..core.refusals import Refused, check_finite
 from ..core.rows import Row, Rows, is_given
 from ..core.translations import tr
-from . import analysis, compositor, footage, group, plane, scene_settings, settings, setup
-from .properties import VIEWS
+from . import analysis, compositor, footage, group, plane, scene_settings, settings, setup, viewing
+from .properties import UNDERNEATH, VIEWS
 
-
-UNDERNEATH = (
-    ('RENDER', "Render", "What the compositor has shown before: the render, with all that its nodes do"),
-    ('FOOTAGE', "Footage", "Another clip or image"),
-    ('NOTHING', "Nothing", "The picture stays transparent"),
-)
 _BY_KEYWORD = {one.keyword: one for one in settings.OF_KEYING}
 
 
@@ -52,6 +46,8 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         name="Camera", options={'SKIP_SAVE'}, description="Name of the camera that the plane stands before; empty takes the scene's")
     filepath: bpy.props.StringProperty(
         name="File", subtype='FILE_PATH', options={'SKIP_SAVE'}, description="Path of the footage, as the file browser gives it")
+    directory: bpy.props.StringProperty(subtype='DIR_PATH', options={'HIDDEN', 'SKIP_SAVE'})
+    files: bpy.props.CollectionProperty(type=bpy.types.OperatorFileListElement, options={'HIDDEN', 'SKIP_SAVE'})
     filter_image: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     filter_movie: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     filter_folder: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
@@ -65,7 +61,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         name="Viewport Plane", default=False,
         description="Show the key in the viewport too, on a plane that fills the camera's view and is not rendered")
     plane_distance: bpy.props.FloatProperty(
-        name="Plane Distance", description="From the camera to the plane", default=10.0, min=0.001, soft_max=1000.0,
+        name="Plane Distance", description="From the camera to the plane", default=plane.DISTANCE, min=0.001, soft_max=1000.0,
         subtype='DISTANCE')
     color: bpy.props.FloatVectorProperty(
         name="Screen Color", description="Colour of the screen; without it the footage's own is found", subtype='COLOR', size=3,
@@ -81,6 +77,8 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         name=settings.WRAP, description="How much of the background's light falls around the subject's edge", default=0.0, min=0.0,
         max=1.0, subtype='FACTOR')
 
+    _is_by_hand = False
+
     @classmethod
     def check_offer(cls, context):
         setup.check_free(context.scene)
@@ -88,6 +86,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     def invoke(self, context, _event):
         if self.clip or self.filepath:
             return self.execute(context)
+        self._is_by_hand = True
         context.window_manager.fileselect_add(self)
         return {'RUNNING_MODAL'}
 
@@ -96,6 +95,8 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
             self._set_up(context)
         finally:
             footage.drop_unused()
+        if self._is_by_hand:
+            viewing.show(context)
 
     def _set_up(self, context):
         scene = context.scene
@@ -103,7 +104,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         check_finite(self, ("color",))
         if not (self.clip or self.filepath):
             raise Refused(tr("Name a clip, an image or a file"))
-        image = footage.find(self.clip or self.filepath)
+        image = self._image()
         underneath, background = self._background()
         mask, camera = self._mask(), self._camera(scene) if self.use_plane else None
         color = tuple(self.color) if self.is_given("color") else None
@@ -113,7 +114,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
 
         noted = scene.motus.chroma
         tree = compositor.prepared(scene, noted)
-        key = compositor.insert(scene, tree, group.build(image.size[0]), image, background, underneath, mask, noted)
+        key = compositor.insert(scene, tree, group.build(footage.size(image)[0]), image, background, underneath, mask, noted)
         for one in settings.OF_KEYING:
             settings.assign(key, one, getattr(self, one.keyword))
         key.inputs[settings.WRAP].default_value = self.light_wrap
@@ -128,15 +129,21 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         for sentence in analysis.sentences(noted):
             self.report({'WARNING'}, sentence)
 
+    def _image(self):
+        names = [one.name for one in self.files if one.name]
+        if self.clip or not names:
+            return footage.find(self.clip or self.filepath)
+        return footage.find_chosen(self.directory, names)
+
     def _background(self):
         """(what is underneath, its image or None)."""
         if self.background:
             if self.is_given("underneath") and self.underneath != 'FOOTAGE':
                 raise Refused(tr("With a background, footage lies underneath"))
             return 'FOOTAGE', footage.find(self.background)
-        if self.underneath == 'FOOTAGE':
+        if self.underneath == 'FOOTAGE' and not self._is_by_hand:
             raise Refused(tr("Name the clip or image that is laid underneath"))
-        return self.underneath, None
+        return self.underneath, None  # by hand, the panel asks for the footage
 
     def _mask(self):
         if self.mask and self.mask not in bpy.data.masks:
@@ -175,6 +182,24 @@ class MOTUS_OT_chroma_key_measure(Operator, bpy.types.Operator):
             self.report({'WARNING'}, sentence)
 
 
+class MOTUS_OT_chroma_key_show(Operator, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_show"
+    bl_label = "Show in Viewport"
+    bl_description = "Look at the key in the viewport, through the scene's camera; once more to look as before"
+    bl_options = {'UNDO'}
+
+    @classmethod
+    def check_offer(cls, context):
+        setup.key(context.scene)
+
+    def run(self, context):
+        setup.key(context.scene)
+        if viewing.is_shown(context):
+            viewing.hide(context)
+        else:
+            viewing.show(context)
+
+
 class MOTUS_OT_chroma_key_remove(Operator, bpy.types.Operator):
     bl_idname = "motus.chroma_key_remove"
     bl_label = "Remove Chroma Key"
@@ -187,7 +212,9 @@ class MOTUS_OT_chroma_key_remove(Operator, bpy.types.Operator):
 
     def run(self, context):
         setup.key(context.scene)
+        if viewing.is_shown(context):
+            viewing.hide(context)
         setup.remove(context.scene)
 
 
-classes = (MOTUS_OT_chroma_key_setup, MOTUS_OT_chroma_key_measure, MOTUS_OT_chroma_key_remove)
+classes = (MOTUS_OT_chroma_key_setup, MOTUS_OT_chroma_key_measure, MOTUS_OT_chroma_key_show, MOTUS_OT_chroma_key_remove)

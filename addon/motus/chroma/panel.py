@@ -3,7 +3,8 @@
 import bpy
 
 from ..core import panels, ui
-from . import analysis, compositor, settings
+from ..core.translations import tr
+from . import analysis, compositor, settings, viewing
 
 
 def draw_main(layout, context):
@@ -11,8 +12,20 @@ def draw_main(layout, context):
     key = compositor.key_of(context.scene)
     column = ui.split(layout)
     column.prop(context.scene.motus.chroma, "view")
+    column.prop(context.scene.motus.chroma, "underneath")
+    _draw_background(layout, context)
+    column = ui.split(layout)
     _draw_input(column, key, settings.COLOR)
     _draw_settings(column, key, ("black", "white", "balance", "smooth"))
+
+
+def _draw_background(layout, context):
+    node = compositor.node_of(context.scene, compositor.BACKGROUND)
+    if node is None:
+        return
+    if node.image is None:
+        ui.draw_message(layout, tr("Choose the clip or image that lies underneath"), 'INFO')
+    layout.template_ID(node, "image", open="image.open")
 
 
 def draw_edge(layout, context):
@@ -24,8 +37,8 @@ def draw_edge(layout, context):
 
 
 def draw_pictures(layout, context):
-    """The footage, what lies underneath, and the mask."""
-    for role, name in ((compositor.FOREGROUND, "image"), (compositor.BACKGROUND, "image"), (compositor.MASK, "mask")):
+    """The footage and the mask."""
+    for role, name in ((compositor.FOREGROUND, "image"), (compositor.MASK, "mask")):
         node = compositor.node_of(context.scene, role)
         if node is not None:
             column = layout.column(align=True)
@@ -43,10 +56,14 @@ def draw_readouts(layout, context):
         ui.draw_message(layout, sentence, 'INFO')
 
 
-def draw_actions(layout, _context):
-    """Measuring again, and removing."""
+def draw_actions(layout, context):
+    """Showing it, measuring again, and removing."""
     column = layout.column(align=True)
-    column.operator("motus.chroma_key_measure", icon='EYEDROPPER')
+    if context.space_data is not None and context.space_data.type == 'VIEW_3D':
+        column.operator("motus.chroma_key_show", icon='HIDE_OFF', depress=viewing.is_shown(context))
+    row = column.row(align=True)
+    row.operator("motus.chroma_key_measure", icon='EYEDROPPER').keep_color = False
+    row.operator("motus.chroma_key_measure", text="Find Levels").keep_color = True
     column.operator("motus.chroma_key_remove", text="Remove", icon='X')
 
 

@@ -6,6 +6,9 @@ from mathutils import Matrix
 from ..core import capabilities
 from . import footage, group
 
+DISTANCE = 10.0
+"""From the camera to the plane, where nobody says otherwise."""
+
 
 def add(scene, camera, image, color, levels, distance):
     """A plane that fills the camera's view, so far away, in the space of the camera. levels: clip black and white."""
@@ -34,17 +37,6 @@ def update(obj, color, levels):
         _set(material.node_tree, color, levels)
 
 
-def remove(obj):
-    """Remove a plane with what only it uses."""
-    mesh, materials = obj.data, [one for one in obj.data.materials if one is not None] if obj.type == 'MESH' else []
-    bpy.data.objects.remove(obj)
-    if mesh is not None and mesh.users == 0:
-        bpy.data.meshes.remove(mesh)
-    for material in materials:
-        if material.users == 0:
-            bpy.data.materials.remove(material)
-
-
 def _at(corner, distance, kind):
     return (corner.x, corner.y, -distance) if kind == 'ORTHO' else corner * (distance / -corner.z)
 
@@ -62,8 +54,7 @@ def _material(image, color, levels):
     add_node, links = tree.nodes.new, tree.links
     texture = add_node("ShaderNodeTexImage")
     texture.image = image
-    texture.image_user.frame_duration, texture.image_user.frame_start = footage.duration(image), 1
-    texture.image_user.use_auto_refresh = True
+    footage.play(image, texture.image_user)
     matte = _matte(tree, texture.outputs["Color"])
     emission, clear, mixed, end = (
         add_node(kind) for kind in ("ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeMixShader", "ShaderNodeOutputMaterial"))

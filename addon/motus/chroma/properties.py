@@ -11,6 +11,12 @@ VIEWS = (
     (group.STATUS, "Status", "Black what is clear, white what is opaque, and all between in grey"),
     (group.SOURCE, "Source", "The footage as it is"),
 )
+UNDERNEATH = (
+    ('RENDER', "Render", "What the compositor has shown before: the render, with all that its nodes do"),
+    ('FOOTAGE', "Footage", "Another clip or image"),
+    ('NOTHING', "Nothing", "The picture stays transparent"),
+)
+_KINDS = tuple(identifier for identifier, _, _ in UNDERNEATH)
 
 
 def _view(settings):
@@ -25,6 +31,15 @@ def _show(settings, value):
         group.show(key.node_tree, group.VIEWS[value])
 
 
+def _underneath(settings):
+    return _KINDS.index(compositor.underneath(settings.id_data)) if compositor.key_of(settings.id_data) else 0
+
+
+def _lay_underneath(settings, value):
+    if compositor.key_of(settings.id_data) and value != _underneath(settings):
+        compositor.lay_underneath(settings.id_data, _KINDS[value], settings)
+
+
 def _measured(name, description):
     return bpy.props.FloatProperty(name=name, description=description, min=0.0, options=set(), override=OVERRIDABLE)
 
@@ -37,6 +52,9 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     # Not kept here, but as the link in the group, which undo and other scenes share.
     view: bpy.props.EnumProperty(
         name="View", description="What the compositor shows", items=VIEWS, get=_view, set=_show, options=set())
+    underneath: bpy.props.EnumProperty(
+        name="Underneath", description="What shows where the screen was", items=UNDERNEATH, get=_underneath, set=_lay_underneath,
+        options=set())
     plane: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Plane", description="Plane before the camera that shows the key in the viewport")
     share: _measured("Screen", "Share of the picture that the screen fills")

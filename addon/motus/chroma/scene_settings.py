@@ -13,7 +13,7 @@ def take(scene, image, noted):
     noted.before_fps, noted.before_fps_base = render.fps, render.fps_base
     noted.before_transform, noted.before_look = view.view_transform, view.look
 
-    render.resolution_x, render.resolution_y = image.size
+    render.resolution_x, render.resolution_y = footage.size(image)
     render.resolution_percentage = 100
     render.pixel_aspect_x = render.pixel_aspect_y = 1.0
     frames = footage.duration(image)

@@ -1,5 +1,8 @@
 """What setting up, measuring and removing a key consists of."""
 
+import bpy
+
+from ..core import datablocks
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import analysis, compositor, footage, group, plane, scene_settings, settings
@@ -57,11 +60,25 @@ def measure(scene, color=None):
     return found
 
 
+def add_plane(scene):
+    """Show a scene's key, with the colour and levels that it has, on a plane before the scene's camera."""
+    node = key(scene)
+    source = compositor.node_of(scene, compositor.FOREGROUND)
+    color = settings.place_of_input(node, settings.COLOR)
+    levels = [settings.place(node, one) for one in settings.OF_KEYING if one.keyword in ("black", "white")]
+    if source is None or source.image is None or None in (color, *levels):
+        raise Refused(tr("The key has lost its footage"))
+    scene.motus.chroma.plane = plane.add(
+        scene, scene.camera, source.image, tuple(getattr(*color))[:3], [getattr(*one) for one in levels], plane.DISTANCE)
+
+
 def remove(scene):
     """Take all back that a key has brought."""
     noted = scene.motus.chroma
-    if noted.plane is not None and group.KEY in noted.plane:
-        plane.remove(noted.plane)
+    others = [other for other in bpy.data.scenes if other != scene]
+    # A copy of a scene shows the same plane.
+    if noted.plane is not None and group.KEY in noted.plane and all(other.motus.chroma.plane != noted.plane for other in others):
+        datablocks.remove_objects([noted.plane])
     compositor.remove(scene, noted)
     footage.drop_unused()
     scene_settings.restore(scene, noted)

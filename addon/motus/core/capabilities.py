@@ -89,6 +89,12 @@ def has_compositor_sockets():
     return "clip_black" not in bpy.types.CompositorNodeKeying.bl_rna.properties
 
 
+def has_compositor_in_viewport():
+    """The viewport shows what the compositor makes of it (3.5), in the camera's view or everywhere."""
+    shading = bpy.types.View3DShading.bl_rna.properties
+    return "use_compositor" in shading and shading["use_compositor"].type == 'ENUM'
+
+
 def has_shader_nodes_in_compositor():
     """The compositor has the nodes Math and Mix of shaders (5.0), not its own."""
     return not hasattr(bpy.types, "CompositorNodeMath")
@@ -97,3 +103,8 @@ def has_shader_nodes_in_compositor():
 def has_blended_surfaces():
     """Materials say how EEVEE draws what is transparent by `surface_render_method` (4.2), not by a blend and a shadow method."""
     return "surface_render_method" in bpy.types.Material.bl_rna.properties
+
+
+def has_dialog_titles():
+    """A dialog may be called otherwise than its operator (4.1)."""
+    return "title" in bpy.types.WindowManager.bl_rna.functions["invoke_props_dialog"].parameters

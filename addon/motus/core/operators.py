@@ -31,8 +31,19 @@ def offer(layout, context):
 
     Scripts name what they mean, so that nothing but the mode counts for them.
     """
+    _pressed.clear()
     layout.context_pointer_set(OFFER, context.scene)
     return layout
+
+
+_pressed = set()
+"""Operators whose buttons were pressed since buttons were drawn. Blender asks them once more, whether there shall be a redo panel:
+that works on what was selected before, and not on what the operator has made of it."""
+
+
+def is_offered(context):
+    """Whether a button offers the operator for what is selected, and not a script."""
+    return getattr(context, OFFER, None) is not None
 
 
 def object_keyword(description):
@@ -57,7 +68,7 @@ class Operator:
     def poll(cls, context):
         try:
             cls.check_place(context)
-            if getattr(context, OFFER, None) is not None:
+            if is_offered(context) and cls not in _pressed:
                 cls.check_offer(context)
         except Refused as refusal:
             cls.poll_message_set(str(refusal))
@@ -81,6 +92,8 @@ class Operator:
             self.run(context)
         except Refused as refusal:
             return self.refuse(refusal)
+        if is_offered(context):
+            _pressed.add(type(self))
         return {'FINISHED'}
 
     def refuse(self, refusal):

@@ -128,10 +128,9 @@ class Deformed:
     name: str
     of: str
 
-    def awaited(self, settings):
-        """The objects that come first."""
-        target = getattr(settings, self.of)
-        return [target] if target else []
+    def objects(self, settings):
+        """Those whose geometry comes first, as far as they are there."""
+        return [getattr(settings, self.of)]
 
     def variable(self, owner, settings):
         # A driver cannot depend on another object's geometry, but on the transform of an object that does.
@@ -153,17 +152,16 @@ class Geometry(Deformed):
 
 @dataclass(frozen=True)
 class Geometries(Deformed):
-    """{object: evaluated object} of those that the function `of` gives for settings, once the final geometry of all is there."""
+    """The objects that the function `of` gives for settings, as Geometry has one, once the geometry of all of them is there; none
+    of them without it."""
 
     of: Callable
 
-    def awaited(self, settings):
+    def objects(self, settings):
         return self.of(settings)
 
     def read(self, value, settings):
-        if Matrix.read(value, settings) is None:
-            return {}
-        return {one.target.original: one.target for one in settings.order_proxy.constraints if one.target}
+        return self.of(settings) if Matrix.read(value, settings) is not None else []
 
 
 @dataclass(frozen=True)
@@ -267,8 +265,7 @@ class Points:
     kind: 'FLOAT', 'INT', 'VECTOR', 'COLOR', or 'QUATERNION' (w, x, y, z), which before Blender 4.0 arrives as Euler angles.
     Names that Blender knows: the FLOAT "radius" of points and curves; the VECTOR "velocity", in metres a second, of which
     motion blur is made; the INT "id", by which instances on the points are the same from one frame to the next.
-    shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; 'TUBES' around such; or 'FACES',
-    a surface of triangles: see Context.
+    shape: 'POINTS'; 'CURVES', along points that follow each other and have the same INT "curve"; or 'TUBES' around such.
     space: 'WORLD', in which the points stay where they are while the owner moves, or 'LOCAL', the owner's.
     capacity: more points than that there never are.
     unneeded: says of settings which attributes' names there is no need for: points have them neither, nor the time that they
@@ -344,6 +341,11 @@ class System(Feature):
         return self.moves_points or self.makes_points is not None
 
     @property
+    def reads_several(self):
+        """Whether its solver waits for objects that may come and go without its settings being edited."""
+        return any(isinstance(declared, Geometries) for declared in self.inputs)
+
+    @property
     def reads_mesh(self):
         """Whether its solver waits for the mesh that the owner has."""
         return any(isinstance(declared, Vertices) for declared in self.inputs)
@@ -356,8 +358,6 @@ class Context:
     common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
     points(count): arrays for so many points by the names of their attributes, of a system that makes points. All of them are
     to be filled; they are shorter where there is no room for so many, and Blender's own memory, valid until solve() returns.
-    Of a surface it is points(count, edges, triangles), and there are also "edges" (e, 2) and "triangles" (t, 3), the points that
-    each joins, and "sides" (t, 3), the edges that leave each triangle's corners; none of anything where there is no room.
     """
 
     settings: Any

@@ -69,3 +69,77 @@ def redraw():
         for area in window.screen.areas:
             if area.type == 'VIEW_3D':
                 area.tag_redraw()
+
+
+def space_for(context):
+    """The space of the context's 3D viewport, or of the largest one in the window; None without."""
+    if context.space_data is not None and context.space_data.type == 'VIEW_3D':
+        return context.space_data
+    areas = [area for area in context.window.screen.areas if area.type == 'VIEW_3D'] if context.window else []
+    return max(areas, key=lambda area: area.width * area.height).spaces.active if areas else None
+
+
+AHEAD = 10.0
+"""m before a camera that a viewport looks through, where nothing says what it looks at."""
+
+
+def seen_place(context, place):
+    """A place of the world, if the context's 3D viewport sees it or there is none; else the one that the viewport looks at."""
+    space = space_for(context)
+    view = space.region_3d if space else None
+    if view is None:
+        return place.copy()
+    x, y, _, depth = view.perspective_matrix @ place.to_4d()
+    if max(abs(x), abs(y)) < depth:
+        return place.copy()
+    if view.view_perspective != 'CAMERA':
+        return view.view_location.copy()
+    viewer = view.view_matrix.inverted()
+    return viewer.translation - AHEAD * viewer.col[2].to_3d().normalized()
+
+
+_before = {}
+"""(address of a viewport's space, path of a setting) -> what it was before the viewport was given another value."""
+_PERSPECTIVE = "region_3d.view_perspective"
+_VIEW = "region_3d.view_location", "region_3d.view_rotation", "region_3d.view_distance"
+"""What Blender changes along with the perspective."""
+
+
+def change(space, values):
+    """Give settings of a viewport other values, by their paths. `restore` gives back what they were."""
+    if _PERSPECTIVE in values:
+        for path in _VIEW:
+            _keep(space, path)
+    for path, value in values.items():
+        if not has(space, {path: value}):
+            _keep(space, path)
+            _set(space, path, value)
+
+
+def has(space, values):
+    """Whether settings of a viewport, by their paths, are at these values."""
+    return all(getattr(*_place(space, path)) == value for path, value in values.items())
+
+
+def restore(space, values):
+    """Give settings of a viewport, by their paths, what they were before, or these values where that is not known."""
+    for path, value in values.items():
+        _set(space, path, _before.pop((space.as_pointer(), path), value))
+    for path in _VIEW:
+        kept = _before.pop((space.as_pointer(), path), None)
+        if kept is not None:
+            _set(space, path, kept)
+
+
+def _keep(space, path):
+    value = getattr(*_place(space, path))
+    _before.setdefault((space.as_pointer(), path), value.copy() if hasattr(value, "copy") else value)
+
+
+def _set(space, path, value):
+    setattr(*_place(space, path), value)
+
+
+def _place(space, path):
+    holder, _, name = path.rpartition(".")
+    return (space.path_resolve(holder) if holder else space), name

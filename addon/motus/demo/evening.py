@@ -74,7 +74,7 @@ def _add_snow(context, collection, covered):
             raise RuntimeError("The snow could not be added")
         context.object.name = name
     if bpy.ops.motus.snow_cover_add(
-            collection=covered.name, emitters=",".join(cloud[0] for cloud in CLOUDS), **COVER) != {"FINISHED"}:
+            collection=covered.name, emitters=",".join(cloud[0] for cloud in CLOUDS), lands=False, **COVER) != {"FINISHED"}:
         raise RuntimeError("The snow that lies could not be added")
 
 

@@ -46,7 +46,7 @@ _GRADIENTS = {identifier: gradient for identifier, _, _, _, gradient in KINDS}
 # What belongs to one shot is not part of a style.
 OF_THE_SHOT = {"start_frame", "delay", "use_ground", "ground", "all_attributes", "preview", "influence", "seed", "look"}
 LEFT_ALONE = {"start_frame", "all_attributes", "preview", "influence", "seed", "use_ground", "ground", "collision", "melt_time",
-              "friction"}
+              "friction", "closest", "farthest"}
 """Settings that no preset of ours says anything of."""
 CHOSEN = 'OBJECT', 'COLLECTION', 'POINTS'
 """Looks that are the user's."""
@@ -58,11 +58,8 @@ def put(settings, identifier, scene):
     Flakes are in the air already on the scene's first frame, but for the plain ones.
     """
     numbers = NUMBERS[identifier]
-    left_alone = LEFT_ALONE | ({"shape"} if settings.shape == 'SURFACE' else set())
-    left_alone |= {"look", "flake_width"} if settings.look in CHOSEN else set()
-    for name in KEYWORDS:
-        if name not in left_alone:
-            _set(settings, name, numbers.get(name, _default(settings.bl_rna.properties[name])))
+    for name in _of_a_kind(settings):
+        _set(settings, name, numbers.get(name, _default(settings.bl_rna.properties[name])))
     if identifier != PLAIN:
         fps = scene.render.fps / scene.render.fps_base
         settings.start_frame = scene.frame_start - math.ceil((settings.lifetime + 1.0) * fps)
@@ -72,11 +69,41 @@ def put(settings, identifier, scene):
         stop.position, stop.color = position, color
 
 
+def kind_of(settings):
+    """Label of the preset that an emitter's settings are those of; "" where they are of one's own."""
+    for identifier, label, _, numbers, gradient in KINDS:
+        if all(_is_alike(getattr(settings, name), numbers.get(name, _default(settings.bl_rna.properties[name])))
+               for name in _of_a_kind(settings)) and _is_gradient(settings.stops, gradient):
+            return label
+    return ""
+
+
+def _of_a_kind(settings):
+    """Names of the settings that a preset says something of."""
+    left_alone = LEFT_ALONE | ({"shape"} if settings.shape in {'SURFACE', 'CAMERA'} else set())
+    left_alone |= {"look", "flake_width"} if settings.look in CHOSEN else set()
+    return [name for name in KEYWORDS if name not in left_alone]
+
+
 def _set(settings, name, value):
     """Set what is different: the file grows by each setting that was ever set."""
     present = getattr(settings, name)
     if (tuple(present) if hasattr(present, "to_tuple") else present) != value:
         setattr(settings, name, value)
+
+
+def _is_alike(present, wanted):
+    """Whether a setting, which Blender keeps in single precision, has a value."""
+    if isinstance(wanted, float):
+        return math.isclose(present, wanted, rel_tol=1e-6, abs_tol=1e-9)
+    if isinstance(wanted, tuple):
+        return all(map(_is_alike, present, wanted))
+    return present == wanted
+
+
+def _is_gradient(stops, wanted):
+    return len(stops) == len(wanted) and all(
+        _is_alike((stop.position, *stop.color), (place, *color)) for stop, (place, color) in zip(stops, wanted))
 
 
 def _default(prop):

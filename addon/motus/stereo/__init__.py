@@ -1,15 +1,16 @@
 """Stereo camera rig: eyes of a camera by a budget of depth, and what an audience will see of it."""
 
 from ..core.system import System
-from . import checking, measuring, operators, output, overlay, panel, presets, properties, results, rig, solve
+from . import checking, measuring, operators, output, overlay, panel, presets, properties, results, rig, solve, viewing
 
 SYSTEM = System(
     name="stereo",
     label="Stereo Camera",
     settings=properties.MOTUS_PG_stereo,
+    scene_settings=properties.MOTUS_PG_stereo_scene,
     classes=(
-        properties.MOTUS_PG_stereo, *operators.classes, *measuring.classes, *checking.classes, *output.classes, *presets.classes,
-        *panel.classes),
+        properties.MOTUS_PG_stereo, properties.MOTUS_PG_stereo_scene, *operators.classes, *measuring.classes, *checking.classes,
+        *output.classes, *viewing.classes, *presets.classes, *panel.classes),
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,
@@ -17,6 +18,7 @@ SYSTEM = System(
     outputs=rig.OUTPUTS,
     groups=rig.groups,
     overlay=overlay.overlay,
-    object_menu=("motus.stereo_rig_add", "motus.stereo_measure", "motus.stereo_check", "motus.stereo_output",
+    add_menu=("motus.stereo_rig_add",),
+    object_menu=("motus.stereo_rig_add", "motus.stereo_measure", "motus.stereo_view", "motus.stereo_check", "motus.stereo_output",
                  "motus.stereo_rig_remove"),
 )

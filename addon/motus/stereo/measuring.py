@@ -10,7 +10,7 @@ from ..core.refusals import Refused
 from ..core.rows import Row, Rows, is_not
 from ..core.translations import tr
 from . import samples, targets
-from .operators import OfARig
+from .operators import LEFT_OUT, OfARig
 from .rig import PREFIX
 
 NAMES = "near", "far"
@@ -25,7 +25,7 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
 
     left_out: bpy.props.FloatProperty(
         name="Left Out",
-        description="Share of the picture that does not count at either end: small things that are very near or very far", default=1.0,
+        description="Share of the picture that does not count at either end: small things that are very near or very far", default=100.0 * LEFT_OUT,
         min=0.0, max=49.0, subtype='PERCENTAGE')
     ahead: bpy.props.IntProperty(
         name="Look Ahead", description="By how many samples at least near and far change before what makes them change", default=12, min=0,
@@ -44,8 +44,7 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
         try:
             for index, frame in enumerate(frames):
                 go_to(context.scene, frame)
-                _, depths = samples.take(context.scene, camera, context.view_layer.depsgraph)
-                found = native.module.depth_range(depths, share, 1.0 - share)
+                found = samples.depth_range(context.scene, camera, context.view_layer.depsgraph, share)
                 if found:
                     self._found.append((frame, *found))
                 yield index + 1
@@ -58,21 +57,16 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
         settings = self._camera.motus.stereo
         frames, near, far = zip(*self._found)
         if self.total == 1:
-            settings.near, settings.far = near[0], _beyond(near[0], far[0])
+            settings.near, settings.far = near[0], samples.beyond(near[0], far[0])
             return
         actions.make_local(self._camera)
         near = native.module.smooth_ahead(near, self.ahead, "below")
         far = native.module.smooth_ahead(far, self.ahead, "above")
-        for frame, *values in zip(frames, near, map(_beyond, near, far)):
+        for frame, *values in zip(frames, near, map(samples.beyond, near, far)):
             for name, value in zip(NAMES, values):
                 setattr(settings, name, value)
                 self._camera.keyframe_insert(PREFIX + name, frame=frame)
         context.scene.frame_set(context.scene.frame_current, subframe=context.scene.frame_subframe)
-
-
-def _beyond(near, far):
-    """Far, a little behind near where all that is seen is equally far."""
-    return max(far, near * 1.001)
 
 
 classes = (MOTUS_OT_stereo_measure,)

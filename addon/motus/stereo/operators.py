@@ -7,7 +7,7 @@ from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.rows import Rows
 from ..core.translations import tr
-from . import rig, rows, targets
+from . import budget, lens, rig, rows, samples, screens, targets
 from .properties import KEYWORDS, StereoKeywords
 
 MODES = (
@@ -17,6 +17,9 @@ MODES = (
 )
 LENGTHS = "interocular", "distance", "near", "far"
 """Keywords whose defaults are metres."""
+PARALLAXES = "near_parallax", "far_parallax"
+LEFT_OUT = 0.01
+"""Share of the picture that does not count at either end, where depths are measured."""
 
 
 class OfARig:
@@ -48,6 +51,25 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
     def check_offer(cls, context):
         targets.check_free(targets.camera_for(context, ""))
 
+    def invoke(self, context, _event):
+        # By hand: a rig that fits what the camera sees.
+        if not any(self.is_given(name) for name in ("convergence", "focus", *LENGTHS, *PARALLAXES)):
+            self._fit(context)
+        return self.execute(context)
+
+    def _fit(self, context):
+        try:
+            camera = targets.camera_for(context, self.object)
+            targets.check_free(camera)
+        except Refused:
+            return  # which is reported when it is run
+        seen = samples.depth_range(context.scene, camera, context.evaluated_depsgraph_get(), LEFT_OUT)
+        if seen:
+            self.convergence = 'BUDGET'
+            self.near, self.far = seen[0], samples.beyond(*seen)
+            seen_by = lens.of(camera.data, context.scene.render)
+            self.near_parallax, self.far_parallax = budget.parallaxes(self.near, self.far, seen_by, screens.of(self))
+
     def run(self, context):
         camera = targets.camera_for(context, self.object)
         targets.check_free(camera)
@@ -58,6 +80,7 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
         if focus and not self.is_given("convergence"):
             keywords["convergence"] = 'OBJECT'
         rig.add(context.scene, camera, self.mode, focus, keywords)
+        self._select(context, camera)
         self.report({'INFO'}, tr("{object} has a stereo rig").format(object=camera.name))
         context.view_layer.update()
         problem = wiring.problem(rig.system(), camera, context.view_layer.depsgraph)
@@ -65,6 +88,13 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
             self.report({'WARNING'}, tr(problem.sentence))
         if not rig.renders_both_eyes(context.scene):
             self.report({'WARNING'}, rig.one_eye())
+
+    @staticmethod
+    def _select(context, camera):
+        """The panel is the active object's."""
+        if camera.name in context.view_layer.objects:
+            camera.select_set(True)
+            context.view_layer.objects.active = camera
 
     def _check(self, camera, focus):
         check_finite(self, KEYWORDS)
@@ -80,6 +110,24 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
             raise Refused(tr("The convergence distance must be greater than 0"))
 
 
+class MOTUS_OT_stereo_fit(OfARig, Operator, bpy.types.Operator):
+    bl_idname = "motus.stereo_fit"
+    bl_label = "Fit to Screen"
+    bl_description = "Set the parallax of the budget to what is comfortable on this screen, and not deeper than it is round"
+    modes = OBJECT_MODE
+    needs_native = True
+
+    def run(self, context):
+        camera = targets.rig_for(context, self.object)
+        targets.check_removable(camera)
+        targets.check_solved(context, camera)
+        settings = camera.motus.stereo
+        if not 0.0 < settings.near < settings.far:
+            raise Refused(tr("Near must be greater than 0, and far greater than near"))
+        seen_by = lens.of(camera.evaluated_get(context.view_layer.depsgraph).data, context.scene.render)
+        settings.near_parallax, settings.far_parallax = budget.parallaxes(settings.near, settings.far, seen_by, screens.of(settings))
+
+
 class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
     bl_idname = "motus.stereo_rig_remove"
     bl_label = "Remove Stereo Rig"
@@ -89,7 +137,7 @@ class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
     def run(self, context):
         camera = targets.rig_for(context, self.object)
         targets.check_removable(camera)
-        rig.remove(context.scene, camera)
+        rig.remove(camera)
 
 
 class MOTUS_OT_stereo_refresh(OfARig, Operator, bpy.types.Operator):
@@ -104,4 +152,4 @@ class MOTUS_OT_stereo_refresh(OfARig, Operator, bpy.types.Operator):
         wiring.refresh(rig.system(), camera)
 
 
-classes = (MOTUS_OT_stereo_rig_add, MOTUS_OT_stereo_rig_remove, MOTUS_OT_stereo_refresh)
+classes = (MOTUS_OT_stereo_rig_add, MOTUS_OT_stereo_fit, MOTUS_OT_stereo_rig_remove, MOTUS_OT_stereo_refresh)

@@ -4,7 +4,8 @@ import math
 
 from ..core import graph, native, panels, ui
 from ..core.lazy import numpy as np
-from . import presets, results, rig, rows, screens
+from ..core.translations import tr
+from . import presets, results, rig, rows, screens, viewing
 from .rig import system
 from .solve import depth_of
 
@@ -21,6 +22,11 @@ def draw_main(layout, context):
     column = ui.split(layout)
     column.prop(owner.data.stereo, "convergence_mode")
     rows.EYES.draw(column, owner.motus.stereo)
+    if owner.motus.stereo.convergence == 'BUDGET':
+        button = layout.row()
+        button.operator_context = 'INVOKE_DEFAULT'
+        button.operator("motus.stereo_measure", icon='DRIVER_DISTANCE').object = owner.name
+        column = ui.split(layout)
     rows.OBJECT.draw(column, owner.motus.stereo)
     column.prop(owner.data, "angle")
     rows.INFLUENCE.draw(column, owner.motus.stereo)
@@ -28,29 +34,47 @@ def draw_main(layout, context):
 
 def draw_screen(layout, context):
     """What the audience looks at."""
-    rows.SCREEN.draw(ui.split(layout), context.object.motus.stereo)
+    settings = context.object.motus.stereo
+    rows.SCREEN.draw(ui.split(layout), settings)
+    if settings.convergence == 'BUDGET':
+        layout.row().operator("motus.stereo_fit", icon='FULLSCREEN_EXIT').object = context.object.name
 
 
 def draw_readouts(layout, context):
     """The eyes as they are, parallax of what is selected, and what the last check has found."""
     owner, scene, depsgraph = context.object, context.scene, context.view_layer.depsgraph
     eyes, _ = rig.eyes(scene, owner, depsgraph)
-    screen = screens.of(owner.motus.stereo)
+    settings = owner.motus.stereo
+    screen = screens.of(settings)
     if eyes is not None and screens.is_sound(screen):
-        ui.draw_readouts(layout, [*_of_eyes(context, eyes, screen), *_rulers(context, owner, eyes)])
+        ui.draw_readouts(layout, [*_of_eyes(context, settings, eyes, screen), *_rulers(context, owner, eyes)])
+        if settings.convergence == 'BUDGET':
+            _draw_strain(layout, settings, screen)
     _draw_check(layout, owner)
 
 
-def _of_eyes(context, eyes, screen):
-    yield ui.Readout(text="Interocular", value=ui.length(context, eyes["interaxial"]))
+def _of_eyes(context, settings, eyes, screen):
+    """What the settings do not say themselves."""
+    if settings.convergence == 'BUDGET':
+        yield ui.Readout(text="Interocular", value=ui.length(context, eyes["interaxial"]))
     if math.isfinite(eyes["convergence"]):
         roundness = native.module.roundness(eyes["convergence"], **eyes, **screen)
-        yield ui.Readout(text="Convergence", value=ui.length(context, eyes["convergence"]))
+        if settings.convergence != 'DISTANCE':
+            yield ui.Readout(text="Convergence", value=ui.length(context, eyes["convergence"]))
         yield ui.Readout(text="Roundness", value=f"{100.0 * roundness:.0f} %")
     limits = native.module.comfortable_parallax(**screen)
     near, far = native.module.depth_budget(*limits, **eyes)
     yield ui.Readout(text="Safe from", value=ui.length(context, near))
     yield ui.Readout(text="Safe to", value=ui.length(context, far) if math.isfinite(far) else "∞")
+
+
+def _draw_strain(layout, settings, screen):
+    """Where a budget is more than the screen's audience can look at with comfort."""
+    limits = [100.0 * limit for limit in native.module.comfortable_parallax(**screen)]
+    if any(mine > limit for mine, limit in zip((settings.near_parallax, settings.far_parallax), limits)):
+        near, far = (f"{limit:.2f}" for limit in limits)
+        ui.draw_message(layout, tr("The budget strains the eyes: on this screen {near} % in front and {far} % behind are comfortable").format(
+            near=near, far=far), 'ERROR')
 
 
 def _rulers(context, owner, eyes):
@@ -79,25 +103,21 @@ def _draw_check(layout, owner):
 
 
 def draw_actions(layout, context):
-    """Measuring, checking, output, baking, removing."""
+    """Looking, checking, output, baking, removing."""
     name = context.object.name
     column = layout.column(align=True)
     column.operator_context = 'INVOKE_DEFAULT'
-    column.operator("motus.stereo_measure", icon='DRIVER_DISTANCE').object = name
+    column.operator("motus.stereo_view", icon='CAMERA_STEREO', depress=viewing.is_shown(context, context.object)).object = name
     column.operator("motus.stereo_check", icon='VIEWZOOM').object = name
-    column.operator("motus.stereo_output", icon='OUTPUT').object = name
+    column.operator_menu_enum("motus.stereo_output", "format", icon='OUTPUT').object = name
     ui.draw_bake(column, system())
     column.operator("motus.stereo_rig_remove", text="Remove", icon='X').object = name
-
-
-def _is_camera(obj):
-    return obj.type == 'CAMERA'
 
 
 PANEL = panels.SystemPanel(
     name="stereo", prefix="MOTUS_PT_stereo", label="Stereo Camera",
     editors={"": ui.Sidebar, "_camera": ui.CameraData},
-    suits=_is_camera, is_used=rig.has_rig, draw=draw_main,
+    suits=lambda obj: True, is_used=rig.has_rig, draw=draw_main,
     parts=(panels.Part("screen", "Screen", draw_screen, is_open=True),),
     readouts=draw_readouts, actions=draw_actions, refresh="motus.stereo_refresh", presets=presets.PANEL,
     adders=("motus.stereo_rig_add",))

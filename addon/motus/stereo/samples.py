@@ -1,5 +1,6 @@
 """Depths of the visible scene, by rays through a grid over the camera's image."""
 
+from ..core import native
 from ..core.lazy import numpy as np
 from .rig import axis_matrix
 
@@ -27,6 +28,17 @@ def take(scene, owner, depsgraph):
                 places.append(share - 0.5)
                 depths.append(depth)
     return np.array(places), np.array(depths)
+
+
+def depth_range(scene, owner, depsgraph, left_out):
+    """(near, far) of what is seen, without a share of the picture at either end; None where nothing has a depth."""
+    _, depths = take(scene, owner, depsgraph)
+    return native.module.depth_range(depths, left_out, 1.0 - left_out)
+
+
+def beyond(near, far):
+    """Far, a little behind near where all that is seen is equally far."""
+    return max(far, near * 1.001)
 
 
 def _depth(scene, depsgraph, into_camera, start, direction, ray, camera):

@@ -12,7 +12,7 @@ from . import reading
 SEEN_WITHIN = 30.0  # seconds until words have to be on the screen
 HOVERED = 0.4  # seconds until a submenu opens under the mouse
 DRAG_STEPS = 5
-CHARACTERS = {".": 'PERIOD', "-": 'MINUS', " ": 'SPACE', "_": 'MINUS', **dict(zip("0123456789", (
+CHARACTERS = {".": 'PERIOD', "/": 'SLASH', "-": 'MINUS', " ": 'SPACE', "_": 'MINUS', **dict(zip("0123456789", (
     'ZERO', 'ONE', 'TWO', 'THREE', 'FOUR', 'FIVE', 'SIX', 'SEVEN', 'EIGHT', 'NINE')))}
 
 place = (640, 400)

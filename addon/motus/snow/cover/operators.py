@@ -34,7 +34,7 @@ class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
     collection: _names("Collection", "Name of a collection on whose meshes snow lies too")
     emitters: _names("Emitters", "Names of the emitters of snow, between commas; empty takes the selected ones, or all of the scene")
     lands: bpy.props.BoolProperty(
-        name="Flakes Land", description="The flakes of emitters that have no collider land on the surface, if it is one",
+        name="Flakes Land", description="The flakes of emitters that have no collider land on the surface, or the collection, if it is one",
         default=True)
 
     modes = OBJECT_MODE
@@ -60,7 +60,7 @@ class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
             for obj in objects:
                 entries.add().object = obj
         if self.lands:
-            _let_land(emitters, sources.surfaces(settings))
+            _let_land(emitters, surfaces, collection)
         build.wire(cover)
         for obj in context.selected_objects:
             obj.select_set(False)
@@ -116,11 +116,16 @@ def _check_emitter(obj):
         raise Refused(tr("{object} is no emitter of snow").format(object=obj.name))
 
 
-def _let_land(emitters, surfaces):
-    """Let flakes land that land on nothing as yet: an emitter has one collider."""
-    for emitter in emitters if len(surfaces) == 1 else ():
-        if emitter.motus.snow.collider is None and not emitter.library:
-            emitter.motus.snow.collider = surfaces[0]
+def _let_land(emitters, surfaces, collection):
+    """Let flakes land that land on nothing as yet: an emitter has one mesh, or a collection of them."""
+    for emitter in emitters:
+        snow = emitter.motus.snow
+        if emitter.library or snow.collider or snow.colliders or snow.recorded:
+            continue
+        if collection and not surfaces:
+            snow.colliders = collection
+        elif len(surfaces) == 1 and not collection:
+            snow.collider = surfaces[0]
 
 
 def _report(operator, context, cover):

@@ -2,10 +2,11 @@
 
 import math
 
+from ...core import copies, wiring
 from ...core.lazy import numpy as np
 from ...core.refusals import INFINITE
 from ...core.system import Geometries, Points, Problem, Setting
-from .. import births, flakes
+from .. import births, colliders, flakes, placing, stillness, view
 from . import ground, sources, work
 
 NO_SURFACE = Problem("Add a mesh that snow is to lie on")
@@ -15,11 +16,11 @@ NOT_FINITE = Problem("A setting of the cover is not a finite number")
 TOO_MANY = Problem("More than 10 million flakes fall until the end: let fewer fall, of larger lumps")
 WAITING = Problem("So many flakes, or faces, take some time: press Work Out")
 UNKNOWN = Problem(
-    "An emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it", False)
+    "An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it", False)
 MOVES = Problem("A surface moves: flakes have landed where it is on the present frame", False)
 SOME_WITHOUT = Problem("A surface has no faces, or an emitter no mesh: they are left out", False)
 UNBAKEABLE = Problem("Lying snow is computed on each frame: there is nothing to bake")
-PROBLEMS = (NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT, work.TOO_FINE,
+PROBLEMS = (*colliders.PROBLEMS, *view.PROBLEMS, NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT, work.TOO_FINE,
             flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
 
 POINTS = Points(attributes=(("depth", 'FLOAT'),), shape='FACES', capacity=4 * ground.MOST)
@@ -44,7 +45,7 @@ def solve(context, scenery, influence):
         return NOT_FINITE
     if influence <= 0.0:
         return None
-    plan, times, fault = _plan(context, settings, scenery)
+    plan, times, fault = _plan(context, settings, wiring.waited_for(settings) if scenery else {})
     if plan is None:
         return fault
     name = context.owner.name
@@ -78,48 +79,35 @@ def _plan(context, settings, scenery):
     """(Plan, seconds of each emitter's time, Problem or None); (None, None, Problem) where there is none."""
     scene = context.depsgraph.scene
     # What has come into the collection since the cover was wired may not be evaluated.
-    obstacles = [obj for obj in sources.surfaces(settings) if obj in scenery]
-    if not obstacles:
+    surfaces = [one for one in sources.surfaces(settings) if all(obj in scenery for obj in (one.object, *one.instancers))]
+    if not surfaces:
         return None, None, NO_SURFACE
-    wanted = sources.emitters(settings)
     found = {entry.object.original: entry.object for entry in settings.emitters if entry.object}
-    emitters = [found[obj] for obj in wanted]
+    emitters = [found[obj] for obj in sources.emitters(settings)]
     if not emitters:
         return None, None, NO_SNOW
-    lain_on = [_placed(scenery[obj]) for obj in obstacles]
-    fault = SOME_WITHOUT if None in lain_on else None
-    lain_on = tuple(filter(None, lain_on))
+    lain_on = [placing.placed(scenery[one.object], colliders.seen_at(one, scenery)) for one in surfaces]
+    fault = SOME_WITHOUT if any(one is None for one in lain_on) else None
+    lain_on = tuple(one for one in lain_on if one is not None)
     if not lain_on:
         return None, None, NO_FACES
-    shelters = {obj for emitter in emitters for obj in sources.shelters(emitter, obstacles)}
-    shelters = [obj for obj in scenery if obj in shelters]
+    if any(stillness.moves(scenery[obj], scene) for one in surfaces for obj in (one.object, *one.instancers)):
+        fault = fault or MOVES
     pull = tuple(scene.gravity) if scene.use_gravity and any(scene.gravity) else DOWN
-    falls, times = [], []
+    falls, times, shelters = [], [], {}
     for emitter in emitters:
         fall, problem = _fall(context, emitter, pull, scenery)
         if fall is None:
             return None, None, problem
-        fault = problem or fault
+        sheltering, unsure = colliders.parts(emitter.motus.snow, scene, {one.object for one in surfaces})
+        shelters |= dict.fromkeys(sheltering)
+        fault = problem or unsure or fault
         falls.append(fall)
         times.append((context.frame - emitter.motus.snow.start_frame) / context.fps)
-    if any(_moves(scenery[obj], scene) for obj in (*obstacles, *shelters)):
-        fault = fault or MOVES
     plan = work.Plan(
-        lain_on, tuple(filter(None, (_placed(scenery[obj]) for obj in shelters))), settings.resolution,
-        tuple(-part for part in pull), tuple(falls), settings.lump ** 3, settings.repose,
-        work.rounds(settings.smoothing, settings.resolution))
+        lain_on, tuple(shelters), settings.resolution, tuple(-part for part in pull), tuple(falls), settings.lump ** 3,
+        settings.repose, work.rounds(settings.smoothing, settings.resolution))
     return plan, times, fault
-
-
-def _placed(obj):
-    """Faces of an evaluated object in the world; None where it has none."""
-    found = births.faces(obj.data)
-    return found and births.placed(found, obj.matrix_world)
-
-
-def _moves(obj, scene):
-    moved = births.track(obj, scene)
-    return not moved.is_known or moved.extent is not None
 
 
 def _fall(context, emitter, pull, scenery):
@@ -136,17 +124,34 @@ def _fall(context, emitter, pull, scenery):
     count = births_until(snow, end)
     if not count <= work.MOST_FLAKES:
         return None, TOO_MANY
-    source, faces = emitter, None
+    source, faces, angles = sources.source(emitter), None, None
     if snow.shape == 'SURFACE':
-        source = scenery.get(snow.surface and snow.surface.original)
+        source = scenery.get(source and source.original)
         faces = source and births.faces(source.data)
         if faces is None:
             return None, NO_SNOW
-    poses, is_known = births.over_time(
-        source, scene, source.matrix_world, last, max(0.0, end), snow.start_frame, context.fps)
-    if poses is None:
+    elif snow.shape == 'CAMERA':
+        angles = view.angles(source, source and source.matrix_world, scene)
+        if isinstance(angles, Problem):
+            return None, angles
+    span = last, max(0.0, end), snow.start_frame, context.fps
+    poses, is_known = births.over_time(source, scene, source.matrix_world, *span)
+    winds, is_sure = _winds(emitter, span)
+    if poses is None or winds is flakes.NOT_FINITE:
         return None, flakes.NOT_FINITE
-    return work.Fall(tuple(given.items()), pull, poses, faces, count, end), None if is_known else UNKNOWN
+    return work.Fall(tuple(given.items()), pull, poses, winds, faces, angles, count, end), (
+        None if is_known and is_sure else UNKNOWN)
+
+
+def _winds(emitter, span):
+    """(Winds of a wind that is keyed, else None, or NOT_FINITE; whether it is known)."""
+    if emitter.motus.snow.drag == 0.0 or not copies.has_moving_settings(emitter):
+        return None, True
+    moved = births.wind_tracks(emitter)
+    is_known = all(one.is_known for one in moved)
+    if not is_known or all(one.extent is None for one in moved):
+        return None, is_known
+    return births.winds(moved, *span) or flakes.NOT_FINITE, True
 
 
 def births_until(snow, seconds):

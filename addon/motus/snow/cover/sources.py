@@ -3,7 +3,9 @@
 The settings may be an evaluated object's; what is found are originals.
 """
 
-from ...core import deleted
+from ...core import deleted, gathered
+from .. import colliders
+from ..solve import source
 
 
 def _has(obj, name):
@@ -27,10 +29,12 @@ def is_emitter(obj):
 
 
 def surfaces(settings):
-    """The objects that snow lies on, each once, but for those that were deleted."""
-    found = [entry.object.original for entry in settings.surfaces if entry.object]
-    found += settings.collection.original.all_objects if settings.collection else []
-    return [obj for obj in dict.fromkeys(found) if is_surface(obj) and not deleted.is_deleted(obj)]
+    """What snow lies on, Gathered, but for what was deleted."""
+    listed = [entry.object.original for entry in settings.surfaces if entry.object]
+    found = [gathered.Gathered(obj, ()) for obj in listed]
+    if settings.collection:
+        found += gathered.meshes(settings.collection.original, lambda obj: not is_surface(obj))
+    return [one for one in dict.fromkeys(found) if is_surface(one.object) and not deleted.is_deleted(one.object)]
 
 
 def emitters(settings):
@@ -39,37 +43,20 @@ def emitters(settings):
     return [obj for obj in found if is_emitter(obj) and not deleted.is_deleted(obj)]
 
 
-def source(emitter):
-    """The object at whose poses an emitter's flakes are born; None where it is missing."""
-    snow = emitter.motus.snow
-    if snow.shape != 'SURFACE':
-        return emitter
-    return snow.surface and snow.surface.original
-
-
-def shelters(emitter, surfaces_of):
-    """The objects that an emitter's flakes land on beside the surfaces."""
-    collider = emitter.motus.snow.collider
-    collider = collider and collider.original
-    found = [collider] if collider and collider.type == 'MESH' and not deleted.is_deleted(collider) else []
-    return [obj for obj in found if obj not in surfaces_of]
-
-
 def scenery(settings):
-    """The objects whose geometry is read."""
-    lain_on = surfaces(settings)
-    found = list(lain_on)
+    """The objects whose geometry is read, and empties by which it is seen."""
+    found = [one for each in surfaces(settings) for one in (each.object, *each.instancers)]
     for emitter in emitters(settings):
-        found += shelters(emitter, lain_on)
+        found += colliders.objects(emitter.motus.snow)
         if emitter.motus.snow.shape == 'SURFACE' and source(emitter):
             found.append(source(emitter))
-    return list(dict.fromkeys(found))
+    return list(dict.fromkeys(obj.original for obj in found))
 
 
 def placed(settings):
     """The objects whose places are read."""
-    found = emitters(settings)
-    return list(dict.fromkeys([*scenery(settings), *found]))
+    born_at = [source(emitter) for emitter in emitters(settings)]
+    return list(dict.fromkeys([*scenery(settings), *(obj.original for obj in (*emitters(settings), *born_at) if obj)]))
 
 
 def signature(settings):

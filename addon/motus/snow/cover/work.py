@@ -35,7 +35,9 @@ class Fall(NamedTuple):
     keywords: tuple
     acceleration: tuple
     poses: Any
+    winds: Any
     faces: Any
+    angles: Any
     count: float
     end: float
 
@@ -74,7 +76,7 @@ def may_wait(depsgraph):
 
 def seconds(plan):
     """How long the work takes, about."""
-    triangles = sum(len(one.triangles) for one in (*plan.lain_on, *plan.shelters))
+    triangles = sum(len(one.faces.triangles) for one in (*plan.lain_on, *plan.shelters))
     return sum(map(_seconds, plan.falls)) + TRIANGLE * triangles
 
 
@@ -144,7 +146,8 @@ def _steps(plan):
     done, covers = 1, []
     yield done
     for fall in plan.falls:
-        snow = flakes.made(fall.keywords, fall.acceleration, fall.poses, fall.faces, place.collider)
+        snow = flakes.made(
+            fall.keywords, fall.acceleration, fall.poses, fall.winds, fall.faces, fall.angles, place.collider)
         if isinstance(snow, Problem):
             return snow
         try:

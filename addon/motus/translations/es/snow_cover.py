@@ -12,8 +12,8 @@ INTERFACE = {
     "Add an emitter of snow that falls on the surfaces": "Añade un emisor de nieve que caiga sobre las superficies",
     "Add the objects that are named, or the selected ones, to those that snow lies on or falls from":
         "Añade los objetos nombrados, o los seleccionados, a aquellos sobre los que queda o de los que cae la nieve",
-    "An emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it":
-        "El movimiento de un emisor no se conoce de antemano y los copos nacen donde está ahora: grábalo o ponle claves",
+    "An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it":
+        "El movimiento de un emisor, o el viento, no se conoce de antemano y cuenta como es ahora: grábalo o ponle claves",
     "Deep Winter": "Pleno invierno",
     "Deepest": "Espesor máximo",
     "Dusting": "Nevada ligera",
@@ -76,8 +76,8 @@ INTERFACE = {
     "Take an object off the list": "Quita un objeto de la lista",
     "Take lying snow away; surfaces and falling snow stay":
         "Quita la nieve caída; las superficies y la nieve que cae se quedan",
-    "The flakes of emitters that have no collider land on the surface, if it is one":
-        "Los copos de emisores sin obstáculo caen sobre la superficie, si es una sola",
+    "The flakes of emitters that have no collider land on the surface, or the collection, if it is one":
+        "Los copos de emisores sin obstáculo caen sobre la superficie, o la colección, si es una sola",
     "The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces":
         "El manto tendría más de 2 millones de vértices: elige una resolución más gruesa, o menos superficies",
     "The list has no such object": "La lista no tiene ese objeto",

@@ -1,0 +1,38 @@
+"""The key in the viewport: by the compositor, where Blender has it there, and else on the plane before the camera."""
+
+from ..core import capabilities, viewports
+from . import setup
+
+_COMPOSITOR = "shading.use_compositor"
+
+
+def _values(scene):
+    """Settings of a viewport that shows the key, by their paths."""
+    found = {"shading.type": 'MATERIAL'}
+    if scene.camera is not None:
+        found["region_3d.view_perspective"] = 'CAMERA'
+    if capabilities.has_compositor_in_viewport():
+        found[_COMPOSITOR] = 'ALWAYS' if scene.camera is None else 'CAMERA'
+    return found
+
+
+def is_shown(context):
+    """Whether the viewport shows the key."""
+    space = viewports.space_for(context)
+    return space is not None and space.region_3d is not None and viewports.has(space, _values(context.scene))
+
+
+def show(context):
+    """Let the viewport show the key, if there is one: on a plane that is made for it, where there is no compositor."""
+    scene, space = context.scene, viewports.space_for(context)
+    if space is None or space.region_3d is None:
+        return
+    if not capabilities.has_compositor_in_viewport() and scene.camera is not None and scene.motus.chroma.plane is None:
+        setup.add_plane(scene)
+    viewports.change(space, _values(scene))
+
+
+def hide(context):
+    """Let the viewport look as it did before."""
+    otherwise = {"shading.type": 'SOLID', "region_3d.view_perspective": 'PERSP', _COMPOSITOR: 'DISABLED'}
+    viewports.restore(viewports.space_for(context), {path: otherwise[path] for path in _values(context.scene)})

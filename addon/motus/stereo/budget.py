@@ -1,0 +1,23 @@
+"""A depth budget that suits a screen."""
+
+import math
+
+from ..core import native
+
+MOST = 0.01, 0.02
+"""Parallax in front of the screen and behind it, fractions of the width, which is plenty on any screen."""
+SHOWN = 1e-4
+"""What the settings show of a fraction, in percent with two decimals."""
+
+
+def parallaxes(near, far, lens, screen):
+    """(in front, behind), in percent, for depths from near to far: comfortable, and not deeper than it is round.
+
+    lens: a lens.Lens. screen: keywords of the native module.
+    """
+    call = native.module
+    limits = [min(most, limit) for most, limit in zip(MOST, call.comfortable_parallax(**screen))]
+    behind = {"focal_length": lens.focal_length, "sensor_width": lens.sensor_width}
+    interaxial, convergence = call.solve_depth_budget(near, far, *limits, **behind)
+    deep = max(1.0, call.roundness(convergence, interaxial=interaxial, convergence=convergence, **behind, **screen))
+    return [100.0 * SHOWN * max(1, math.floor(limit / deep / SHOWN)) for limit in limits]

@@ -1,0 +1,124 @@
+"""A key set up by hand: chosen in the file browser, seen in the viewport at once, and its colour picked by the eyedropper."""
+
+import tempfile
+from pathlib import Path
+
+import bpy
+from chroma import chroma_cases as cases
+import numpy as np
+import support
+from window import window_support
+
+compositor = support.addon("chroma.compositor")
+settings = support.addon("chroma.settings")
+SUBJECT = 0.55, 0.1, 0.5
+SIZE = 96, 64
+NEAR = 0.02
+"""By how much a picked colour, which went through the screen's 8 bits, may differ."""
+
+
+def footage(folder):
+    """A file: a square of one colour in the middle of a green screen."""
+    picture = np.ones((SIZE[1], SIZE[0], 4))
+    picture[..., :3] = cases.GREEN
+    picture[16:-16, 24:-24, :3] = SUBJECT
+    return cases.written(picture, Path(folder) / "shot.png")
+
+
+def scene_with_a_camera():
+    scene = bpy.context.scene
+    scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+    scene.collection.objects.link(scene.camera)
+    return scene
+
+
+def set_up_by_hand(path):
+    """Generator: the operator asks for a file, which is chosen."""
+    bpy.context.preferences.view.filebrowser_display_type = 'SCREEN'
+    with window_support.override():
+        assert bpy.ops.motus.chroma_key_setup('INVOKE_DEFAULT') == {'RUNNING_MODAL'}
+    yield
+    browser = window_support.area('FILE_BROWSER')
+    params = yield from window_support.until(lambda: browser.spaces.active.params)
+    params.directory, params.filename = str(Path(path).parent).encode(), Path(path).name
+    yield
+    with bpy.context.temp_override(window=window_support.window(), area=browser, region=window_support.region('WINDOW', 'FILE_BROWSER')):
+        bpy.ops.file.execute()
+    yield from window_support.until(lambda: compositor.key_of(bpy.context.scene))
+
+
+def colors(path):
+    """(rows from below, columns, 3) of a picture of the window, as they are shown."""
+    width, _, values = window_support.pixels(path)
+    return np.array(values).reshape(-1, width, 4)[..., :3]
+
+
+def in_viewport(path):
+    view, sidebar = window_support.region(), window_support.region('UI')
+    return colors(path)[view.y:view.y + view.height, view.x:sidebar.x]
+
+
+def is_purple(seen):
+    return (seen[..., 0] > seen[..., 1] + 0.2) & (seen[..., 2] > seen[..., 1] + 0.2)
+
+
+def is_green(seen):
+    return (seen[..., 1] > seen[..., 0] + 0.2) & (seen[..., 1] > seen[..., 2] + 0.2)
+
+
+def until_purple():
+    """Generator: what the viewport shows, as soon as the subject is there; shaders may have to be compiled first."""
+    for _ in range(60):
+        path = yield from window_support.picture("chroma_by_hand")
+        seen = in_viewport(path)
+        if is_purple(seen).sum() > 500:
+            break
+        yield 1.0
+    return seen
+
+
+def test_chosen_and_seen_at_once():
+    with tempfile.TemporaryDirectory() as folder:
+        scene_with_a_camera()
+        space = window_support.area().spaces.active
+        kept = space.shading.type, space.region_3d.view_perspective
+        yield from set_up_by_hand(footage(folder))
+        seen = yield from until_purple()
+        assert is_purple(seen).sum() > 500, "the subject is not seen"
+        assert is_green(seen).sum() < 0.05 * is_purple(seen).sum(), "the screen is seen"
+        with window_support.override():
+            bpy.ops.motus.chroma_key_show()
+        yield
+        assert (space.shading.type, space.region_3d.view_perspective) == kept
+        with window_support.override():
+            bpy.ops.motus.chroma_key_remove()
+        yield
+        assert not [obj for obj in bpy.data.objects if obj.type == 'MESH']
+
+
+def test_eyedropper():
+    with tempfile.TemporaryDirectory() as folder:
+        scene = scene_with_a_camera()
+        bpy.ops.motus.chroma_key_setup(clip=footage(folder), underneath='NOTHING')
+        yield from window_support.open_tab("Motus")
+        window_support.draw_all()
+        yield
+        path = yield from window_support.picture("chroma_before_picking")
+        sidebar = window_support.region('UI')
+        part = is_green(colors(path)[sidebar.y:sidebar.y + sidebar.height, sidebar.x:sidebar.x + sidebar.width])
+        rows, columns = np.nonzero(part)
+        field = sidebar.x + int(np.median(columns)), sidebar.y + int(np.median(rows))
+        place = window_support.centre()
+        window_support.move(*field)
+        yield
+        window_support.press('E', *field)
+        yield
+        window_support.move(*place)
+        yield
+        window_support.press('LEFTMOUSE', *place)
+        yield
+        key = compositor.key_of(scene)
+        picked = tuple(getattr(*settings.place_of_input(key, settings.COLOR)))[:3]
+        shown = colors(path)[place[1], place[0]]
+        path = yield from window_support.picture("chroma_picked")
+        assert max(abs(cases.encoded(np.array(picked)) - shown)) < NEAR, (picked, shown)

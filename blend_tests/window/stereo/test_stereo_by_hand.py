@@ -1,0 +1,57 @@
+"""A stereo rig added by hand: it fits what the camera sees, can be adjusted, and is looked at through both eyes."""
+
+import bpy
+import numpy as np
+from stereo import stereo_cases as cases
+from window import window_support
+
+
+def build():
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    camera = cases.camera()
+    cases.square("Near", (0.3, 5.0, 0.0), 1.0)
+    cases.square("Wall", (0.0, 9.0, 0.0), 30.0)
+    other = cases.square("Other", (50.0, 0.0, 0.0))
+    bpy.context.view_layer.objects.active = other
+    with window_support.override():
+        assert bpy.ops.motus.stereo_rig_add('INVOKE_DEFAULT') == {'FINISHED'}
+    return camera
+
+
+def test_fits_what_is_seen():
+    camera = build()
+    yield
+    settings = camera.motus.stereo
+    assert bpy.context.object == camera, "the panel shows another object"
+    assert settings.convergence == 'BUDGET'
+    np.testing.assert_allclose((settings.near, settings.far), (5.0, 9.0), rtol=1e-3)
+    assert 0.0 < settings.far_parallax <= 2.0
+
+
+def test_anaglyph_view_and_back():
+    camera = build()
+    space = window_support.area().spaces.active
+    with window_support.override():
+        bpy.ops.view3d.view_axis(type='TOP')
+    yield
+    turn, where = space.region_3d.view_rotation.copy(), space.region_3d.view_perspective
+    with window_support.override():
+        bpy.ops.motus.stereo_view(object=camera.name)
+    window_support.draw_all()
+    yield
+    path = yield from window_support.picture("stereo_anaglyph")
+    width, _, values = window_support.pixels(path)
+    seen = np.array(values).reshape(-1, width, 4)
+    # Blender's own frames of both eyes are drawn in pure colours; the squares' edges are not.
+    reddish = (seen[..., 0] > seen[..., 2] + 0.1) & (seen[..., 0] < 0.9)
+    bluish = (seen[..., 2] > seen[..., 0] + 0.1) & (seen[..., 0] > 0.05)
+    view = window_support.region()
+    rows = slice(view.y + view.height // 4, view.y + 3 * view.height // 4)
+    columns = slice(view.x + view.width // 4, view.x + 3 * view.width // 4)
+    assert reddish[rows, columns].sum() > 20 and bluish[rows, columns].sum() > 20
+    with window_support.override():
+        bpy.ops.motus.stereo_view(object=camera.name)
+    yield
+    assert space.region_3d.view_perspective == where and space.overlay.show_overlays
+    assert space.region_3d.view_rotation.rotation_difference(turn).angle < 1e-4
