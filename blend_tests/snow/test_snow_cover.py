@@ -162,6 +162,23 @@ class Cover(CoverTestCase):
         go_to(100)
         self.assertLess(layer(cover)[0][:, 2].max(), 0.9)
 
+    def test_instances_of_a_collection(self):
+        seen, yard = (bpy.data.collections.new(name) for name in ("Seen", "Yard"))
+        bpy.context.scene.collection.children.link(yard)
+        shelf = self.square("Shelf")
+        bpy.context.scene.collection.objects.unlink(shelf)
+        seen.objects.link(shelf)
+        empty = bpy.data.objects.new("Empty", None)
+        empty.instance_type, empty.instance_collection, empty.location = 'COLLECTION', seen, (0.0, 0.0, 1.0)
+        yard.objects.link(empty)
+        self.add(**FALLING)
+        cover = self.cover("", collection="Yard")
+        go_to(100)
+        self.assertEqual(self.cover_sentence(cover), "")
+        self.assertGreater(len(layer(cover)[0]), 50)
+        self.assertGreater(layer(cover)[0][:, 2].min(), 0.9)
+        self.assertEqual(bpy.data.objects["Snow"].motus.snow.colliders, yard)
+
     def test_steep_slopes_shed_it(self):
         self.mesh("Roof", [(-2, -2, 0), (2, -2, 0), (2, 2, 8), (-2, 2, 8)], [(0, 1, 2, 3)], (0.0, 0.0, -4.0))
         self.add(**(FALLING | {"location": (0.0, 0.0, 6.0)}))

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core import libraries, wiring
+from ...core import gathered, libraries, wiring
 from ...core.operators import OBJECT_MODE, Operator, object_keyword
 from ...core.over_frames import Job
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
@@ -82,7 +82,7 @@ def _surfaces(context, names, collection_name):
             _check_surface(obj)
     else:
         found = [] if collection else [obj for obj in context.selected_objects if _has_faces(obj)]
-    if not found and not (collection and any(map(_has_faces, collection.all_objects))):
+    if not found and not (collection and any(_has_faces(one.object) for one in gathered.meshes(collection))):
         raise Refused(tr("Select the meshes that snow is to lie on"))
     return found, collection
 
