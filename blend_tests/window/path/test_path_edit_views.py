@@ -109,7 +109,7 @@ def test_the_header_leads_back():
     assert len(draws) == 1
     assert run(view='LEAVE') == {'FINISHED'}
     yield
-    assert state() == before
+    assert state() == before, (state(), before)
 
 
 def test_beside_an_open_sidebar():
@@ -140,7 +140,7 @@ def test_the_way_back_from_a_maximised_area():
             assert views.is_on(bpy.context), is_maximised
     run(view='LEAVE')
     yield
-    assert state() == before
+    assert state() == before, (state(), before)
 
 
 def test_another_file_has_none():
@@ -187,7 +187,7 @@ def test_left_by_blenders_own_key():
     assert len(windows()) == 4, "what is left is no edit view any more"
     run()
     yield
-    assert state() == before
+    assert state() == before, (state(), before)
 
 
 def test_single_views():
@@ -201,4 +201,4 @@ def test_single_views():
     yield from window_support.picture("path_edit_view_top")
     run(view='LEAVE')
     yield
-    assert state() == before
+    assert state() == before, (state(), before)
