@@ -41,10 +41,16 @@ def set_up_by_hand(path):
     browser = window_support.area('FILE_BROWSER')
     params = yield from window_support.until(lambda: browser.spaces.active.params)
     params.directory, params.filename = str(Path(path).parent).encode(), Path(path).name
+    window_support.draw_all()
     yield
-    with bpy.context.temp_override(window=window_support.window(), area=browser, region=window_support.region('WINDOW', 'FILE_BROWSER')):
-        bpy.ops.file.execute()
-    yield from window_support.until(lambda: compositor.key_of(bpy.context.scene))
+    place = window_support.centre(window_support.region('WINDOW', 'FILE_BROWSER'))
+    window_support.move(*place)
+    yield
+    window_support.press('RET', *place)
+    found = yield from window_support.until(lambda: compositor.key_of(bpy.context.scene), 20.0)
+    if not found:
+        yield from window_support.picture("chroma_browser")
+        raise AssertionError("no key was set up")
 
 
 def colors(path):

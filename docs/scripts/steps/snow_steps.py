@@ -6,8 +6,8 @@ from . import hand
 def steps(strip):
     """Generator: the five steps of the Snow page."""
     yield from hand.fresh()
-    yield from hand.menu("Add", "Motus", "Add Snow", within=hand.box('HEADER'))
-    yield from strip.shot(240, 180)
+    yield from hand.on("Add Snow", hand.box('UI'))
+    yield from strip.shot(620, 120)
     yield from hand.click()
 
     yield from hand.over_view()
@@ -25,6 +25,6 @@ def steps(strip):
     yield from strip.shot(620, 300)
 
     yield from hand.over_view()
-    yield from hand.click_at((300, 150))
+    yield from hand.key('A', alt=True)
     yield from hand.key('NUMPAD_0')
     yield from strip.shot(150, 150, has_mouse=False)
