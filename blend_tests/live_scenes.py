@@ -64,6 +64,12 @@ def _dynamics():
     bpy.ops.motus.dynamics_add(object="Ribbon", style='FLOPPY')
     rope = dynamics_cases.rope(3)
     bpy.ops.motus.dynamics_add(object=rope.name, bones="Tail 0 0", whole_chains=True, chain_delay=0.05)
+    balloon = _link("Balloon")
+    dynamics_cases.key(balloon, "scale", {1: (1.0, 1.0, 1.0), 20: (2.0, 0.5, 1.5)})
+    bpy.ops.motus.dynamics_add(object="Balloon", data_path="scale", style='JELLY')
+    pendant = _link("Pendant")
+    pendant.parent, pendant.parent_type, pendant.parent_bone = bpy.data.objects["Arm"], 'BONE', "Bone 1"
+    bpy.ops.motus.dynamics_add(object="Pendant", style='BOUNCY')
 
 
 def _rig(name, build_bones):

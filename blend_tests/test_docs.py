@@ -101,7 +101,7 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual([curve.data_path for curve in lamp.data.animation_data.drivers], ["energy"])
 
     def test_the_scripted_example_snows(self):
-        scripted, = [code for code in examples(DOCS / "snow.md") if "bpy.ops.motus" in code]
+        _, scripted = [code for code in examples(DOCS / "snow.md") if "bpy.ops.motus" in code]
         seen = []
         scope = {"print": seen.append}
         before = set(bpy.data.objects)
@@ -109,6 +109,13 @@ class ExamplesTest(support.SceneTestCase):
         # 500 a second, for 9 seconds more or less.
         self.assertAlmostEqual(seen[0], 4500, delta=100)
         self.assertEqual(set(bpy.data.objects), before)
+
+    def test_the_scripted_example_hands_flakes_on(self):
+        exported, _ = [code for code in examples(DOCS / "snow.md") if "bpy.ops.motus" in code]
+        seen = []
+        exec(compile(exported, "snow.md", "exec"), {"print": seen.append})
+        # Some 450 flakes of 43 faces.
+        self.assertGreater(seen[0], 15000)
 
     def test_the_native_example_of_snow_runs(self):
         scope = self.run_native("snow.md")
@@ -220,7 +227,8 @@ SYSTEMS = ("path", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "p
 """Pages for artists, whose words in italics are labels of the interface."""
 OF_BLENDER = {
     "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",
-    "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer"}
+    "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer", "Render", "Output", "Placeholders", "Overwrite",
+    "Realize Instances"}
 NAMES = {"Motus Green Screen", "Motus Trail", "Motus Flake", "Motus Spark"}
 """What is no label: datablocks that are made."""
 

@@ -280,6 +280,19 @@ class SetUp(support.SceneTestCase):
         self.assertEqual(bpy.ops.motus.chroma_key_measure(), {'FINISHED'})
         self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
 
+    def test_the_copy_of_a_scene_leaves_the_first_one_its_key(self):
+        scene = bpy.context.scene
+        scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        self.set_up(clip=footage(self.folder), use_plane=True)
+        before, plane = state(scene), scene.motus.chroma.plane
+        bpy.context.window.scene = scene.copy()
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.assertIsNone(compositor.key_of(bpy.context.scene))
+        bpy.data.scenes.remove(bpy.context.scene)
+        self.assertEqual((state(bpy.context.scene), scene.motus.chroma.plane), (before, plane))
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.assertEqual([obj.type for obj in bpy.data.objects], ['CAMERA'])
+
     # --- what is refused ---------------------------------------------------------------------------------------------
 
     def test_missing_files(self):

@@ -103,6 +103,8 @@ class Functions(DriverTestCase):
         driver = self.cube.driver_add("location", 0).driver
         for bad, rest in (("motus_pendulum(frame, 0.5, 0)", 0.5), ("motus_pendulum(frame, 0.5, -2)", 0.5),
                           ("motus_pendulum(frame, 0.25, 'a')", 0.25), ("motus_pendulum(frame, 1e400, 1)", 0.0),
+                          ("motus_pendulum(frame, 0.5, 1, 1.7e308, 1e-10)", 0.5), ("motus_pendulum(frame, 0.5, 5e-324)", 0.5),
+                          ("motus_pendulum(frame * 1e6, 0.5, 1, 0, 9.81, 1e4)", 0.5),
                           ("motus_double_pendulum(frame, 7, 0.5, 0.5)", 0.0),
                           ("motus_double_pendulum(frame * 1e12, 1, 2, 0.75)", 0.75),
                           ("motus_ease(frame, 10, 5, 0.9, 0.9)", 1.0), ("motus_ease(frame, 1, 50, 0.9, 0.9)", 0.0),
@@ -165,6 +167,18 @@ class Add(DriverTestCase):
         self.assertEqual([self.value(80, index=index) for index in range(3)], shown)
         self.refused("has no motion driver", bpy.ops.motus.driver_remove, datablock="Cube", data_path="location")
 
+    def test_removed_though_the_property_is_gone(self):
+        cube = self.cube
+        cube["gone"], cube["word"], cube["short"] = 1.0, 1.0, [1.0, 2.0, 3.0]
+        for path in ('["gone"]', '["word"]', '["short"]', "scale"):
+            bpy.ops.motus.driver_add(datablock="Cube", data_path=path, function='NOISE')
+        del cube["gone"]
+        cube["word"], cube["short"] = "a", [1.0]
+        bpy.ops.motus.driver_remove(datablock="Cube", data_path='["gone"]')
+        self.assertEqual(sorted({one.data_path for one in cube.animation_data.drivers}), ['["short"]', '["word"]', "scale"])
+        bpy.ops.motus.driver_remove(datablock="Cube")
+        self.assertFalse(cube.animation_data and cube.animation_data.drivers)
+
     def test_refused(self):
         self.cube.driver_add("location", 0).driver.expression = "frame"
         self.cube["word"] = "a"
@@ -177,6 +191,7 @@ class Add(DriverTestCase):
                 ("Cube has no property", {"data_path": 'modifiers["Gone"].strength'}),
                 ("Cube has no property", {"data_path": "__class__.x"}),
                 ("name is no number", {"data_path": "name"}), ("parent is no number", {"data_path": "parent"}),
+                ("location.x is no number", {"data_path": "location.x"}), ("keys is no number", {"data_path": "keys"}),
                 ("matrix_world is no number", {"data_path": "matrix_world"}),
                 (r'\["word"\] is no number', {"data_path": '["word"]'}),
                 ("location has 3 components", {"data_path": "location", "index": 5}),
@@ -187,6 +202,15 @@ class Add(DriverTestCase):
             with self.subTest(sentence, **keywords):
                 self.refused(sentence, **keywords)
         self.assertEqual(len(self.cube.animation_data.drivers), 1)
+
+    def test_what_the_dialog_begins_with_has_no_driver(self):
+        free = support.addon("drivers.places").free_channel
+        self.assertEqual(free(self.cube), 'ROTATION_X')
+        bpy.ops.motus.driver_add(channel='ROTATION_X')
+        self.cube.driver_add("rotation_euler", 1)
+        self.assertEqual(free(self.cube), 'ROTATION_Z')
+        self.cube.rotation_mode = 'QUATERNION'
+        self.assertEqual(free(self.cube), 'LOCATION_X')
 
     def test_linked_data_is_refused(self):
         path = str(self.folder / "library.blend")
@@ -236,6 +260,17 @@ class FollowedKeys(DriverTestCase):
         curve.keyframe_points[2].co.y = 5.0
         curve.update()
         self.assertAlmostEqual(self.value(45), self.wanted(45, numbers), delta=5e-3)
+
+    def test_two_properties_that_follow_each_other(self):
+        """Both follow keys, which no driver sets: there is no loop."""
+        for frame, value in ((1, 0.0), (20, 2.0)):
+            self.cube.location.y = value
+            self.cube.keyframe_insert("location", index=1, frame=frame)
+        for index, source in ((0, 1), (1, 0)):
+            bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=index, function='SECOND_ORDER',
+                                     source="location", source_index=source)
+        self.assertAlmostEqual(self.value(45, index=1), self.wanted(45, (1.0, 0.5, 0.0)), delta=2e-3)
+        self.assertAlmostEqual(self.value(5000), 2.0, places=4)
 
     def test_far_frames_and_frame_rates(self):
         bpy.ops.motus.driver_add(datablock="Cube", data_path="location", index=0, function='SECOND_ORDER')

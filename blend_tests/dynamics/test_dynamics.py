@@ -85,6 +85,23 @@ class DynamicsTest(support.SceneTestCase):
         entry.is_muted, entry.delay = False, 0.25  # six frames
         np.testing.assert_allclose(cases.place(ball, 28), full, atol=1e-6)
 
+    def test_a_delay_while_it_moves(self):
+        """Nothing of the animation is left at its own time."""
+        ball = cases.moved()
+        cases.key(ball, "rotation_euler", {1: (0.0, 0.0, 0.0), 10: (0.0, 0.0, 0.0), 20: (0.0, 0.0, 1.2)})
+        cases.key(ball, "scale", {1: (1.0, 1.0, 1.0), 10: (1.0, 1.0, 1.0), 20: (2.0, 1.0, 1.0)})
+        cases.add(ball, style='BOUNCY', delay=0.25, channels={'LOCATION', 'ROTATION', 'SCALE'})
+        values = cases.own(ball)
+        for frame in (14, 17, 23.5):
+            found = cases.matrix(ball, frame)
+            np.testing.assert_allclose(
+                found[:3, 3], cases.filtered(lambda frames: values(frames).locations, BOUNCY, frame - 6), atol=3e-4)
+            turns = cases.filtered(
+                lambda frames: 2.0 * np.arctan2(*values(frames).rotations[:, [3, 0]].T), BOUNCY, frame - 6)
+            self.assertAlmostEqual(math.atan2(found[1, 0], found[0, 0]), turns, delta=3e-4)
+            wanted = cases.filtered(lambda frames: values(frames).scales[:, 0], BOUNCY, frame - 6)
+            self.assertAlmostEqual(np.linalg.norm(found[:3, 0]), wanted, delta=3e-4)
+
     def test_a_keyed_weight(self):
         ball = cases.moved()
         entry = cases.add(ball, style='BOUNCY')[0]

@@ -104,6 +104,15 @@ class DynamicsBonesTest(support.SceneTestCase):
         bpy.context.view_layer.update()
         self.assertTrue(np.isfinite(cases.matrix(rig, 22, "Middle")).all())
         self.assertGreater(np.abs(cases.tail(rig, 22, "Middle") - (0.0, 0.0, 1.6)).max(), 0.01)
+        self.assertIn("not there any more", cases.problem(rig).sentence)
+        told = support.addon("dynamics.told").sentence(rig, cases.problem(rig), bpy.context.scene)
+        self.assertEqual(told, "Rope has no bone Tail 0 2: remove it from the list")
+        rig.motus.dynamics.active_entry = rig.motus.dynamics.entries.find("Tail 0 2")
+        bpy.ops.motus.dynamics_remove(object=rig.name, only_active=True)
+        bpy.context.view_layer.update()
+        cases.go_to(22)
+        self.assertIsNone(cases.problem(rig))
+        self.assertEqual([entry.name for entry in rig.motus.dynamics.entries], ["Tail 0 0", "Middle"])
 
     def test_dynamics_of_the_object_and_of_its_bones(self):
         rig = cases.rope(3)

@@ -65,21 +65,53 @@ class DynamicsSettingsTest(support.SceneTestCase):
         self.assertEqual(len(entries), 1)
         np.testing.assert_allclose((entries[0].frequency, entries[0].damping, entries[0].delay), (5.0, 0.3, 0.2), rtol=1e-6)
 
-    def test_a_single_property(self):
+    def test_two_ways_at_once(self):
         ball = cases.moved()
-        ball["glow"] = 0.0
-        for frame, value in ((1, 0.0), (10, 1.0)):
-            ball["glow"] = value
-            ball.keyframe_insert('["glow"]', frame=frame)
-        bpy.ops.motus.dynamics_add(object="Ball", data_path='["glow"]', style='BOUNCY')
-        found = [ball.evaluated_get(cases.go_to(frame))["glow"] for frame in range(1, 40)]
-        self.assertGreater(max(found), 1.1)
-        with self.assertRaisesRegex(RuntimeError, "has a driver already"):
-            bpy.ops.motus.dynamics_add(object="Ball", data_path='["glow"]')
-        with self.assertRaises(RuntimeError):
-            bpy.ops.motus.dynamics_add(object="Ball", data_path="name")
-        bpy.ops.motus.dynamics_remove(object="Ball", data_path='["glow"]')
-        self.assertFalse(ball.animation_data.drivers)
+        for keywords in ({"overshoot": 0.2, "mass": 1.0}, {"frequency": 2.0, "settling": 1.0}, {"damping": 0.3, "stiffness": 9.0},
+                         {"response": 1.0, "mass": 1.0}):
+            with self.subTest(**keywords), self.assertRaisesRegex(RuntimeError, "in two ways"):
+                cases.add(ball, **keywords)
+        self.assertFalse(ball.is_property_set("motus"))
+
+    def test_names_that_name_nothing(self):
+        rig = cases.rope(1)
+        for bones in (",", " , "):
+            with self.assertRaisesRegex(RuntimeError, "names none"):
+                cases.add(rig, bones=bones)
+        cases.add(rig, bones="Root")
+        with self.assertRaisesRegex(RuntimeError, "names none"):
+            bpy.ops.motus.dynamics_remove(object=rig.name, bones=",")
+        self.assertEqual(len(rig.motus.dynamics.entries), 1)
+
+    def test_a_loop_that_ends_before_it_begins(self):
+        ball = cases.moved()
+        with self.assertRaisesRegex(RuntimeError, "before it begins"):
+            cases.add(ball, use_loop=True, loop_start=50, loop_end=10)
+        entry = cases.add(ball, use_loop=True)[0]
+        for start, end in ((60, 10), (60, 60)):
+            entry.loop_start, entry.loop_end = start, end
+            cases.go_to(22)
+            self.assertIn("before it begins", cases.problem(ball).sentence)
+        entry.loop_end = 90
+        cases.go_to(22)
+        self.assertNotIn("before it begins", cases.problem(ball).sentence if cases.problem(ball) else "")
+
+    def test_the_marked_entry_alone_is_taken_back(self):
+        rig = cases.rope(2)
+        cases.add(rig)
+        cases.add(rig, bones="Tail 0 0")
+        rig.motus.dynamics.active_entry = 0
+        bpy.ops.motus.dynamics_loop(object=rig.name, only_active=True)
+        self.assertEqual([entry.use_loop for entry in rig.motus.dynamics.entries], [True, False])
+        bpy.ops.motus.dynamics_remove(object=rig.name, only_active=True)
+        self.assertEqual([entry.name for entry in rig.motus.dynamics.entries], ["Tail 0 0"])
+
+    def test_what_has_to_be_recorded_is_named(self):
+        rig, target = cases.rope(2), cases.moved("Target")
+        rig.pose.bones["Root"].constraints.new('DAMPED_TRACK').target = target
+        cases.add(rig, bones="Tail 0 0")
+        told = support.addon("dynamics.told").sentence(rig, cases.problem(rig), bpy.context.scene)
+        self.assertEqual(told, "What Tail 0 0 follows needs recording: Root has the constraint Damped Track")
 
     def test_bad_numbers(self):
         ball = cases.moved()

@@ -33,6 +33,7 @@ class ControlBones(Controls):
         count = len(bpy.data.objects)
         entry = self.reach(target="", make_control_bone=True)
         self.assertEqual((entry.target, entry.target_bone), (self.arm_rig, "Target Bone 1"))
+        self.assertEqual(tuple(entry.rotation_offset), (0.0, 0.0, 0.0))
         self.assert_control("Target Bone 1")
         after = self.poses(self.arm_rig)
         names = [bone.name for bone in self.arm_rig.pose.bones if bone.name != "Target Bone 1"]
@@ -197,6 +198,25 @@ class Removing(Controls):
         self.assertIn("Target Bone 0", self.arm_rig.data.bones)
         bpy.ops.motus.ik_remove(object="Rig", remove_controls=True)
         self.assertNotIn("Target Bone 0", self.arm_rig.data.bones)
+
+    def test_a_bone_that_another_rig_with_the_same_armature_goes_to_stays(self):
+        entry = self.reach(target="", make_control_bone=True)
+        name = entry.target_bone
+        twin = bpy.data.objects.new("Twin", self.arm_rig.data)
+        self.scene.collection.objects.link(twin)
+        bpy.ops.motus.ik_add(object="Twin", bone="Bone 1", target="Twin", target_bone=name)
+        bpy.ops.motus.ik_remove(object="Rig", remove_controls=True)
+        self.assertIn(name, self.arm_rig.data.bones)
+        bpy.ops.motus.ik_remove(object="Twin", remove_controls=True)
+        self.assertNotIn(name, self.arm_rig.data.bones)
+
+    def test_of_a_rig_that_is_not_shown_nothing_is_removed(self):
+        self.reach(target="", make_control_bone=True)
+        self.arm_rig.hide_viewport = True
+        self.assertRefused("show it in the viewport", bpy.ops.motus.ik_remove, object="Rig", remove_controls=True)
+        self.assertEqual(len(self.arm_rig.motus.ik.entries), 1)
+        bpy.ops.motus.ik_remove(object="Rig")
+        self.assertIn("Target Bone 1", self.arm_rig.data.bones)
 
     def test_what_the_artist_made_stays(self):
         self.reach(pole="Target")

@@ -2,9 +2,11 @@
 
 import hashlib
 import math
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
+import support
 
 from pendulum.pendulum_cases import (
     OFF_THE_FRAMES, PendulumTestCase, go_to, native, place, reach, seconds, world)
@@ -45,6 +47,15 @@ class Motion(PendulumTestCase):
             self.assertPlace(bob, reach((1.0, first), (1.0, second)) + (0.0, 0.1 * (index - 3), 0.0), 4e-6)
         places = [place(bob) for bob in self.bobs(pivot)[1::2]]
         self.assertGreater(max(np.linalg.norm(a - b) for a in places for b in places), 0.5, "no chaos")
+
+    def test_a_file_may_tell_of_any_number_of_pendulums(self):
+        settings = self.add(kind='FAN', count=3).motus.pendulum
+        settings.count = 10 ** 9
+        self.assertEqual(settings.count, 500)
+        solve, keywords = support.addon("pendulum.solve"), support.addon("pendulum.properties").KEYWORDS
+        for count in (10 ** 9, 0, -1):
+            said = SimpleNamespace(**{name: getattr(settings, name) for name in (*keywords, "kind")} | {"count": count})
+            self.assertIs(solve.swing_of(said, bpy.context.scene), solve.NO_FAN)
 
     def test_bit_for_bit_in_any_order(self):
         pivot = self.add(kind='FAN', count=5)

@@ -18,6 +18,10 @@ def native():
     return support.addon("core.native").module
 
 
+def actions():
+    return support.addon("core.actions")
+
+
 def wiring():
     return support.addon("core.wiring")
 
@@ -29,6 +33,12 @@ def system():
 def go_to(frame):
     whole = math.floor(frame)
     bpy.context.scene.frame_set(whole, subframe=frame - whole)
+
+
+def key_places(obj, keys):
+    for frame, place in keys.items():
+        obj.location = place
+        obj.keyframe_insert("location", frame=frame)
 
 
 def seconds(frame, start=1.0, fps=24.0):

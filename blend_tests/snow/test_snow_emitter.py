@@ -1,17 +1,12 @@
-"""Emitters that move, and meshes that flakes leave."""
+"""Emitters that move, meshes that flakes leave, cameras in whose view they are born, and keyed wind."""
 
 import bpy
 import numpy as np
 
-from snow.snow_cases import MANY, OFF_THE_FRAMES, SnowTestCase, flakes, go_to, hub_mesh, seconds, state
+from snow.snow_cases import (
+    MANY, OFF_THE_FRAMES, SnowTestCase, actions, flakes, go_to, hub_mesh, key_places, native, seconds, state)
 
 SQUARE = [(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (1.0, 1.0, 0.0), (0.0, 1.0, 0.0)]
-
-
-def key_places(obj, keys):
-    for frame, place in keys.items():
-        obj.location = place
-        obj.keyframe_insert("location", frame=frame)
 
 
 class Moving(SnowTestCase):
@@ -127,67 +122,131 @@ class Surface(SnowTestCase):
         self.assertEqual(len(hub_mesh(emitter).vertices), 0)
 
 
-class Collider(SnowTestCase):
-    FALLING = {"start_speed": 2.0, "lifetime": 4.0, "rate": 60.0}
-
-    def test_the_ground(self):
-        emitter = self.add(use_ground=True, ground=1.0, location=(0.0, 0.0, 3.0), **self.FALLING)
-        go_to(121)
-        found = flakes(emitter)
-        landed = found["age"] > 1.0
-        self.assertGreater(np.count_nonzero(landed), 100)
-        np.testing.assert_allclose(found["position"][landed, 2], 1.0, atol=1e-5)
-        np.testing.assert_allclose(found["position"][~landed, 2], 3.0 - 2.0 * found["age"][~landed], atol=1e-5)
-        self.assertPlayedAsCold(emitter)
-
-    def assertPlayedAsCold(self, emitter):
-        played = {}
-        for frame in (40, 80, 121):
-            go_to(frame)
-            played[frame] = flakes(emitter)["position"]
-        for frame in (121, 40, 80):
-            go_to(frame)
-            np.testing.assert_array_equal(flakes(emitter)["position"], played[frame])
-
-    def test_a_mesh_in_the_way(self):
-        roof = self.mesh("Roof", SQUARE, [(0, 1, 2, 3)], place=(-2.0, -2.0, 2.0))
-        roof.scale = 2.0, 4.0, 1.0  # x from -2 to 0
+class Camera(SnowTestCase):
+    def camera(self, **settings):
+        data = bpy.data.cameras.new("Camera")
+        for name, value in settings.items():
+            setattr(data, name, value)
+        camera = bpy.data.objects.new("Camera", data)
+        camera.location, camera.rotation_euler = (1.0, -8.0, 3.0), (1.4, 0.0, 0.3)
+        bpy.context.scene.collection.objects.link(camera)
         bpy.context.view_layer.update()
-        emitter = self.add(collider="Roof", location=(0.0, 0.0, 3.0), **self.FALLING)
-        go_to(121)
-        found = flakes(emitter)
-        below = found["position"][found["position"][:, 2] < 2.0 - 1e-4]
-        self.assertGreater(len(below), 30)
-        self.assertGreater(below[:, 0].min(), 0.0)
-        lying = np.abs(found["position"][:, 2] - 2.0) < 1e-4
-        self.assertGreater(np.count_nonzero(lying & (found["age"] > 0.6)), 30)
+        return camera
+
+    def seen(self, camera, found):
+        """Where points are in the camera's picture, as shares of its width and height from the middle; and how far away."""
+        points = np.column_stack((found["position"], np.ones(len(found["id"])))) @ np.linalg.inv(np.array(camera.matrix_world)).T
+        corner = camera.data.view_frame(scene=bpy.context.scene)[0]
+        return np.abs(points[:, :2] / -points[:, 2:3] / (corner.x / -corner.z, corner.y / -corner.z)), -points[:, 2]
+
+    def test_flakes_are_born_in_what_a_camera_sees(self):
+        camera = self.camera(lens=35.0)
+        emitter = self.add(camera="Camera", start_speed=0.0, closest=2.0, farthest=15.0, **MANY)
+        self.assertEqual(emitter.motus.snow.shape, 'CAMERA')
+        go_to(60)
+        places, distances = self.seen(camera, flakes(emitter))
+        self.assertEqual(len(distances), 300)
+        self.assertLess(places.max(), 1.0 + 1e-4)
+        self.assertGreater(places.max(axis=0).min(), 0.95)
+        self.assertTrue(distances.min() > 2.0 - 1e-4 and distances.max() < 15.0 + 1e-4)
+        # The lens, the picture's shape and the camera's place.
+        before = state(emitter)
+        camera.data.lens = 100.0
+        places, _ = self.seen(camera, flakes(emitter))
+        self.assertTrue(0.95 < places.max() < 1.0 + 1e-4)
+        camera.data.lens = 35.0
+        self.assertEqual(state(emitter), before)
+        camera.location.z = 5.0
+        bpy.context.view_layer.update()
+        self.assertNotEqual(state(emitter), before)
         self.assertEqual(self.sentence(emitter), "")
-        self.assertPlayedAsCold(emitter)
-        roof.location.z = 2.5
-        bpy.context.view_layer.update()
-        self.assertGreater(np.count_nonzero(np.abs(flakes(emitter)["position"][:, 2] - 2.5) < 1e-4), 30)
 
-    def test_melting(self):
-        emitter = self.add(use_ground=True, ground=2.0, collision='MELT', melt_time=0.5, location=(0.0, 0.0, 3.0), **self.FALLING)
-        go_to(121)
-        found = flakes(emitter)
-        self.assertLess(found["age"].max(), 1.0 + 1e-3)
-        whole, melting = (found["radius"][choice] for choice in (found["age"] < 0.5, found["age"] > 0.8))
-        self.assertLess(melting.max(), 0.6 * whole.min())
+    def test_a_zoom_and_a_pan_are_known_at_any_frame(self):
+        camera = self.camera(lens=80.0)
+        camera.data.keyframe_insert("lens", frame=1)
+        camera.data.lens = 30.0
+        camera.data.keyframe_insert("lens", frame=50)
+        key_places(camera, {1: (0.0, -8.0, 3.0), 60: (4.0, -8.0, 3.0)})
+        emitter = self.add(camera="Camera", snow=True, start_speed=1.0, **MANY)
+        found = {}
+        for _ in range(2):
+            for frame in OFF_THE_FRAMES:
+                go_to(frame)
+                self.assertEqual(found.setdefault(frame, state(emitter)), state(emitter), frame)
+        # Flakes that were born early are where those of the widest lens are.
+        emitter.motus.snow.start_speed = 0.0
+        go_to(40)
+        early = dict(zip(flakes(emitter)["id"].tolist(), map(tuple, flakes(emitter)["position"])))
+        go_to(60)
+        for number, place in zip(flakes(emitter)["id"].tolist(), flakes(emitter)["position"]):
+            if number in early:
+                np.testing.assert_allclose(place, early[number], atol=1e-5)
 
     def test_faults_are_said(self):
-        roof = self.mesh("Roof", SQUARE, [(0, 1, 2, 3)])
-        emitter = self.add(collider="Roof", **self.FALLING)
-        key_places(roof, {1: (0.0, 0.0, 0.0), 25: (1.0, 0.0, 0.0)})
-        go_to(25)
-        self.assertIn("collider moves", self.sentence(emitter))
-        self.assertGreater(len(flakes(emitter)["id"]), 0)
-        roof.data.clear_geometry()
-        go_to(26)
-        self.assertIn("has no faces", self.sentence(emitter))
-        self.assertGreater(len(flakes(emitter)["id"]), 0)
-        bpy.context.scene.collection.objects.unlink(roof)
-        for frame in (27, 28):
+        self.assertRefused(bpy.ops.motus.snow_add, "The scene has no camera", shape='CAMERA')
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new("Empty", None))
+        self.assertRefused(bpy.ops.motus.snow_add, "is no camera", camera="Empty")
+        camera = self.camera()
+        bpy.context.scene.camera = camera
+        emitter = self.add(shape='CAMERA', **MANY)
+        self.assertEqual(emitter.motus.snow.camera, camera)
+        go_to(30)
+        self.assertEqual(self.sentence(emitter), "")
+        camera.data.type = 'ORTHO'
+        self.assertIn("perspective camera", self.sentence(emitter))
+        camera.data.type = 'PERSP'
+        bpy.context.scene.collection.objects.unlink(camera)
+        for frame in (31, 32):
             go_to(frame)
-        self.assertIn("collider is gone", self.sentence(emitter))
-        self.assertRefused(bpy.ops.motus.snow_add, "is no mesh", collider=bpy.data.objects.new("Empty", None).name)
+        self.assertIn("camera is in no collection", self.sentence(emitter))
+        emitter.motus.snow.camera = None
+        self.assertIn("Choose a camera", self.sentence(emitter))
+        self.assertEqual(len(flakes(emitter)["id"]), 0)
+
+
+class Wind(SnowTestCase):
+    BLOWN = {"start_speed": 0.0, "cone_radius": 0.0, "drag": 2.0, "gusts": 0.3, "location": (0.0, 0.0, 0.0)}
+
+    def blown(self):
+        """An emitter with wind that is keyed."""
+        emitter = self.add(**self.BLOWN, **MANY)
+        for frame, wind in ((1, (0.0, 0.0, 0.0)), (20, (4.0, 0.0, 0.0)), (40, (0.0, -3.0, 0.5))):
+            emitter.motus.snow.wind = wind
+            emitter.keyframe_insert("motus.snow.wind", frame=frame)
+        for curve in actions().own_curves(emitter, lambda path: path == "motus.snow.wind"):
+            for one in curve:
+                for point in one.keyframe_points:
+                    point.interpolation = 'LINEAR'
+        emitter.update_tag()
+        return emitter
+
+    def test_keys_are_the_librarys_wind_over_time(self):
+        emitter = self.blown()
+        for frame in (45, 12, 60):
+            go_to(frame)
+            found = flakes(emitter)
+            times = [seconds(one) for one in (1.0, 20.0, 40.0)]
+            expected = native().Snow(
+                rate=200.0, lifetime=1.5, start_speed=0.0, cone_radius=0.0, drag=2.0, gusts=0.3, wind_times=times,
+                wind_values=[(0, 0, 0), (4, 0, 0), (0, -3, 0.5)]).evaluate(seconds(frame))
+            np.testing.assert_allclose(found["position"], expected["position"], atol=1e-4)
+        self.assertEqual(self.sentence(emitter), "")
+
+    def test_any_frame_in_any_order(self):
+        emitter = self.blown()
+        found = {}
+        for _ in range(2):
+            for frame in OFF_THE_FRAMES:
+                go_to(frame)
+                self.assertEqual(found.setdefault(frame, state(emitter)), state(emitter), frame)
+
+    def test_a_driven_wind_is_said(self):
+        emitter = self.add(**self.BLOWN, **MANY)
+        driver = emitter.driver_add("motus.snow.wind", 0).driver
+        driver.expression = "frame"
+        go_to(30)
+        self.assertIn("wind is not known ahead", self.sentence(emitter))
+        self.assertGreater(len(flakes(emitter)["id"]), 0)
+        self.assertEqual(bpy.ops.motus.track_record(
+            datablock=emitter.name, data_path="motus.snow.wind", index=0, frame_start=1, frame_end=50), {'FINISHED'})
+        self.assertEqual(self.sentence(emitter), "")

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 import support
-from snow.snow_cases import MANY, SnowTestCase, flakes, go_to, instances, state
+from snow.snow_cases import MANY, SnowTestCase, flakes, go_to, hub_mesh, instances, state
 
 LISTS = ("objects", "meshes", "materials", "node_groups")
 
@@ -179,6 +179,33 @@ class BadInput(SnowTestCase):
         emitter.scale = 1.0, 1.0, 0.5
         self.assertEqual(self.sentence(emitter), "")
         self.assertEqual(len(instances(emitter)), len(flakes(emitter)["id"]))
+
+    def test_a_deleted_emitter(self):
+        before = counts()
+        emitter, other = self.add(**MANY), self.add(location=(3.0, 0.0, 0.0), **MANY)
+        go_to(30)
+        bpy.data.objects.remove(emitter)
+        for frame in (31, 32):
+            go_to(frame)
+        self.assertEqual(len(flakes(other)["id"]), 258)
+        bpy.ops.motus.snow_remove(object=other.name)
+        bpy.ops.outliner.orphans_purge(do_recursive=True)
+        self.assertEqual(counts()["objects"], before["objects"])
+
+    def test_a_file_of_a_newer_version(self):
+        """Flakes have an attribute there, and emitters a shape, that this version does not know."""
+        emitter = self.add(**MANY)
+        go_to(30)
+        emitter.motus.snow.hub.data.attributes.new("later", 'FLOAT', 'POINT')
+        emitter.motus.snow["shape"] = 99
+        emitter.motus.snow.hub.data.update_tag()
+        go_to(31)
+        self.assertIn("Refresh", self.sentence(emitter))
+        self.assertEqual(len(hub_mesh(emitter).vertices), 0)
+        emitter.motus.snow.shape = 'SQUARE'
+        self.assertEqual(bpy.ops.motus.snow_refresh(object=emitter.name), {'FINISHED'})
+        self.assertEqual(self.sentence(emitter), "")
+        self.assertEqual(len(flakes(emitter)["id"]), 250)
 
     def test_refusals(self):
         self.assertRefused(bpy.ops.motus.snow_add, "There is no object Nobody", surface="Nobody")

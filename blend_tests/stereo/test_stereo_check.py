@@ -25,7 +25,7 @@ class Check(StereoTestCase):
         self.add(interocular=0.2, distance=5.0, screen='CINEMA')
         found = native().parallax(10.0, 0.2, 35.0, 36.0, 5.0)
         by = 100.0 * (found - native().divergence_limit(12.0))
-        self.assertEqual(self.check(range='CURRENT'), (f"Diverges on a 12 m screen by {by:.2g} % in frames 1",))
+        self.assertEqual(self.check(range='CURRENT'), (f"Diverges on a 12 m screen by {by:.2g} % in frame 1",))
 
     def test_what_was_found_is_forgotten(self):
         results, path = support.addon("stereo.results"), self.save()

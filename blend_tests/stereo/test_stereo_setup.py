@@ -272,6 +272,19 @@ class Removal(StereoTestCase):
         bpy.ops.motus.stereo_rig_remove(object="Other")
         self.assertFalse(bpy.context.scene.render.use_multiview)
 
+    def test_the_scene_that_the_rig_set_is_given_back(self):
+        scene = bpy.context.scene
+        self.add()
+        other = bpy.data.scenes.new("Other")
+        other.render.use_multiview = True
+        other.collection.objects.link(bpy.data.objects["Camera"])
+        bpy.context.window.scene = other
+        bpy.ops.motus.stereo_rig_remove(object="Camera")
+        self.assertTrue(other.render.use_multiview)
+        self.assertFalse(scene.render.use_multiview)
+        bpy.context.window.scene = scene
+        bpy.data.scenes.remove(other)
+
 
 class Refusals(StereoTestCase):
     def refused(self, word, operator="stereo_rig_add", **keywords):

@@ -34,8 +34,8 @@ def centre(of=None):
     return one.x + one.width // 2, one.y + one.height // 2
 
 
-def move(x, y):
-    window().event_simulate(type='MOUSEMOVE', value='NOTHING', x=x, y=y)
+def move(x, y, **modifiers):
+    window().event_simulate(type='MOUSEMOVE', value='NOTHING', x=x, y=y, **modifiers)
 
 
 def press(key, x, y, **modifiers):

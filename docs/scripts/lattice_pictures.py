@@ -36,7 +36,7 @@ def _render_pulls(file):
         place = Vector(((column - 1) * WIDTH, 0.0, 0.0))
         _add_head(place, *pull)
         stage.add_text(label, place + Vector((0.0, -1.8, -1.62)), 0.27)
-    stage.add_camera(scene, (0.0, -16.0, 2.6), (0.0, 0.0, 0.28), width=3.2 * WIDTH)
+    stage.add_camera(scene, (0.0, -16.0, 2.6), (0.0, 0.0, 0.28), width=3.3 * WIDTH)
     return stage.render(scene, file, (1280, 480), samples=64)
 
 

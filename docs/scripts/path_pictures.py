@@ -9,7 +9,7 @@ from mathutils import Vector
 import support
 
 LANES = (
-    ("World Up", 'WORLD_UP'), ("Rotation-Minimising", 'MINIMAL'), ("Banking", 'BANKING'),
+    ("World Up", 'WORLD_UP'), ("Minimal Twist", 'MINIMAL'), ("Banking", 'BANKING'),
     ("Curvature", 'CURVATURE'), ("Curve Tilt", 'TILT'),
 )
 # A course over the lane's own axis: a bend to either side, then a hump. Metres; x, y, z.

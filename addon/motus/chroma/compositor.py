@@ -127,7 +127,7 @@ def _lay(scene, tree, key, wanted, background, noted):
 
 def remove(scene, noted):
     """Take the key's nodes away, and connect the output with what it had before."""
-    tree = tree_of(scene)
+    tree = _own_tree(scene)
     key = key_of(scene)
     groups = {key.node_tree} if key else set()
     if tree is not None:
@@ -142,6 +142,14 @@ def remove(scene, noted):
     for one in groups:
         if one.users == 0:
             bpy.data.node_groups.remove(one)
+
+
+def _own_tree(scene):
+    """The tree of a scene; a copy of it, where another scene has the same one, as the copy of a scene does from Blender 5 on."""
+    tree = tree_of(scene)
+    if tree is not None and any(other != scene and tree_of(other) == tree for other in bpy.data.scenes):
+        tree = scene.compositing_node_group = tree.copy()
+    return tree
 
 
 def _remove_made_tree(scene, tree, noted):

@@ -37,17 +37,6 @@ def update(obj, color, levels):
         _set(material.node_tree, color, levels)
 
 
-def remove(obj):
-    """Remove a plane with what only it uses."""
-    mesh, materials = obj.data, [one for one in obj.data.materials if one is not None] if obj.type == 'MESH' else []
-    bpy.data.objects.remove(obj)
-    if mesh is not None and mesh.users == 0:
-        bpy.data.meshes.remove(mesh)
-    for material in materials:
-        if material.users == 0:
-            bpy.data.materials.remove(material)
-
-
 def _at(corner, distance, kind):
     return (corner.x, corner.y, -distance) if kind == 'ORTHO' else corner * (distance / -corner.z)
 

@@ -1,5 +1,8 @@
 """What setting up, measuring and removing a key consists of."""
 
+import bpy
+
+from ..core import datablocks
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import analysis, compositor, footage, group, plane, scene_settings, settings
@@ -72,8 +75,10 @@ def add_plane(scene):
 def remove(scene):
     """Take all back that a key has brought."""
     noted = scene.motus.chroma
-    if noted.plane is not None and group.KEY in noted.plane:
-        plane.remove(noted.plane)
+    others = [other for other in bpy.data.scenes if other != scene]
+    # A copy of a scene shows the same plane.
+    if noted.plane is not None and group.KEY in noted.plane and all(other.motus.chroma.plane != noted.plane for other in others):
+        datablocks.remove_objects([noted.plane])
     compositor.remove(scene, noted)
     footage.drop_unused()
     scene_settings.restore(scene, noted)

@@ -103,3 +103,8 @@ def has_shader_nodes_in_compositor():
 def has_blended_surfaces():
     """Materials say how EEVEE draws what is transparent by `surface_render_method` (4.2), not by a blend and a shadow method."""
     return "surface_render_method" in bpy.types.Material.bl_rna.properties
+
+
+def has_dialog_titles():
+    """A dialog may be called otherwise than its operator (4.1)."""
+    return "title" in bpy.types.WindowManager.bl_rna.functions["invoke_props_dialog"].parameters

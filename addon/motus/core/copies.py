@@ -121,6 +121,13 @@ def number_of(evaluated):
     return mark[0]
 
 
+def number_given(evaluated):
+    """The same of a datablock that nobody has prepared, and of whose properties no other thread reads any."""
+    if _mark(evaluated) is None:
+        evaluated[KEY] = [0]
+    return number_of(evaluated)
+
+
 def number_of_action(action):
     """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy."""
     number = action.get(KEY)

@@ -103,3 +103,19 @@ def label_of(id_data, data_path, index=-1):
 _AXES = {
     'TRANSLATION': "XYZ", 'EULER': "XYZ", 'XYZ': "XYZ", 'XYZ_LENGTH': "XYZ", 'DIRECTION': "XYZ", 'VELOCITY': "XYZ",
     'ACCELERATION': "XYZ", 'QUATERNION': "WXYZ", 'AXISANGLE': "WXYZ", 'COLOR': "RGBA", 'COLOR_GAMMA': "RGBA"}
+
+
+def remove_objects(objects):
+    """Remove objects, with those of their data and materials that nothing else uses; other children stay where they stand."""
+    objects = list(dict.fromkeys(objects))
+    for child in [child for obj in objects for child in obj.children if child not in objects]:
+        place = child.matrix_world.copy()
+        child.parent = None
+        child.matrix_world = place
+    used = dict.fromkeys(data for obj in objects for data in (obj.data, *(slot.material for slot in obj.material_slots)) if data)
+    for obj in objects:
+        bpy.data.objects.remove(obj)
+    # Meshes use materials.
+    for data in sorted(used, key=lambda one: isinstance(one, bpy.types.Material)):
+        if data.users == 0:
+            getattr(bpy.data, collection_of(data)).remove(data)

@@ -11,7 +11,7 @@ from .viewports import view_at
 class PointDrag:
     """Mixin of a modal operator: press on something, drag, release; Esc or the right button restores what was.
 
-    While it is dragged, X, Y and Z hold the point to an axis of the world, and a number may be typed.
+    While it is dragged, X, Y and Z hold the point to an axis of the world, Shift slows it down, and a number may be typed.
 
     The operator is one of core's (operators.py), and has: _hold(context, region, view, mouse) -> (point in the world, the
     same in the region) of what lies there and is kept as self._held, whose restore() puts all back, or None; _move(place),
@@ -116,7 +116,7 @@ class PointDrag:
             return
         self._travel.view.area.header_text_set(self._travel.header(context))
         context.workspace.status_text_set(
-            tr("X, Y or Z locks an axis, a number sets the length; Esc or the right button cancels"))
+            tr("X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels"))
 
     def _hide(self, context):
         context.workspace.status_text_set(None)

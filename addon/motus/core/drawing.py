@@ -52,6 +52,16 @@ def triangles(points, colors, indices):
     batch_for_shader(shader, 'TRIS', content, indices=np.asarray(indices, np.int32)).draw(shader)
 
 
+def discs(points, radii, colors, corners=16):
+    """Discs about places (n, 2), with radii (n,) in pixels and one colour (4) each."""
+    angles = np.linspace(0.0, 2.0 * np.pi, corners, endpoint=False)
+    rim = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+    places = (np.asarray(points)[:, None, :] + np.asarray(radii)[:, None, None] * rim).reshape(-1, 2)
+    fan = np.array([(0, corner, corner + 1) for corner in range(1, corners - 1)])
+    indices = (corners * np.arange(len(points))[:, None, None] + fan).reshape(-1, 3)
+    triangles(places, np.repeat(colors, corners, axis=0), indices)
+
+
 def dots(points, colors, size):
     """Squares of that many pixels about places (n, 2), one colour (4) each."""
     half = size / 2.0

@@ -1,14 +1,27 @@
 """Keys and drivers of settings that stand in a list: they go when an entry goes, and move up with those behind it."""
 
+import itertools
+
 import bpy
 
-from . import actions
+from . import actions, copies
 
 
 def prefixes(path, entries, index):
     """How data paths of an entry's settings begin: Blender's own have the index, scripts may use the name."""
     name = bpy.utils.escape_identifier(entries[index].name)
     return f"{path}[{index}].", f'{path}["{name}"].'
+
+
+def animated_prefix(owner, path, entries, index):
+    """That of the two by which an entry of an owner, original or evaluated, is animated: the index, if nobody has used the name."""
+    by_index, by_name = prefixes(path, entries, index)
+    copy = copies.of(owner) if owner.is_evaluated else None
+    if entries.find(entries[index].name) != index or (copy and not copy.has_animated_settings(owner)):
+        return by_index
+    animation = owner.animation_data
+    curves = itertools.chain(animation.drivers if animation else (), *map(actions.curves_of, actions.players(owner)))
+    return by_name if any(curve.data_path.startswith(by_name) for curve in curves) else by_index
 
 
 def forget(owner, path, entries, index):

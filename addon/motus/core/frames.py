@@ -5,6 +5,7 @@ import math
 import bpy
 
 from . import actions
+from .translations import tr
 
 
 def ranges(frames, step):
@@ -16,6 +17,12 @@ def ranges(frames, step):
         else:
             runs.append([frame, frame])
     return ", ".join(as_text(first) if first == last else f"{as_text(first)}-{as_text(last)}" for first, last in runs)
+
+
+def spoken(text):
+    """The text of ranges() in a sentence, in the user's language."""
+    is_one = "," not in text and "-" not in text[1:]
+    return (tr("frame {frames}") if is_one else tr("frames {frames}")).format(frames=text)
 
 
 def as_text(frame):

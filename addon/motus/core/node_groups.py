@@ -29,6 +29,15 @@ def set_input(modifier, name, value):
     modifier.id_data.update_tag()
 
 
+def inputs_of(modifier):
+    """What the modifier's group is given for its inputs: a list of values, without those that Blender keeps elsewhere."""
+    found = [socket.identifier for socket in _inputs(modifier.node_group)]
+    if capabilities.has_modifier_inputs():
+        inputs = modifier.properties.inputs
+        return [getattr(getattr(inputs, identifier, None), "value", None) for identifier in found]
+    return [modifier.get(identifier) for identifier in found]
+
+
 def link(group, source, target):
     """Connect two sockets; a value stands for a source that is none."""
     if isinstance(source, bpy.types.NodeSocket):

@@ -10,6 +10,9 @@ OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
 EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
 """Options of properties: keyed or driven, changed by overrides, and lists that overrides add to."""
 
+NO_KEYS = ". No keys: the whole motion follows from it"
+"""Ends the description of a number that is not ANIMATED since each frame of another one would be a frame of another motion."""
+
 
 def _system_of(item):
     """The system of a group of settings, or of one within it, such as an entry of a list."""

@@ -128,6 +128,10 @@ class Deformed:
     name: str
     of: str
 
+    def objects(self, settings):
+        """Those whose geometry comes first, as far as they are there."""
+        return [getattr(settings, self.of)]
+
     def variable(self, owner, settings):
         # A driver cannot depend on another object's geometry, but on the transform of an object that does.
         return settings.order_proxy and Variable('OBJECT', settings.order_proxy, "matrix_world")
@@ -144,6 +148,20 @@ class Geometry(Deformed):
 
     def read(self, value, settings):
         return getattr(settings, self.of) if Matrix.read(value, settings) is not None else None
+
+
+@dataclass(frozen=True)
+class Geometries(Deformed):
+    """The objects that the function `of` gives for settings, as Geometry has one, once the geometry of all of them is there; none
+    of them without it."""
+
+    of: Callable
+
+    def objects(self, settings):
+        return self.of(settings)
+
+    def read(self, value, settings):
+        return self.of(settings) if Matrix.read(value, settings) is not None else []
 
 
 @dataclass(frozen=True)
@@ -321,6 +339,11 @@ class System(Feature):
     def has_modifier(self):
         """Whether its sink is a modifier of the owner, and it drives no members."""
         return self.moves_points or self.makes_points is not None
+
+    @property
+    def reads_several(self):
+        """Whether its solver waits for objects that may come and go without its settings being edited."""
+        return any(isinstance(declared, Geometries) for declared in self.inputs)
 
     @property
     def reads_mesh(self):

@@ -7,12 +7,14 @@ from . import ui
 from .number_entry import CONFIRMING, NumberEntry
 
 AXES = {'X': 0, 'Y': 1, 'Z': 2}
+FINE = 0.1
+"""Of the mouse's way counts while Shift is held, as in Blender's own transforms."""
 STEEPEST = 1e-3
 """Square of the sine between an axis and the line of sight, below which the mouse cannot point at places along the axis."""
 
 
 class Travel:
-    """The point goes as the mouse does, on the plane through it that faces the view.
+    """The point goes as the mouse does, on the plane through it that faces the view; a tenth as far while Shift is held.
 
     axis: name of the one that it is held to; None for none. displacement: of the point, in the world. The number that is typed is
     its length. Of the world, where axis_vector() and length_of() do not say otherwise.
@@ -27,13 +29,17 @@ class Travel:
     def begin(self, event, point, offset=(0.0, 0.0)):
         """The mouse takes hold of a point of the world. offset: from the mouse to where the point is seen, pixels."""
         self.point, self._offset = point, offset
+        self._mouse = self._pointed = Vector((event.mouse_x, event.mouse_y))
         # The mouse keeps its distance from the point, so that nothing leaps.
-        self._grabbed = self._under(event)
+        self._grabbed = self._under()
 
     def follow(self, event):
         """The mouse has moved."""
+        mouse = Vector((event.mouse_x, event.mouse_y))
+        self._pointed = self._pointed + (mouse - self._mouse) * (FINE if event.shift else 1.0)
+        self._mouse = mouse
         if not self.entry.is_open:
-            self._way = self._under(event) - self._grabbed
+            self._way = self._under() - self._grabbed
             self.displacement = self._displacement()
 
     def take_key(self, context, event):
@@ -73,9 +79,9 @@ class Travel:
             parts.append(f"{label('Axis')} {self.axis}" + (f" ({space})" if space else ""))
         return "    ".join(parts)
 
-    def _under(self, event):
-        """What of the plane lies under the mouse."""
-        return self.view.place_at(event.mouse_x + self._offset[0], event.mouse_y + self._offset[1], self.point)
+    def _under(self):
+        """What of the plane lies where the mouse points."""
+        return self.view.place_at(self._pointed[0] + self._offset[0], self._pointed[1] + self._offset[1], self.point)
 
     def _displacement(self):
         number = self._number

@@ -1,5 +1,6 @@
 """Panel parts that all systems share."""
 
+import math
 from typing import NamedTuple
 
 import bpy
@@ -12,6 +13,8 @@ FEWEST = 16
 """Characters in a line, however narrow the region."""
 NARROW = 210.0
 """Pixels at a scale of 1: a region that is no wider has no room for labels beside fields."""
+MARGINS, LABELS = 46.0, 0.4
+"""Pixels at a scale of 1 beside labels and fields, and the share of the rest that labels have."""
 
 
 class Sidebar:
@@ -77,11 +80,11 @@ def draw_native_status(layout):
     return False
 
 
-def draw_problem(layout, context, system, owner):
-    """The solver's sentence on this owner, if it has one; returns its Problem."""
+def draw_problem(layout, context, system, owner, tell=None):
+    """The solver's sentence on this owner, if it has one; returns its Problem. tell(problem): the sentence, in other words."""
     problem = wiring.problem(system, owner, context.view_layer.depsgraph)
     if problem:
-        draw_message(layout, problem.sentence, 'ERROR' if problem.blocking else 'INFO')
+        draw_message(layout, tell(problem) if tell else problem.sentence, 'ERROR' if problem.blocking else 'INFO')
     return problem
 
 
@@ -96,6 +99,7 @@ def draw_list(layout, kind, settings, name, active, add, remove, rows=3):
     kind: class name of the list. name, active: properties of the settings. add, remove: operators.
     """
     row = layout.row()
+    row.use_property_split = row.use_property_decorate = False  # dots for keys would leave no room for names
     row.template_list(kind, "", settings, name, settings, active, rows=rows)
     column = row.column(align=True)
     return column.operator(add, text="", icon='ADD'), column.operator(remove, text="", icon='REMOVE'), column
@@ -123,11 +127,23 @@ def length(context, value):
     return bpy.utils.units.to_string(name, 'LENGTH', value * units.scale_length, precision=4)
 
 
-def split(layout):
-    """A column with its labels on the left of the fields; in a narrow region within the fields, or as near as can be."""
+def split(layout, longest=""):
+    """A column with its labels on the left of the fields; in a narrow region within the fields, or as near as can be.
+
+    longest: a label that needs more room than most.
+    """
     region = bpy.context.region
-    layout.use_property_split = region is None or region.width / bpy.context.preferences.system.ui_scale > NARROW
+    width = region.width / bpy.context.preferences.system.ui_scale if region else math.inf
+    needed = max(NARROW, MARGINS + CHARACTER_WIDTH * len(longest) / LABELS)
+    layout.use_property_split = width > needed
     return layout.column()
+
+
+def draw_rig_influence(layout, settings):
+    """What all entries of a rig are weighed with."""
+    text = bpy.app.translations.pgettext_iface("Rig Influence")
+    row = layout.row()  # apart: what is split stays so
+    split(row, text).prop(settings, "influence", text=text, translate=False, slider=True)
 
 
 def draw_message(layout, sentence, icon):

@@ -12,6 +12,7 @@ from bpy.app.handlers import persistent
 
 from ..core import handlers, native
 from ..core.per_thread import keep_state
+from ..core.refusals import INFINITE
 from . import history
 
 MOST_SAID = 100  # sentences in the console, of a file
@@ -35,7 +36,7 @@ def motus_pendulum(frame, theta, length, omega=0.0, gravity=9.81, damping=0.0, s
     """
     try:
         keep_state()
-        return native.module.pendulum_angle(seconds(frame) * speed, theta, omega, length, gravity, damping)
+        return _held(native.module.pendulum_angle(seconds(frame) * speed, theta, omega, length, gravity, damping))
     except Exception as error:
         return _at_rest("motus_pendulum", error, theta)
 
@@ -48,8 +49,8 @@ def motus_double_pendulum(frame, which, theta1, theta2, omega1=0.0, omega2=0.0, 
     """
     try:
         keep_state()
-        return native.module.double_pendulum_value(
-            seconds(frame) * speed, which, theta1, theta2, omega1, omega2, mass1, mass2, length1, length2, gravity, damping)
+        return _held(native.module.double_pendulum_value(
+            seconds(frame) * speed, which, theta1, theta2, omega1, omega2, mass1, mass2, length1, length2, gravity, damping))
     except Exception as error:
         rest = theta1 if which == 0 else theta2 if which == 1 else 0.0
         return _at_rest("motus_double_pendulum", error, rest)
@@ -83,10 +84,17 @@ def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
     """
     try:
         keep_state()
-        return history.followed(
-            self, data_path, index, frame, bpy.app.driver_namespace["depsgraph"].scene, (float(f), float(zeta), float(r)))
+        return _held(history.followed(
+            self, data_path, index, frame, bpy.app.driver_namespace["depsgraph"].scene, (float(f), float(zeta), float(r))))
     except Exception as error:
         return _at_rest("motus_second_order", error, history.present(self, data_path, index))
+
+
+def _held(value):
+    """The value, which a property of Blender's has to hold."""
+    if not abs(value) < INFINITE:
+        raise ValueError("the value is too large for a property")
+    return value
 
 
 def _at_rest(name, error, value):

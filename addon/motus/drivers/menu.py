@@ -2,15 +2,16 @@
 
 import bpy
 
-from . import expressions, places
+from ..core import hovered
+from . import expressions
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 
 
 def _draw(menu, context):
-    hovered = places.hovered(context, is_drawing=True)
-    if hovered is None:
+    found = hovered.find(context, is_drawing=True)
+    if found is None:
         return
-    datablock, path, index = hovered
+    datablock, path, index = found
     animation = getattr(datablock, "animation_data", None)
     is_ours = any(
         curve.data_path == path and index in (-1, curve.array_index) and expressions.names_ours(curve.driver.expression)

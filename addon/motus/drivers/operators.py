@@ -2,12 +2,15 @@
 
 import bpy
 
-from ..core import datablocks
+from ..core import capabilities, datablocks, hovered
 from ..core.operators import Operator
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr
 from . import expressions, history, places, preview
 from .keywords import REDO, DriverKeywords, given
+
+WIDTH = 360
+"""Of the dialog, pixels at the interface's normal size."""
 
 
 class _OnProperty(datablocks.OfADatablock):
@@ -30,10 +33,10 @@ class _OnProperty(datablocks.OfADatablock):
 
     def take_hovered(self, context):
         """Note the property under the mouse in words, by which the redo panel finds it again; whether there is one."""
-        hovered = None if self.data_path else places.hovered(context)
-        if hovered is None:
+        found = None if self.data_path else hovered.find(context)
+        if found is None:
             return bool(self.data_path)
-        datablock, path, self.index = hovered
+        datablock, path, self.index = found
         datablock, self.data_path = datablocks.named_by(datablock, path)
         self.datablock, self.collection = datablock.name, datablocks.collection_of(datablock)
         return True
@@ -60,17 +63,20 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
     def invoke(self, context, _event):
         try:
             if not self.take_hovered(context) and self.channel == places.BY_PATH:
-                self.channel = places.FIRST
+                self.channel = places.free_channel(self.id_data(context))
             self._take_up(context, self.properties_meant(context))
         except Refused as refusal:
             return self.refuse(refusal)
-        return context.window_manager.invoke_props_dialog(self, width=360)
+        manager = context.window_manager
+        if self.replace and capabilities.has_dialog_titles():
+            return manager.invoke_props_dialog(self, width=WIDTH, title="Edit Motion Driver")
+        return manager.invoke_props_dialog(self, width=WIDTH)
 
     def _take_up(self, context, found):
-        """Show what is there: the values of a driver of ours, else the property's own."""
-        curve = found[0].curve
+        """Show what the property that is pointed at has: the values of a driver of ours, else its own."""
+        curve = found[0].curve if self.data_path else None
         known = curve and expressions.read(curve.driver.expression)
-        if curve and not known and self.data_path:
+        if curve and not known:
             raise Refused(_is_driven(found[0]))
         if known:
             for name, value in known.items():
@@ -154,21 +160,20 @@ class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):
         return self.execute(context)
 
     def run(self, context):
-        found = [place for place in self._meant(context)
-                 if place.curve and expressions.names_ours(place.curve.driver.expression)]
-        if not found:
-            raise Refused(_has_none(self.data_path or self.id_data(context).name))
+        datablock = self.id_data(context)
+        check_local(datablock)
+        is_one = bool(self.data_path) or self.channel != places.BY_PATH
+        gone = [one for one in places.gone(datablock) if not is_one or one.path == self.data_path]
+        meant = self.properties_meant(context) if is_one and not gone else [] if is_one else places.there(datablock)
+        found = [place for place in meant if place.curve and expressions.names_ours(place.curve.driver.expression)]
+        if not found and not gone:
+            raise Refused(_has_none(self.data_path or datablock.name))
         depsgraph = context.evaluated_depsgraph_get()
         for place, value in [(place, place.evaluated(depsgraph)) for place in found]:
             place.remove()
             place.rest_at(value)
-
-    def _meant(self, context):
-        if self.data_path or self.channel != places.BY_PATH:
-            return self.properties_meant(context)
-        datablock = self.id_data(context)
-        check_local(datablock)
-        return [place for one in places.on(datablock) for place in places.find(datablock, one.path, one.index)]
+        for one in gone:
+            one.remove()
 
 
 def _has_none(name):

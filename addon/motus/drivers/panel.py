@@ -1,6 +1,6 @@
 """The motion drivers of the active object, and of its data and materials."""
 
-from ..core import native, panels, ui
+from ..core import native, operators, panels, ui
 from ..core.datablocks import collection_of, label_of
 from ..core.refusals import Refused
 from . import expressions, history, places, preview
@@ -10,6 +10,7 @@ from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 def _draw(layout, context):
     for found in places.of_object(context.object):
         _draw_driver(layout, context.object, found)
+    operators.offer(layout.column(), context).operator(MOTUS_OT_driver_add.bl_idname, icon='ADD')
 
 
 def _draw_driver(layout, obj, found):

@@ -95,6 +95,18 @@ def of_channel(obj, channel):
     return ("rotation_euler" if kind == 'ROTATION' else kind.lower()), "XYZ".index(axis)
 
 
+def free_channel(obj):
+    """The first of CHANNELS that has no driver, rotations before the others; FIRST where all have one."""
+    for channel in sorted((name for name, *_ in CHANNELS if name != BY_PATH), key=lambda name: not name.startswith('ROTATION')):
+        try:
+            place, = find(obj, *of_channel(obj, channel))
+        except Refused:
+            continue  # an object that is not turned by angles
+        if place.curve is None:
+            return channel
+    return FIRST
+
+
 def _key(name):
     return bpy.utils.unescape_identifier(name[2:-2])
 
@@ -143,8 +155,10 @@ def _size(struct, name, value):
         if isinstance(value, (int, float)):
             return 0
         return len(value) if getattr(value, "typecode", None) in {"d", "f", "i", "b"} else None
-    prop = struct.bl_rna.properties[name]
-    if prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
+    # Vectors have no properties of Blender's, and among its attributes are methods.
+    rna = getattr(struct, "bl_rna", None)
+    prop = rna and rna.properties.get(name)
+    if prop is None or prop.type not in _NUMBERS or prop.is_readonly or not prop.is_animatable:
         return None
     return prop.array_length if prop.is_array else 0
 
@@ -159,37 +173,6 @@ def type_of(datablock):
     return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
 
 
-def hovered(context, is_drawing=False):
-    """(datablock, data path, index) of the property under the mouse, or whose menu is open; None without one.
-
-    is_drawing: while a menu is drawn 3.4 tells no index.
-    """
-    if hasattr(context, "property"):  # from 4.0 on
-        return context.property
-    struct, prop = getattr(context, "button_pointer", None), getattr(context, "button_prop", None)
-    if struct is None or prop is None or struct.id_data is None:
-        return None
-    try:
-        path = prop.identifier if struct == struct.id_data else struct.path_from_id(prop.identifier)
-    except ValueError:
-        return None
-    return struct.id_data, path, _hovered_index(context) if getattr(prop, "is_array", False) and not is_drawing else -1
-
-
-def _hovered_index(context):
-    """Which component of an array is meant; only the path that Blender copies tells."""
-    manager = context.window_manager
-    before = manager.clipboard
-    try:
-        if not bpy.ops.ui.copy_data_path_button.poll():
-            return -1
-        bpy.ops.ui.copy_data_path_button(full_path=True)
-        found = _INDEX.search(manager.clipboard)
-    finally:
-        manager.clipboard = before
-    return int(found[1]) if found else -1
-
-
 @dataclass(frozen=True)
 class Found:
     """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array.
@@ -202,6 +185,17 @@ class Found:
     path: str
     index: int
     expression: str
+
+    def remove(self):
+        """Take the driver away, whether its property is there or not."""
+        path = self.path if self.holder == self.datablock else self.path.partition(".")[2]
+        drivers = self.holder.animation_data.drivers
+        for curve in [curve for curve in drivers if curve.data_path == path and self.index in (-1, curve.array_index)]:
+            drivers.remove(curve)
+
+    def places(self):
+        """The Places that it drives. Raises Refused where the property is gone, or no number any more."""
+        return find(self.datablock, self.path, self.index)
 
 
 def of_object(obj):
@@ -221,6 +215,25 @@ def on(datablock, within=""):
         if expressions.names_ours(curve.driver.expression):
             path = f"{within}.{curve.data_path}" if within else curve.data_path
             yield Found(datablock, holder, path, curve.array_index if _is_array(datablock, path) else -1, curve.driver.expression)
+
+
+def there(datablock):
+    """The Places on a datablock that our functions drive."""
+    return [place for one in on(datablock) if not _is_gone(one) for place in one.places()]
+
+
+def gone(datablock):
+    """The drivers of our functions on a datablock, or on the node tree in it, whose property is gone, or no number any more."""
+    withins = ("", "node_tree") if getattr(datablock, "node_tree", None) else ("",)
+    return [one for within in withins for one in on(datablock, within) if _is_gone(one)]
+
+
+def _is_gone(found):
+    try:
+        found.places()
+    except Refused:
+        return True
+    return False
 
 
 def _is_array(datablock, path):

@@ -1,7 +1,7 @@
 """Dynamics: objects and bones follow their animation as a mass on a spring does, exact at any frame."""
 
 from ..core.system import System
-from . import groups, operators, over_time, panel, presets, properties, solve
+from . import groups, menu, operators, over_time, panel, presets, properties, solve
 
 SYSTEM = System(
     name="dynamics",
@@ -14,6 +14,7 @@ SYSTEM = System(
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
+    extras=(menu,),
     object_menu=("motus.dynamics_add", "motus.dynamics_remove"),
     pose_menu=("motus.dynamics_add", "motus.dynamics_remove"),
 )

@@ -1,4 +1,4 @@
-"""What is wired on an owner: the object itself and its bones that follow, and which of them are solved together."""
+"""What is wired on an owner: the object itself, its bones and properties that follow, and which of them are solved together."""
 
 import json
 from typing import NamedTuple
@@ -7,7 +7,7 @@ import bpy
 
 from ..core import dependencies, rigs
 from ..core.entries import unwired
-from ..core.system import BonesOwn, Entry, Group, Member, Transform
+from ..core.system import BonesOwn, Entry, Group, Member, Property, Transform
 from ..core.tracks import transforms
 from . import inputs
 
@@ -15,15 +15,18 @@ PLAN = "plan"
 """Key of a group's data: a JSON object that solve.Plan is read from."""
 LOOPED = "looped"
 """Key of a group's data: how many bones are left out, because what they hang on moves with them."""
+MISSING = "missing"
+"""Key of a group's data: how many entries' bones the rig has not."""
 OBJECT = "object"
-"""Name of the object's own unit; bones' are called "bone " and the topmost bone."""
+"""Name of the object's own unit; bones' are called "bone " and the topmost bone, properties' by their path."""
+PROPERTIES = "properties"
 TURN = frozenset({"rotation"})
 
 
 class Unit(NamedTuple):
-    """What is solved at once: the object, a bone by its own animation, or bones that hang on each other by their tails.
+    """What is solved at once: the object, a bone by its own animation, bones that hang on each other by their tails, a property.
 
-    entries: of the things, the topmost bone first. kind: 'OBJECT', 'OWN' or 'TAILS'.
+    entries: of the things, the topmost bone first. kind: 'OBJECT', 'OWN', 'TAILS' or 'PROPERTY', whose thing is its owner.
     """
 
     name: str
@@ -38,7 +41,7 @@ class Unit(NamedTuple):
             if parent == owner.parent and not inputs.follows_parent(owner, self.entries[0]):
                 return []
             return [(owner.parent, parent.name if parent != owner.parent else "")]
-        if self.kind == 'OWN':
+        if self.kind != 'TAILS':
             return []
         return unit_reads(owner, self.things[0].name)
 
@@ -49,6 +52,8 @@ class Unit(NamedTuple):
             return inputs.TailInput(self.things, entry, scene)
         if self.kind == 'OBJECT':
             return inputs.of_object(self.things[0], entry, scene)
+        if self.kind == 'PROPERTY':
+            return inputs.ValueInput(self.things[0], entry, scene)
         return inputs.OwnInput(self.things[0], entry, scene)
 
     @property
@@ -67,6 +72,9 @@ def units(owner):
     """The Units of an owner, as far as its bones are there, without two for a thing."""
     found, tails, taken = [], {}, set()
     for entry in owner.motus.dynamics.entries:
+        if entry.data_path:
+            found.append(Unit(f"{entry.data_path}[{entry.index}]", 'PROPERTY', (entry,), (owner,)))
+            continue
         if entry.name in taken:
             continue
         taken.add(entry.name)
@@ -100,23 +108,30 @@ def _tail_units(owner, tails, others):
 
 def entries(owner):
     """For the order of evaluation: what each unit reads and drives."""
-    return [Entry(unit.name, tuple(unit.reads(owner)), unit.drives) for unit in units(owner)]
+    return [Entry(unit.name, tuple(unit.reads(owner)), unit.drives) for unit in units(owner) if unit.kind != 'PROPERTY']
+
+
+def is_missing(owner, entry):
+    """Whether the rig has not the bone of an entry."""
+    return bool(entry.name) and (owner.pose is None or entry.name not in owner.pose.bones)
 
 
 def groups(owner):
-    """One group for the object, and one for the bones of each level: they are solved by one call."""
+    """One group for the object, one for the bones of each level, and one for properties: they are solved by one call."""
     present = units(owner)
     levels = dependencies.levels(owner)
-    looped = sum(levels.get(("dynamics", unit.name)) is None for unit in present)
-    placed = [(levels.get(("dynamics", unit.name)), unit) for unit in present]
+    placed = [(levels.get(("dynamics", unit.name)), unit) for unit in present if unit.kind != 'PROPERTY']
     by_key = {}
     for level, unit in placed:
         if level is not None:
             by_key.setdefault(OBJECT if unit.kind == 'OBJECT' else f"bones{level}", []).append(unit)
-    if not by_key:
-        by_key[OBJECT] = []  # to say what is wrong
-    ordered = sorted(by_key.items(), key=lambda pair: (pair[0] != OBJECT, pair[0]))
-    return tuple(_group(owner, key if index else "", found, looped) for index, (key, found) in enumerate(ordered))
+    parts = [(key, by_key[key], ()) for key in sorted(by_key, key=lambda key: (key != OBJECT, key))]
+    properties = [unit.entries[0] for unit in present if unit.kind == 'PROPERTY']
+    if properties or not parts:  # without any there is one group, to say what is wrong
+        parts.append((PROPERTIES, (), properties))
+    wrong = {LOOPED: sum(level is None for level, _ in placed),
+             MISSING: sum(is_missing(owner, entry) for entry in owner.motus.dynamics.entries)}
+    return tuple(_group(owner, key if index else "", *found, wrong) for index, (key, *found) in enumerate(parts))
 
 
 def channels(entry, thing):
@@ -138,16 +153,25 @@ def bone_renamed(owner, rig, old, new):
                 entry.name = new
             if entry.chain == old:
                 entry.chain = new
+            before, after = (f'pose.bones["{bpy.utils.escape_identifier(name)}"]' for name in (old, new))
+            if entry.data_path.startswith(before):
+                entry.data_path = after + entry.data_path[len(before):]
 
 
-def _group(owner, key, found, looped):
+def _group(owner, key, found, properties, wrong):
     things = [(thing, entry, unit.kind) for unit in found for thing, entry in zip(unit.things, unit.entries)]
     reads = dict.fromkeys(pair for unit in found for pair in unit.reads(owner))
     bones = [thing.name for thing, _, kind in things if kind != 'OBJECT']
     plan = {"fingerprint": rigs.fingerprint(owner) if bones else 0,
             "units": [[unit.kind, [entry.name for entry in unit.entries]] for unit in found]}
+    driven = []
+    if properties:
+        indices = [inputs.indices_of(owner, entry.data_path, entry.index) or [entry.index] for entry in properties]
+        plan[PROPERTIES] = [[entry.data_path, entry.index, len(one)] for entry, one in zip(properties, indices)]
+        driven = [Property(f"{entry.data_path}[{index}]", owner, entry.data_path, index)
+                  for entry, one in zip(properties, indices) for index in one]
     return Group(
         key=key,
         members=tuple(Member(thing, channels(entry, thing), 'LOCAL', is_relative=True) for thing, entry, _ in things),
         inputs=(*(Transform(*pair) for pair in reads), *(BonesOwn(owner, name) for name in dict.fromkeys(bones))),
-        data={PLAN: json.dumps(plan), LOOPED: looped})
+        outputs=tuple(one.output for one in driven), properties=tuple(driven), data={PLAN: json.dumps(plan), **wrong})

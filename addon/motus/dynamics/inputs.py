@@ -2,8 +2,9 @@
 
 import functools
 
-from ..core import tracks
+from ..core import tracks, wiring
 from ..core.lazy import numpy as np
+from ..core.refusals import Refused
 from ..core.system import registered
 from ..core.tracks import keys, rotations, transforms
 from . import sampling
@@ -23,6 +24,10 @@ def follows_parent(obj, entry):
 def carrier(obj, scene):
     """The Track of the world matrix of what an object hangs on."""
     return tracks.world_track(transforms.parent_of(obj), scene)
+
+
+MOST_NUMBERS = 32
+"""Numbers of an array property that can follow: Blender's own arrays have no more."""
 
 
 class _Input:
@@ -61,6 +66,11 @@ class _Input:
         return times_of(self._entry, self.tracks, self._scene, frame)
 
 
+def has_loop(entry):
+    """Whether an entry loops over some frames."""
+    return entry.use_loop and entry.loop_end > entry.loop_start
+
+
 def extent_of(found):
     """As Track.extent, of several tracks."""
     return keys.united(track.extent for track in found)
@@ -68,7 +78,7 @@ def extent_of(found):
 
 def times_of(entry, found, scene, frame):
     """Frames at which the tracks of an entry are looked at."""
-    if entry.use_loop and entry.loop_end > entry.loop_start:
+    if has_loop(entry):
         return np.array(sampling.between(found, float(entry.loop_start), float(entry.loop_end), scene))
     return sampling.times(found, sampling.span_of(extent_of(found), scene, frame), scene)
 
@@ -148,6 +158,42 @@ class WorldInput(_Input):
                        sampling.resets(frames, places, self._entry.jump))
 
 
+class ValueInput(_Input):
+    """The numbers of a property by its own keys, beneath the drivers through which it follows; no tracks where it is gone."""
+
+    @functools.cached_property
+    def listed(self):
+        """As OwnInput.listed; a property cannot be recorded while it is driven."""
+        places = numbers_of(self._thing, self._entry)
+        return [(tracks.property_track(place.id_data, place.data_path, place.number.index, is_beneath_driver=True), None)
+                for place in places]
+
+    @property
+    def reason(self):
+        return next((track.reason for track in self.tracks if track.reason), None)
+
+    def values(self, frames):
+        """(n, numbers)"""
+        return np.stack([track.values(frames) for track in self.tracks], axis=1)
+
+
+def numbers_of(owner, entry):
+    """The Places of an entry's property, by its path from an original or evaluated owner; [] where that is gone."""
+    return [wiring.property_place(owner, entry.data_path, index) for index in indices_of(owner, entry.data_path, entry.index)]
+
+
+def indices_of(owner, path, index, most=MOST_NUMBERS):
+    """Indices of the numbers that are meant at a path from an object, -1 of what is no array; [] where there are none."""
+    try:
+        value = owner.path_resolve(path)
+        count = len(value) if index < 0 and hasattr(value, "__len__") and not isinstance(value, str) else 0
+        found = list(range(min(count, most))) or [index]
+        wiring.property_place(owner, path, found[0])
+    except (ValueError, Refused):
+        return []
+    return found
+
+
 class TailInput(_Input):
     """Where the tails of bones are carried in the world, by the animation of their rig and what that hangs on.
 
@@ -176,6 +222,12 @@ class TailInput(_Input):
                 bone = bone.parent
         self._places = dict(zip(found, range(len(found))))
         return list(found.values())
+
+    @property
+    def solved_bases(self):
+        """Names of the bones above all that follow which other systems turn."""
+        return [keywords["bone"] for track, keywords in self.listed
+                if keywords["transform"] == 'WORLD' and "bone" in keywords and track.kind is tracks.Kind.SOLVED]
 
     def tails(self, frames):
         """{bone's name: places of its tail (n, 3) in world space} at frames (n,)."""

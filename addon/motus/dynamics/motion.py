@@ -4,6 +4,7 @@ from typing import Any, NamedTuple
 
 from ..core import native
 from ..core.lazy import numpy as np
+from ..core.tracks import rotations
 from . import filters, inputs
 
 CLOSED = 1e-3
@@ -33,13 +34,12 @@ class Part(NamedTuple):
 
     def at(self, seconds, weight):
         """(moves, turns, ratios of the scale) of the member at a time, or times (n,); None for what does not follow."""
-        at = seconds - self.delay
-        moves = None if self.locations is None else weight * self.locations.offsets(at)
-        turns = None if self.rotations is None else _shares(self.rotations.offsets(at), weight)
+        moves = None if self.locations is None else weight * moved(self.locations, seconds, self.delay)
+        turns = None if self.rotations is None else _shares(_turned(self.rotations, seconds, self.delay), weight)
         if self.scales is None:
             return moves, turns, None
-        reached = self.scales.evaluate(at)
-        before = reached - self.scales.offsets(at)
+        before = self.scales.evaluate(seconds) - self.scales.offsets(seconds)
+        reached = before + moved(self.scales, seconds, self.delay)
         ratios = np.divide(reached, before, out=np.ones_like(reached), where=before != 0.0)
         return moves, turns, 1.0 + weight * (ratios - 1.0)
 
@@ -52,6 +52,37 @@ class Part(NamedTuple):
             context.rotations[self.row] = turns
         if ratios is not None:
             context.scales[self.row] = ratios
+
+
+class Values(NamedTuple):
+    """What one entry does to a property. outputs: of the group, one a number; place: of the entry; track: of all numbers."""
+
+    outputs: slice
+    place: int
+    delay: float
+    swings_through: bool
+    track: Any
+
+    def write(self, seconds, weight, outputs):
+        """Let the outputs be what the property is at a time."""
+        own = self.track.evaluate(seconds) - self.track.offsets(seconds)
+        outputs[self.outputs] = own + weight * moved(self.track, seconds, self.delay)
+
+
+def moved(track, seconds, delay):
+    """What a native Track that follows later by a delay differs by from its input at a time, or at times (n,)."""
+    found = track.offsets(seconds)
+    return found + (track.evaluate(seconds - delay) - track.evaluate(seconds)) if delay else found
+
+
+def _turned(track, seconds, delay):
+    """The same of a RotationTrack: turns in the input's own frame."""
+    found = track.offsets(seconds)
+    if not delay:
+        return found
+    late, now = (track.evaluate(at).reshape(-1, 4) for at in (seconds - delay, seconds))
+    back = rotations.product(now * (1.0, -1.0, -1.0, -1.0), late)
+    return rotations.product(found.reshape(-1, 4), back).reshape(found.shape)
 
 
 class Tails(NamedTuple):
@@ -83,7 +114,7 @@ def part_of(thing, entry, row, place, scene, frame):
     samples = source.samples(source.times(frame))
     # An object that is moved has its filter for each channel that it has.
     follower = filters.second_order(filters.numbers(entry))
-    is_loop = entry.use_loop and entry.loop_end > entry.loop_start
+    is_loop = inputs.has_loop(entry)
     module, resets = native.module, [] if is_loop else samples.resets
     channels = entry.channels
     turns = _closed(samples.rotations) if is_loop and 'ROTATION' in channels else samples.rotations
@@ -93,6 +124,19 @@ def part_of(thing, entry, row, place, scene, frame):
         module.Track(follower, samples.seconds, samples.locations, resets, is_loop) if 'LOCATION' in channels else None,
         module.RotationTrack(follower, samples.seconds, turns, resets, is_loop) if 'ROTATION' in channels else None,
         module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None)
+
+
+def values_of(source, entry, outputs, place, scene, frame):
+    """The Values of an entry, and its property by its ValueInput; None where nothing moves. Raises ValueError for bad numbers."""
+    if source.extent is None:
+        return None
+    frames = source.times(frame)
+    numbers = source.values(frames)
+    is_loop, jumps = inputs.has_loop(entry), inputs.sampling.resets(frames, numbers, entry.jump)
+    track = native.module.Track(
+        filters.second_order(filters.numbers(entry)), inputs.seconds_of(frames, scene), numbers, [] if is_loop else jumps,
+        is_loop)
+    return Values(outputs, place, entry.delay, is_loop and len(jumps) > 0, track)
 
 
 def _closed(turns):
@@ -108,7 +152,7 @@ def tails_of(bones, entries, rows, places, scene, frame):
     """Tails of the bones whose entries go the same way; [] where nothing moves. Raises ValueError for bad numbers."""
     ways = {}
     for index, entry in enumerate(entries):
-        loop = (entry.loop_start, entry.loop_end) if entry.use_loop and entry.loop_end > entry.loop_start else None
+        loop = (entry.loop_start, entry.loop_end) if inputs.has_loop(entry) else None
         way = filters.numbers(entry), entry.delay, loop, entry.jump
         ways.setdefault(way, []).append(index)
     found, known = [], {}

@@ -6,30 +6,35 @@ from ..core import wiring
 from ..core.operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
-from . import filters, rows, setup, styles, targets
+from . import filters, rows, setup, styles, targets, told
 from .properties import KEYWORDS, DynamicsKeywords
 
 OF_OVERSHOOT = "overshoot", "settling"
 OF_SPRING = "mass", "stiffness", "resistance"
+WAYS = filters.NUMBERS[:2], OF_OVERSHOOT, OF_SPRING
+"""Keywords that say the same motion in different numbers."""
+NOT_OF_A_PROPERTY = "bones", "whole_chains", "chain_delay", "follow", "channels"
 
 
 def _bones(description):
     return bpy.props.StringProperty(name="Bones", description=description, options={'SKIP_SAVE'})
 
 
+def _only_active():
+    return bpy.props.BoolProperty(
+        name="Only Active", description="Take the entry that the object's list has marked, and no other one", default=False,
+        options={'SKIP_SAVE', 'HIDDEN'})
+
+
 class _OnProperty:
-    """Mixin: what is passed on to the driver of a single property."""
+    """Mixin: the keywords that name a single property."""
 
     data_path: bpy.props.StringProperty(
-        name="Data Path", description="Path of a single property from the object, which is followed by a driver",
+        name="Data Path", description="Path from the object of a single property, which follows in place of the object",
         options={'SKIP_SAVE'})
     index: bpy.props.IntProperty(
         name="Index", description="Index of a number in an array property; -1 for all of it", default=-1, min=-1,
         options={'SKIP_SAVE'})
-
-    def _property(self):
-        """Keywords of motus.driver_add and motus.driver_remove that name the property."""
-        return {"datablock": self.object or bpy.context.object.name, "data_path": self.data_path, "index": self.index}
 
 
 class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.Operator):
@@ -73,10 +78,10 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
     def run(self, context):
         changes = self._changes(context)
         if self.data_path:
-            self._drive(changes)
-            return
-        wanted = targets.wanted(context, self.object, self.bones, self.whole_chains)
-        made = {owner: self._entries(owner, names, changes) for owner, names in wanted.items()}
+            made = self._property(context, changes)
+        else:
+            wanted = targets.wanted(context, self.object, self.bones, self.whole_chains)
+            made = {owner: self._entries(owner, names, changes) for owner, names in wanted.items()}
         for owner, found in made.items():
             setup.add(owner, found)
         self._report(context, made)
@@ -85,6 +90,8 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
         """Settings of an entry that were given, by name."""
         given = [*KEYWORDS, *OF_OVERSHOOT, *OF_SPRING, "chain_delay"]
         check_finite(self, given)
+        self._check_one_way()
+        targets.check_loop(context, self)
         changes = self.given(KEYWORDS)
         changes.update(zip(filters.NUMBERS, self._numbers()))
         if self.is_given("mass"):
@@ -93,6 +100,19 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
             changes.setdefault("loop_start", context.scene.frame_start)
             changes.setdefault("loop_end", context.scene.frame_end + 1)
         return changes
+
+    def _check_one_way(self):
+        """Refuse numbers that say the same motion in two ways."""
+        given = [next(filter(self.is_given, names)) for names in WAYS if any(map(self.is_given, names))]
+        if any(map(self.is_given, OF_SPRING)) and self.is_given("response"):
+            given.append("response")
+        if len(given) > 1:
+            first, second = map(self._label, given[:2])
+            raise Refused(tr("{first} and {second} say the same in two ways: give one of them").format(
+                first=first, second=second))
+
+    def _label(self, name):
+        return tr(self.properties.bl_rna.properties[name].name)
 
     def _numbers(self):
         """(frequency, damping, response) as they were given; () where none of them was."""
@@ -122,28 +142,30 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
         targets.check_no_loop(owner, [name for name in names if name == chains[name][0]], changes.get("follow", 'WORLD'))
         return found
 
-    def _drive(self, changes):
-        """Let a single property be followed by a driver, which reads its keys."""
-        numbers = {name: changes.get(name, getattr(self, name)) for name in filters.NUMBERS}
-        keywords = {"frequency": numbers["frequency"], "damping_ratio": numbers["damping"], "response": numbers["response"]}
-        try:
-            bpy.ops.motus.driver_add(function='SECOND_ORDER', **self._property(), **keywords)
-        except RuntimeError as error:
-            raise Refused(_sentence(error)) from error
+    def _property(self, context, changes):
+        """{owner: {(path, index): settings of the entry}} of a single property."""
+        for name in NOT_OF_A_PROPERTY:
+            if self.is_given(name):
+                raise Refused(tr("{name} does not go with a single property").format(name=self._label(name)))
+        owner, followed = targets.property_of(context, self.object, self.data_path, self.index)
+        targets.check_editable(owner)
+        return {owner: {followed: changes}}
 
     def _report(self, context, made):
         count = sum(map(len, made.values()))
         if count == 1:
             (owner, found), = made.items()
-            self.report({'INFO'}, tr("{object} has dynamics").format(object=next(iter(found)) or owner.name))
+            settings = owner.motus.dynamics
+            entry = settings.entries[setup.find(settings, next(iter(found)))]
+            self.report({'INFO'}, tr("{object} has dynamics").format(object=setup.label(entry)))
         else:
             self.report({'INFO'}, tr("{count} things have dynamics").format(count=count))
         context.view_layer.update()
         depsgraph = context.view_layer.depsgraph
-        problems = {wiring.problem(setup.system(), owner, depsgraph) for owner in made
-                    if owner.evaluated_get(depsgraph).is_evaluated}
-        for sentence in sorted(problem.sentence for problem in problems if problem):
-            self.report({'WARNING'}, tr(sentence))
+        problems = [(owner, wiring.problem(setup.system(), owner, depsgraph)) for owner in made
+                    if owner.evaluated_get(depsgraph).is_evaluated]
+        for sentence in sorted({told.sentence(owner, problem, context.scene) for owner, problem in problems if problem}):
+            self.report({'WARNING'}, sentence)
 
 
 def _what_to_follow(thing):
@@ -151,11 +173,6 @@ def _what_to_follow(thing):
     if thing != thing.id_data:
         return 'WORLD'
     return 'WORLD' if thing.parent and not targets.has_own_animation(thing) else 'OWN'
-
-
-def _sentence(error):
-    """What an operator has reported as it was called by a script."""
-    return str(error).strip().partition("Error: ")[2] or str(error)
 
 
 class MOTUS_OT_dynamics_remove(Operator, _OnProperty, bpy.types.Operator):
@@ -166,32 +183,27 @@ class MOTUS_OT_dynamics_remove(Operator, _OnProperty, bpy.types.Operator):
 
     object: object_keyword("Name of the object; empty takes the selected ones, in Pose Mode the selected bones")
     bones: _bones("Names of bones of the object, with commas between; empty takes all that follows")
+    only_active: _only_active()
 
     @classmethod
     def check_offer(cls, context):
         cls._owners(context, "")
 
     def run(self, context):
-        if self.data_path:
-            try:
-                bpy.ops.motus.driver_remove(**self._property())
-            except RuntimeError as error:
-                raise Refused(_sentence(error)) from error
-            return
-        owners = self._owners(context, self.object)
+        owners = self._owners(context, self.object, bool(self.data_path))
         found = {}
         for owner in owners:
             targets.check_editable(owner)
             check_no_tweak_mode(owner)
-            found[owner] = targets.indices_for(context, owner, self.bones, bool(self.object))
+            found[owner] = targets.indices_for(context, owner, self, bool(self.object))
             targets.check_removable(owner, found[owner])
         for owner, indices in found.items():
             setup.remove(owner, indices)
         self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(owner.name for owner in found)))
 
     @staticmethod
-    def _owners(context, name):
-        if name or context.mode == 'POSE':
+    def _owners(context, name, is_one=False):
+        if name or context.mode == 'POSE' or is_one:
             return [targets.owner_with(context, name)]
         found = [obj for obj in context.selected_objects if obj.motus.dynamics.entries]
         if not found:
@@ -199,7 +211,7 @@ class MOTUS_OT_dynamics_remove(Operator, _OnProperty, bpy.types.Operator):
         return found
 
 
-class MOTUS_OT_dynamics_loop(Operator, bpy.types.Operator):
+class MOTUS_OT_dynamics_loop(Operator, _OnProperty, bpy.types.Operator):
     bl_idname = "motus.dynamics_loop"
     bl_label = "Loop over the Scene"
     bl_description = "Let the motion close without a seam over the scene's frames, where the animation does"
@@ -207,6 +219,7 @@ class MOTUS_OT_dynamics_loop(Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the object; empty takes the active one")
     bones: _bones("Names of bones of the object, with commas between; empty takes all that follows")
+    only_active: _only_active()
 
     @classmethod
     def check_offer(cls, context):
@@ -215,7 +228,7 @@ class MOTUS_OT_dynamics_loop(Operator, bpy.types.Operator):
     def run(self, context):
         owner, scene = targets.owner_with(context, self.object), context.scene
         targets.check_editable(owner)
-        for index in targets.indices_for(context, owner, self.bones, True):
+        for index in targets.indices_for(context, owner, self, True):
             entry = owner.motus.dynamics.entries[index]
             entry.loop_start, entry.loop_end, entry.use_loop = scene.frame_start, scene.frame_end + 1, True
 

@@ -1,37 +1,43 @@
-"""Where an object with dynamics is at any times, for systems that need its past."""
+"""Where an object or bone with dynamics is at any times, for systems that need its past."""
 
 import functools
 
-from ..core import tracks
+from ..core import entry_keys, native, rigs, tracks
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.animation import Channel
 from ..core.tracks.question import answered
 from ..core.tracks.reason import Reason
+from ..core.tracks.rig_inputs import RigInputs, kept, once, stamp_of
+from ..core.tracks.solved import turned
 from ..core.tracks.strips import together
-from . import inputs, motion, setup
+from . import groups, inputs, motion, setup
 from .properties import KEYWORDS
 
 
 def over_time(owner, thing, scene):
-    """System.over_time; None where the object itself has no dynamics."""
-    index = setup.find(owner.motus.dynamics, "") if thing == owner else -1
+    """System.over_time; None where the object or bone itself has no dynamics."""
+    if thing != owner:
+        index = setup.find(owner.motus.dynamics, thing.name)
+        surveyed = answered((hash(owner), "dynamics"), lambda: groups.units(owner)) if index >= 0 else ()
+        unit = next((unit for unit in surveyed if thing in unit.things), None)
+        return unit and _OF_BONES[unit.kind](owner, index, unit, thing, scene)
+    index = setup.find(owner.motus.dynamics, "")
     return OverTime(owner, index, scene) if index >= 0 else None
 
 
-class OverTime:
-    """An object that follows; see core/tracks/solved.py. Original or evaluated."""
+class _OverTime:
+    """What follows; see core/tracks/solved.py. Original or evaluated."""
 
     def __init__(self, owner, index, scene):
         self._owner, self._index, self._scene = owner, index, scene
         self._entry = owner.motus.dynamics.entries[index]
 
-    @functools.cached_property
-    def _input(self):
-        return inputs.of_object(self._owner, self._entry, self._scene)
-
-    def _channels(self):
-        paths = self._owner.motus.dynamics.path_from_id() + ".influence", f"{self._entry.path_from_id()}.weight"
+    def _channels(self, indices=()):
+        entries = self._owner.motus.dynamics.entries
+        prefixes = [entry_keys.animated_prefix(self._owner, "motus.dynamics.entries", entries, index)
+                    for index in (self._index, *indices)]
+        paths = ["motus.dynamics.influence", *(prefix + name for prefix in prefixes for name in ("weight", "is_muted"))]
         return [Channel(self._owner, path, -1) for path in paths]
 
     @property
@@ -41,41 +47,6 @@ class OverTime:
             return Reason(Reason.INFLUENCE, thing=self._owner.name, name=self._owner.name)
         source = self._input
         return source.reason or next((track.reason for track in source.tracks if not track.is_known), None)
-
-    def applied(self, times, matrices):
-        """See core/tracks/solved.py."""
-        entry, count = self._entry, len(times)
-        weight = 0.0 if entry.is_muted else self._owner.motus.dynamics.influence * entry.weight
-        if weight <= 0.0 or count == 0:
-            return matrices
-        reach = inputs.reach(self._scene, float(np.max(times)))
-        part = answered((hash(self._owner), hash(self._scene), "dynamics", reach), lambda: self._part(reach))
-        if part is None:
-            return matrices
-        matrices = np.broadcast_to(matrices, (count, 4, 4)).copy()
-        moves, turns, ratios = part.at(inputs.seconds_of(np.asarray(times, float), self._scene), weight)
-        if turns is not None:
-            # Along the axes of the object, whatever its scale.
-            matrices[:, :3, :3] = rotations.chained(matrices[:, :3, :3], _between_scales(matrices, rotations.matrices(turns)))
-        if ratios is not None:
-            matrices[:, :3, :3] *= ratios[:, None, :]
-        if moves is not None:
-            matrices[:, :3, 3] += moves if part.in_world else self._in_world(times, moves)
-        return matrices
-
-    def _part(self, reach):
-        try:
-            return motion.part_of(self._owner, self._entry, 0, self._index, self._scene, reach)
-        except (ValueError, motion.OpenLoop):
-            return None
-
-    def _in_world(self, times, moves):
-        """Moves (n, 3) in the space of the object's own location, in world space."""
-        if self._owner.parent is None:
-            return moves
-        carried = inputs.carrier(self._owner, self._scene).values(times)
-        space = rotations.chained(carried, inputs.transforms.parent_offset(self._owner))[:, :3, :3]
-        return rotations.chained(space, moves[:, :, None])[:, :, 0]
 
     def bounds(self, first, last):
         """As Channel.bounds(): at each frame."""
@@ -88,18 +59,166 @@ class OverTime:
         found = self._input.extent
         return None if found is None else (-np.inf, np.inf)
 
+    def _weight(self, entry):
+        return 0.0 if entry.is_muted else self._owner.motus.dynamics.influence * entry.weight
+
+    def _part(self, thing, times):
+        """(motion.Part or None, its weight) for times."""
+        weight = self._weight(self._entry)
+        if weight <= 0.0 or len(times) == 0:
+            return None, 0.0
+        reach = inputs.reach(self._scene, float(np.max(times)))
+        return answered((hash(thing), hash(self._scene), "dynamics", reach), lambda: self._made(thing, reach)), weight
+
+    def _made(self, thing, reach):
+        try:
+            return motion.part_of(thing, self._entry, 0, self._index, self._scene, reach)
+        except (ValueError, motion.OpenLoop):
+            return None
+
+    @property
+    def _time(self):
+        """Stamp of what seconds are, and where motions begin."""
+        render = self._scene.render
+        return render.fps, render.fps_base, self._scene.frame_start
+
+
+class OverTime(_OverTime):
+    """An object."""
+
+    @functools.cached_property
+    def _input(self):
+        return inputs.of_object(self._owner, self._entry, self._scene)
+
+    def applied(self, times, matrices):
+        """See core/tracks/solved.py."""
+        part, weight = self._part(self._owner, times)
+        if part is None:
+            return matrices
+        count = len(times)
+        matrices = np.broadcast_to(matrices, (count, 4, 4)).copy()
+        moves, turns, ratios = part.at(inputs.seconds_of(np.asarray(times, float), self._scene), weight)
+        if turns is not None:
+            matrices = turned(matrices, turns, tracks.own_track(self._owner).values(times).scales)
+        if ratios is not None:
+            matrices[:, :3, :3] *= ratios[:, None, :]
+        if moves is not None:
+            matrices[:, :3, 3] += moves if part.in_world else self._in_world(times, moves)
+        return matrices
+
+    def _in_world(self, times, moves):
+        """Moves (n, 3) in the space of the object's own location, in world space."""
+        if self._owner.parent is None:
+            return moves
+        carried = inputs.carrier(self._owner, self._scene).values(times)
+        space = rotations.chained(carried, inputs.transforms.parent_offset(self._owner))[:, :3, :3]
+        return rotations.chained(space, moves[:, :, None])[:, :, 0]
+
     @property
     def stamp(self):
         """As Channel.stamp, of what no parent brings: whoever asks for the object asks for its parents too."""
-        entry, render = self._entry, self._scene.render
+        entry = self._entry
+        settings = (getattr(entry, name) for name in KEYWORDS)
         return together((
-            render.fps, render.fps_base, self._scene.frame_start, self._owner.motus.dynamics.influence, entry.is_muted,
-            *(tuple(sorted(value)) if isinstance(value, set) else value for value in (getattr(entry, name) for name in KEYWORDS)),
-            tracks.own_track(self._owner).stamp))
+            *self._time, self._owner.motus.dynamics.influence, entry.is_muted, tracks.own_track(self._owner).stamp,
+            *(tuple(sorted(value)) if isinstance(value, set) else value for value in settings)))
 
 
-def _between_scales(matrices, turns):
-    """Turns (n, 3, 3) as they are between matrices' axes of different lengths: S^-1 R S."""
-    sizes = np.sqrt((matrices[:, :3, :3] ** 2).sum(axis=1))
-    safe = np.where(sizes > 0.0, sizes, 1.0)
-    return turns * sizes[:, None, :] / safe[:, :, None]
+class _OwnBone(_OverTime):
+    """A bone that follows its own animation."""
+
+    def __init__(self, owner, index, unit, bone, scene):
+        super().__init__(owner, index, scene)
+        self._thing, self._input = bone, unit.input(scene)
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        return kept(self._owner, ("dynamics", self._index), lambda: super(_OwnBone, self).reason)
+
+    def applied(self, times, transforms):
+        """See core/tracks/solved.py."""
+        part, weight = self._part(self._thing, times)
+        if part is None:
+            return transforms
+        moves, turns, ratios = part.at(inputs.seconds_of(np.asarray(times, float), self._scene), weight)
+        return transforms._replace(
+            locations=transforms.locations if moves is None else transforms.locations + moves,
+            rotations=transforms.rotations if turns is None else rotations.product(transforms.rotations, turns),
+            scales=transforms.scales if ratios is None else transforms.scales * ratios)
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together((*self._time, self._index, stamp_of(self._owner)))
+
+
+class _Tail(_OverTime):
+    """A bone whose tail follows, of those that are turned together."""
+
+    def __init__(self, owner, index, unit, bone, scene):
+        super().__init__(owner, index, scene)
+        self._unit, self._input = unit, unit.input(scene)
+        self._row = unit.things.index(bone)
+        parent = owner.data.bones[unit.things[0].name].parent
+        read = {one.name: one for bone in unit.things for one in _down_to(bone, unit.things[0])}
+        self._between = [one for one in read.values() if one not in unit.things]
+        self._rig = RigInputs(owner, scene, ("dynamics", unit.name), read, parent.name if parent else "", (), dict)
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        # Bones between those that follow count by their own transforms.
+        held = next(filter(None, map(inputs.transforms.constrained, self._between)), None)
+        return held or super().reason or self._rig.reason
+
+    def _channels(self):
+        settings = self._owner.motus.dynamics
+        return super()._channels([setup.find(settings, thing.name) for thing in self._unit.things])
+
+    def applied(self, times, transforms):
+        """See core/tracks/solved.py."""
+        turns = once(self._owner, ("dynamics", self._unit.name), times, lambda: self._turns(times))
+        return transforms if turns is None else transforms._replace(
+            rotations=rotations.product(transforms.rotations, turns[:, self._row]))
+
+    def _turns(self, times):
+        """(n, bones of the unit, 4); None where nothing moves."""
+        names = [bone.name for bone in self._unit.things]
+        count, places = len(times), [setup.find(self._owner.motus.dynamics, name) for name in names]
+        try:
+            tails = motion.tails_of(
+                self._unit.things, self._unit.entries, range(len(names)), places, self._scene,
+                inputs.reach(self._scene, float(np.max(times)) if count else 0.0))
+        except ValueError:
+            return None
+        if not tails:
+            return None
+        seconds = inputs.seconds_of(np.asarray(times, float), self._scene)
+        targets = np.zeros((count, len(names), 3))
+        for one in tails:
+            targets[:, one.rows] = one.track.evaluate(seconds - one.delay).reshape(count, -1, 3)
+        shares = np.array([self._weight(entry) for entry in self._unit.entries])
+        all_names = rigs.names_of(self._owner)
+        still, worlds = rigs.still(self._owner, all_names), self._rig.worlds(times)
+        plan = native.module.TailPlan(rigs.parents(self._owner, all_names), [all_names.index(name) for name in names])
+        return np.stack([
+            plan.solve(still.rest, poses, basis, still.inheritance, worlds[index], targets[index], shares)
+            for index, (poses, basis) in enumerate(self._rig.rows(times, all_names))])
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        above = [track.stamp for track, keywords in self._input.listed if keywords["transform"] == 'WORLD']
+        return together((*self._time, self._row, self._rig.stamp, *above))
+
+
+_OF_BONES = {'OWN': _OwnBone, 'TAILS': _Tail}
+
+
+def _down_to(bone, top):
+    """A bone and those above it, up to the topmost one."""
+    while bone != top:
+        yield bone
+        bone = bone.parent
+    yield top

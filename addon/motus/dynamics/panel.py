@@ -5,9 +5,9 @@ import bpy
 from ..core import graph, native, panels, tracks, ui
 from ..core.lazy import numpy as np
 from ..core.translations import OWN_SENSE, tr
-from . import filters, presets, rows
+from . import filters, presets, rows, told
 from .groups import units
-from .setup import active_entry, system
+from .setup import active_entry, label, system
 
 POINTS = 256  # of the graph
 BEFORE = 0.06  # of its width: before the step
@@ -17,13 +17,15 @@ def draw_main(layout, context):
     """The list of what follows, what is wrong, and of the active entry what it follows and how."""
     owner = context.object
     settings = owner.motus.dynamics
-    ui.split(layout).prop(
-        settings, "influence", text="Rig Influence" if owner.type == 'ARMATURE' else "Influence", slider=True)
+    if owner.type == 'ARMATURE':
+        ui.draw_rig_influence(layout, settings)
+    else:
+        ui.split(layout).prop(settings, "influence", slider=True)
     _, remove, _ = ui.draw_list(layout, "MOTUS_UL_dynamics_entries", settings, "entries", "active_entry",
                                 "motus.dynamics_add", "motus.dynamics_remove", rows=2)
     entry = active_entry(owner)
-    remove.object, remove.bones = owner.name, entry.name if entry else ""
-    ui.draw_problem(layout, context, system(), owner)
+    remove.object, remove.only_active = owner.name, True
+    ui.draw_problem(layout, context, system(), owner, lambda problem: told.sentence(owner, problem, context.scene))
     if entry:
         column = ui.split(layout)
         rows.FOLLOW.draw(column, entry)
@@ -66,7 +68,7 @@ def draw_loop(layout, context):
         return
     rows.LOOP.draw(ui.split(layout), entry)
     button = layout.operator("motus.dynamics_loop", icon='FILE_REFRESH')
-    button.object, button.bones = context.object.name, entry.name
+    button.object, button.only_active = context.object.name, True
 
 
 def _draw_loop_switch(layout, context):
@@ -85,6 +87,10 @@ def draw_input(layout, context):
     if source is None:
         ui.draw_message(layout, tr("{object} has no bone {bone}").format(object=context.object.name, bone=entry.name), 'ERROR')
         return
+    if not source.tracks:
+        ui.draw_message(
+            layout, tr("{object} has no number {path}").format(object=context.object.name, path=entry.data_path), 'ERROR')
+        return
     if source.reason is not None:
         ui.draw_message(layout, source.reason.sentence, 'ERROR')
         return
@@ -92,7 +98,8 @@ def draw_input(layout, context):
     for track, keywords in unknown:
         tracks.draw(layout, track, **keywords)
     if not unknown:
-        ui.draw_message(layout, tr("Exact at any frame"), 'INFO')
+        moves = source.extent is not None
+        ui.draw_message(layout, tr("Exact at any frame") if moves else tr("Nothing moves here yet that could be followed"), 'INFO')
 
 
 def input_of(owner, entry, scene):
@@ -110,18 +117,23 @@ def draw_actions(layout, context):
     column.operator("motus.dynamics_remove", text="Remove All", icon='X').object = context.object.name
 
 
-def draw_add(layout, _context):
+def draw_add(layout, context):
     """The buttons that add dynamics."""
-    layout.operator("motus.dynamics_add", icon='FORCE_HARMONIC')
+    column = layout.column(align=True)
+    # Said in so many words, or it would be what was chosen last.
+    column.operator("motus.dynamics_add", icon='FORCE_HARMONIC').whole_chains = False
+    if context.mode == 'POSE':
+        column.operator("motus.dynamics_add", text="Add to Whole Chains", icon='FORCE_HARMONIC').whole_chains = True
 
 
 class MOTUS_UL_dynamics_entries(bpy.types.UIList):
     def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
         row = layout.row(align=True)
         row.active = not entry.is_muted
-        name, icon = (entry.name, 'BONE_DATA') if entry.name else (entry.id_data.name, 'OBJECT_DATA')
-        row.label(text=name, icon=icon, translate=False)
-        row.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
+        icon = 'FCURVE' if entry.data_path else 'BONE_DATA' if entry.name else 'OBJECT_DATA'
+        columns = row.split(factor=0.65, align=True)  # a narrow sidebar has room for the name all the same
+        columns.label(text=label(entry), icon=icon, translate=False)
+        columns.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 
 

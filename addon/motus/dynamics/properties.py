@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import filters, styles
 
 FOLLOWS = (
@@ -25,7 +25,7 @@ _STILL = {"update": touch, "options": set(), "override": OVERRIDABLE}
 
 
 def _number(name, description, default, **options):
-    return bpy.props.FloatProperty(name=name, description=description, default=default, **{**_STILL, **options})
+    return bpy.props.FloatProperty(name=name, description=description + NO_KEYS, default=default, **{**_STILL, **options})
 
 
 def _seen(name, description, key, **options):
@@ -59,11 +59,12 @@ class DynamicsKeywords:
         name="Weight", description="From the animation (0) to what follows it (1)", default=1.0, min=0.0, max=1.0,
         subtype='FACTOR', update=touch, options=ANIMATED, override=OVERRIDABLE)
     use_loop: bpy.props.BoolProperty(
-        name="Loop", description="Let the motion close without a seam over a range of frames", default=False, **_STILL)
+        name="Loop", description="Let the motion close without a seam over a range of frames" + NO_KEYS, default=False, **_STILL)
     loop_start: bpy.props.IntProperty(
-        name="Start", description="First frame of the loop", default=1, **_STILL)
+        name="Start", description="First frame of the loop" + NO_KEYS, default=1, **_STILL)
     loop_end: bpy.props.IntProperty(
-        name="End", description="Frame on which the loop begins again, which looks like its first one", default=251, **_STILL)
+        name="End", description="Frame on which the loop begins again, which looks like its first one" + NO_KEYS, default=251,
+        **_STILL)
     jump: _number(
         "Teleport", "What moves farther than this in a frame has jumped there, and starts anew at rest; 0 never does", 0.0,
         min=0.0, unit='LENGTH', soft_max=100.0)
@@ -74,10 +75,19 @@ KEYWORDS = tuple(DynamicsKeywords.__annotations__)
 
 class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Bone", description="Bone that follows; empty is the object itself", update=rewire, override=OVERRIDABLE)
+        name="Bone", description="Bone that follows; empty is the object itself, or a property", update=rewire,
+        override=OVERRIDABLE)
+    data_path: bpy.props.StringProperty(
+        name="Property", description="Path of a single property from the object that follows; empty is the object itself, "
+        "or its bone", update=rewire, override=OVERRIDABLE)
+    index: bpy.props.IntProperty(
+        name="Index", description="Which number of an array property; -1 is all of them", default=-1, min=-1, update=rewire,
+        options=set(), override=OVERRIDABLE)
     chain: bpy.props.StringProperty(
         name="Chain", description="Topmost bone of the chain that it was added with", options=set(), override=OVERRIDABLE)
-    mass: _number("Mass", "What hangs on the spring", 1.0, min=1e-3, soft_max=100.0, unit='MASS', update=None)
+    mass: bpy.props.FloatProperty(
+        name="Mass", description="What hangs on the spring", default=1.0, min=1e-3, soft_max=100.0, unit='MASS',
+        options=set(), override=OVERRIDABLE)
     style: bpy.props.EnumProperty(
         name="Style", description="Frequency, damping and response that go by a name", items=styles.ITEMS,
         options={'SKIP_SAVE'}, get=styles.of, set=styles.put)

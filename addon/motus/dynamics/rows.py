@@ -4,12 +4,17 @@ from ..core.rows import Row, Rows, is_one_of
 from ..core.translations import OWN_SENSE
 
 
+def _is_thing(settings):
+    """Not of a single property."""
+    return not settings.data_path
+
+
 def _has_channels(settings):
-    """Not of a bone that turns to where its tail has come."""
-    return settings.follow == 'OWN' or not getattr(settings, "name", "")
+    """Neither of that, nor of a bone that turns to where its tail has come."""
+    return _is_thing(settings) and (settings.follow == 'OWN' or not getattr(settings, "name", ""))
 
 
-FOLLOW = Rows(("follow", Row("channels", when=_has_channels, expand=True, stacks=True)), title="Follow")
+FOLLOW = Rows((Row("follow", when=_is_thing), Row("channels", when=_has_channels, expand=True, stacks=True)), title="Follow")
 BY_FREQUENCY = Rows(("frequency", "damping", "response"), title="Motion")
 MOTION = Rows((
     Row("frequency", when=is_one_of("shape", 'FREQUENCY')), Row("damping", when=is_one_of("shape", 'FREQUENCY')),
@@ -25,7 +30,7 @@ ADDING = (
     Rows(("style",), title="Style"),
     Rows((*BY_FREQUENCY.rows,), title="Motion", when=lambda operator: operator.style == 'CUSTOM'),
     FOLLOW,
-    Rows(("whole_chains", "chain_delay"), title="Bones"),
+    Rows(("whole_chains", "chain_delay"), title="Bones", when=_is_thing),
     Rows((*AMOUNT.rows, "use_loop", *LOOP.rows, *JUMP.rows), title="Amount"),
 )
 """For the operator that adds dynamics."""

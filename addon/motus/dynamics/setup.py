@@ -1,7 +1,8 @@
 """Giving dynamics and taking them back: plain functions behind the operators."""
 
-from ..core import entries
+from ..core import datablocks, entries
 from ..core.system import registered
+from . import inputs
 
 
 def system():
@@ -10,12 +11,15 @@ def system():
 
 
 def add(owner, wanted):
-    """Let things follow. wanted: {bone's name, or "" for the object: settings of its entry by name}."""
+    """Let things follow. wanted: settings of their entries by name, by what find() takes."""
     with entries.at_once(system(), owner) as settings:
         for name, changes in wanted.items():
             index = find(settings, name)
             entry = settings.entries.add() if index < 0 else settings.entries[index]
-            entry.name = name
+            if isinstance(name, str):
+                entry.name = name
+            else:
+                entry.data_path, entry.index = name
             for key, value in changes.items():
                 setattr(entry, key, value)
             settings.active_entry = find(settings, name)
@@ -27,8 +31,24 @@ def remove(owner, indices):
 
 
 def find(settings, name):
-    """Index of the entry of a bone, or of the object, which is called ""; -1 without."""
-    return next((index for index, entry in enumerate(settings.entries) if entry.name == name), -1)
+    """Index of the entry of a bone, of the object, which is called "", or of a property, (path, index); -1 without."""
+    return next((index for index, entry in enumerate(settings.entries) if followed(entry) == name), -1)
+
+
+def followed(entry):
+    """Whose entry it is, as find() and add() have it."""
+    return (entry.data_path, entry.index) if entry.data_path else entry.name
+
+
+def label(entry):
+    """What an entry is called in lists and reports: the bone, the object, or what the interface calls the property."""
+    owner = entry.id_data
+    if not entry.data_path:
+        return entry.name or owner.name
+    places = inputs.numbers_of(owner, entry)
+    if not places:
+        return entry.data_path
+    return datablocks.label_of(places[0].id_data, places[0].data_path, places[0].number.index if len(places) == 1 else -1)
 
 
 def active_entry(obj):

@@ -11,33 +11,39 @@ from ..core.lazy import numpy as np
 from ..core.system import Problem, registered
 from ..core.tracks import strips, transforms, world_track
 from . import inputs, motion
-from .groups import LOOPED, PLAN, Unit
+from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
 NEEDS_RECORDING = Problem("Some of what is followed is not known ahead: record it", blocking=False)
+NOT_KNOWN = Problem("Some of what is followed is not known on other frames, and cannot be recorded", blocking=False)
 LOOP_IS_OPEN = Problem("A rotation does not come back to where its loop began", blocking=False)
 BAD_NUMBERS = Problem("Some numbers are none that a motion can be made of", blocking=False)
 JUMPS_LOOPED = Problem("Where the motion loops, jumps of what it follows are swung through", blocking=False)
 CONSTRAINED = Problem(
     "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics", blocking=False)
+EMPTY_LOOP = Problem("A loop ends before it begins, and is none: set its end behind its start", blocking=False)
+MISSING_BONES = Problem("Some bones that follow are not there any more: remove them from the list", blocking=False)
 LOOPED_BONES = Problem("Some bones move with what they follow, and are left out", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
-PROBLEMS = (NEEDS_RECORDING, LOOP_IS_OPEN, BAD_NUMBERS, JUMPS_LOOPED, CONSTRAINED, LOOPED_BONES, BONES_CHANGED)
+PROBLEMS = (NEEDS_RECORDING, LOOP_IS_OPEN, BAD_NUMBERS, JUMPS_LOOPED, CONSTRAINED, LOOPED_BONES, BONES_CHANGED, EMPTY_LOOP,
+            MISSING_BONES, NOT_KNOWN)
 
-_FORM = {"fingerprint": int, "units": [(str, [str])]}
+_FORM = {"fingerprint": int, "units": [(str, [str])], "properties?": [(str, lambda index: type(index) is int, int)]}
 """Of what groups.py notes."""
 
 
 class Made(NamedTuple):
-    """What was made of inputs, for frames up to `reach`. stamp: of them.
+    """What was made of inputs, for frames up to `reach`. stamp: of them, which says what is Asked as well.
 
-    parts: motion.Part of members. tails: [motion.Tails], each with its bones' native plan. weights: of all entries where
-    nothing animates them.
+    parts: motion.Part of members. tails: [motion.Tails], each with its bones' native plan. values: [motion.Values].
+    weights: of all entries where nothing animates them.
     """
 
     stamp: Any
+    asked: Any
     reach: float
     parts: list
     tails: list
+    values: list
     plan: Any
     problem: Any
     weights: Any
@@ -58,9 +64,11 @@ def solve(context):
         made = _made(context)
     except KeyError:  # bones or entries that are gone
         return BONES_CHANGED
-    weights = made.weights
-    if weights is None:
-        weights = _weights(context.settings)
+    own_weights = made.weights
+    if own_weights is None:
+        own_weights = _weights(context.settings)
+    influence = context.settings.influence
+    weights = own_weights if influence == 1.0 else [influence * weight for weight in own_weights]
     seconds = context.frame / context.fps
     to_local = functools.partial(_to_local, context.owner)
     for part in made.parts:
@@ -68,8 +76,13 @@ def solve(context):
             part.write(seconds, weights[part.place], context, to_local)
     if made.tails:
         _turn(context, made, seconds, weights)
+    for value in made.values:
+        if own_weights[value.place] > 0.0:  # the wiring applies the influence
+            value.write(seconds, own_weights[value.place], context.outputs)
     if made.problem is None and context.data.get(LOOPED):
         return LOOPED_BONES
+    if made.problem is None and context.data.get(MISSING):
+        return MISSING_BONES
     return made.problem
 
 
@@ -91,17 +104,24 @@ def _made(context):
     """The Made of the context's group, kept for as long as its inputs stay what they are."""
     owner, scene = context.owner, context.depsgraph.scene
     copy = copies.of(owner)
-    stamp = _stamp(owner, copy, scene)
     place = "dynamics", context.group
     found = copy.found.get(place) if copy else None
-    if found is None or stamp is None or found.stamp != stamp or context.frame > found.reach:
-        found = _make(context, copy, stamp, scene)
+    if (found is None or found.stamp is None or context.frame > found.reach
+            or found.stamp != _stamp(owner, copy, scene, found.asked)):
+        found = _make(context, copy, scene)
         if copy:
             copy.found[place] = found
     return found
 
 
-def _stamp(owner, copy, scene):
+class Asked(NamedTuple):
+    """Whose stamps tell changes beyond those of the owner itself: bones that other systems turn, and paths of properties."""
+
+    bones: tuple
+    paths: tuple
+
+
+def _stamp(owner, copy, scene, asked):
     """Changes whenever the inputs of an owner's entries may; None where nobody can tell."""
     if copy is None:
         return None
@@ -111,50 +131,107 @@ def _stamp(owner, copy, scene):
         found += (copies.number_of(owner.data) or None,)
     if owner.parent is not None:
         found += (world_track(transforms.parent_of(owner), scene).stamp,)
+    found += tuple(world_track(owner.pose.bones[name], scene, registered["dynamics"]).stamp for name in asked.bones)
+    found += tuple(strips.stamp_of(_animation_of(owner, path)) for path in asked.paths)
     return strips.together(found)
 
 
-def _make(context, copy, stamp, scene):
-    owner, settings = context.owner, context.settings
-    listed = {entry.name: index for index, entry in enumerate(settings.entries)}
-    reach = inputs.reach(scene, context.frame)
-    parts, tails, members, problems, row = [], [], [], [], 0
-    for kind, names in stored.parse(context.data.get(PLAN), _FORM)["units"]:
-        places = [listed[name] for name in names]
-        entries = [settings.entries[place] for place in places]
-        things = [owner.pose.bones[name] if name else owner for name in names]
-        rows = range(row, row + len(names))
-        row += len(names)
+def _animation_of(owner, path):
+    """Animation data of the datablock that a property at a path from the owner lies on."""
+    try:
+        return owner.path_resolve(path, False).id_data.animation_data
+    except (ValueError, AttributeError):
+        return None
+
+
+class _Making:
+    """Makes what the units and properties of a group become, and notes what is wrong with them."""
+
+    def __init__(self, owner, settings, scene, frame):
+        self._owner, self._settings, self._scene = owner, settings, scene
+        self.reach = inputs.reach(scene, frame)
+        self.parts, self.tails, self.values, self.members, self.problems, self.bones = [], [], [], [], [], []
+        self._places = {(entry.name, entry.data_path, entry.index if entry.data_path else -1): place
+                        for place, entry in enumerate(settings.entries)}
+
+    def unit(self, kind, names, rows):
+        """Take in what has members."""
+        places = [self._places[name, "", -1] for name in names]
+        entries = [self._settings.entries[place] for place in places]
+        things = [self._owner.pose.bones[name] if name else self._owner for name in names]
         if any(_are_constrained(thing) for thing in things):
-            problems.append(CONSTRAINED)
+            self.problems.append(CONSTRAINED)
+        source = Unit("", kind, entries, things).input(self._scene)
+        if kind == 'TAILS':
+            self.bones += source.solved_bases
+        if self._is_ready(source, entries):
+            make = self._make_tails if kind == 'TAILS' else self._make_part
+            self._try(make, things, entries, rows, places)
+
+    def _make_tails(self, things, entries, rows, places):
+        first = len(self.members)
+        made = motion.tails_of(things, entries, range(first, first + len(things)), places, self._scene, self.reach)
+        if made:
+            self.members += zip([thing.name for thing in things], rows)
+        self.tails += made
+        return made
+
+    def _make_part(self, things, entries, rows, places):
+        part = motion.part_of(things[0], entries[0], rows[0], places[0], self._scene, self.reach)
+        self.parts += [part] if part else []
+        return [part] if part else []
+
+    def property(self, path, index, outputs):
+        """Take in a property. outputs: slice of its numbers'."""
+        place = self._places["", path, index]
+        entry = self._settings.entries[place]
+        source = inputs.ValueInput(self._owner, entry, self._scene)
+        if len(source.tracks) == outputs.stop - outputs.start and self._is_ready(source, [entry]):
+            self._try(self._make_values, source, entry, outputs, place)
+
+    def _make_values(self, source, entry, outputs, place):
+        made = motion.values_of(source, entry, outputs, place, self._scene, self.reach)
+        self.values += [made] if made else []
+        return [made] if made else []
+
+    def _is_ready(self, source, entries):
+        if any(entry.use_loop and not inputs.has_loop(entry) for entry in entries):
+            self.problems.append(EMPTY_LOOP)
+        if not source.is_known and not all(entry.is_muted for entry in entries):
+            self.problems.append(NOT_KNOWN if source.reason else NEEDS_RECORDING)
+        if not all(math.isfinite(number) for entry in entries for number in (entry.delay, entry.jump, entry.weight)):
+            self.problems.append(BAD_NUMBERS)
+            return False
+        return source.is_known
+
+    def _try(self, make, *arguments):
         try:
-            if not all(math.isfinite(number) for entry in entries for number in (entry.delay, entry.jump, entry.weight)):
-                raise ValueError
-            source = Unit("", kind, entries, things).input(scene)
-            if not source.is_known:
-                problems += [NEEDS_RECORDING] if not all(entry.is_muted for entry in entries) else []
-            elif kind == 'TAILS':
-                first = len(members)
-                made = motion.tails_of(
-                    things, entries, range(first, first + len(names)), places, scene, reach)
-                if made:
-                    tails += made
-                    members += zip(names, rows)
-                    problems += [JUMPS_LOOPED] if any(one.swings_through for one in made) else []
-            else:
-                part = motion.part_of(things[0], entries[0], rows[0], places[0], scene, reach)
-                if part:
-                    parts.append(part)
-                    problems += [JUMPS_LOOPED] if part.swings_through else []
+            if any(one.swings_through for one in make(*arguments)):
+                self.problems.append(JUMPS_LOOPED)
         except motion.OpenLoop:
-            problems.append(LOOP_IS_OPEN)
+            self.problems.append(LOOP_IS_OPEN)
         except ValueError:
-            problems.append(BAD_NUMBERS)
-    if row != len(context.locations):
-        raise stored.Damaged("another number of members")
+            self.problems.append(BAD_NUMBERS)
+
+
+def _make(context, copy, scene):
+    owner, settings = context.owner, context.settings
+    plan = stored.parse(context.data.get(PLAN), _FORM)
+    making = _Making(owner, settings, scene, context.frame)
+    row = slot = 0
+    for kind, names in plan["units"]:
+        making.unit(kind, names, range(row, row + len(names)))
+        row += len(names)
+    properties = plan.get(PROPERTIES, ())
+    for path, index, count in properties:
+        making.property(path, index, slice(slot, slot + count))
+        slot += count
+    if (row, slot) != (len(context.locations), len(context.outputs)):
+        raise stored.Damaged("another number of members or outputs")
+    asked = Asked(tuple(dict.fromkeys(making.bones)), tuple(path for path, _, _ in properties))
     is_still = copy is not None and not copy.has_animated_settings(owner)
-    return Made(stamp, reach, parts, tails, tuple(members), next(iter(problems), None),
-                _weights(settings) if is_still else None)
+    return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,
+                tuple(making.members), next(iter(making.problems), None), _weights(settings) if is_still else None)
 
 
 def _are_constrained(thing):
@@ -164,12 +241,12 @@ def _are_constrained(thing):
 
 
 def _weights(settings):
-    """Of all entries, with the owner's influence."""
-    count, influence = len(settings.entries), settings.influence
+    """Of all entries."""
+    count = len(settings.entries)
     weights, muted = np.empty(count, np.float32), np.empty(count, bool)
     settings.entries.foreach_get("weight", weights)
     settings.entries.foreach_get("is_muted", muted)
-    return [0.0 if is_muted or not weight > 0.0 else influence * weight
+    return [0.0 if is_muted or not weight > 0.0 else weight
             for weight, is_muted in zip(weights.tolist(), muted.tolist())]
 
 

@@ -1,18 +1,22 @@
 """What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
+import re
+
 from ..core import actions, dependencies, libraries, wiring
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.system import systems
 from ..core.translations import tr
-from . import setup
+from . import inputs, setup
 from .groups import unit_reads
+
+_INDEX = re.compile(r"(.+)\[(\d{1,9})\]$", re.DOTALL)
 
 
 def wanted(context, name, bones, whole_chains):
     """{object: names of its bones, or [""] for itself} that shall follow."""
     if name or bones:
         obj = named(name) if name else _active(context)
-        names = [one.strip() for one in bones.split(",") if one.strip()]
+        names = names_in(bones)
         for one in names:
             check_bone(obj, one)
         return {obj: _with_chains(obj, names, whole_chains) if names else [""]}
@@ -26,6 +30,60 @@ def wanted(context, name, bones, whole_chains):
     if not context.selected_objects:
         raise Refused(tr("Select what shall follow"))
     return {obj: [""] for obj in context.selected_objects}
+
+
+def names_in(bones):
+    """The names of bones in a text with commas between; refuses one that names none."""
+    found = [one.strip() for one in bones.split(",") if one.strip()]
+    if bones and not found:
+        raise Refused(tr("Bones names none: give their names, with commas between"))
+    return found
+
+
+def property_of(context, name, path, index):
+    """(object, (path, index)) of a property that shall follow, named by a script or a menu; refuses what cannot."""
+    obj = named(name) if name else _active(context)
+    path, index = _parted(path, index)
+    if path.startswith("motus.dynamics."):
+        raise Refused(tr("{path} is a setting of the dynamics themselves").format(path=path))
+    # To ask an object for its settings gives it some.
+    if obj.is_property_set("motus") and setup.find(obj.motus.dynamics, (path, index)) >= 0:
+        return obj, (path, index)
+    indices = inputs.indices_of(obj, path, index, inputs.MOST_NUMBERS + 1) or [index]
+    if len(indices) > inputs.MOST_NUMBERS or index >= inputs.MOST_NUMBERS:
+        raise Refused(tr("Only the first {count} numbers of an array can follow: give an index below that").format(
+            count=inputs.MOST_NUMBERS))
+    for one in indices:
+        wiring.check_property(obj, path, one)
+    return obj, (path, index)
+
+
+def _parted(path, index):
+    """(path, index) of a path that may end in an index itself."""
+    found = _INDEX.match(path) if index < 0 else None
+    return (found[1], int(found[2])) if found else (path, index)
+
+
+def property_indices(owner, path, index):
+    """Indices of the entries of a property, of all its numbers where index is -1."""
+    path, index = _parted(path, index)
+    found = [place for place, entry in enumerate(owner.motus.dynamics.entries)
+             if entry.data_path == path and index in (-1, entry.index)]
+    if not found:
+        raise Refused(tr("Nothing here has dynamics"))
+    return found
+
+
+def path_from(obj, id_data, data_path):
+    """Path from an object of a property of a datablock that it uses; None where it leads nowhere there."""
+    data = obj.data
+    ways = {"": obj, "data.": data, "data.shape_keys.": getattr(data, "shape_keys", None),
+            "data.node_tree.": getattr(data, "node_tree", None)}
+    for index, slot in enumerate(obj.material_slots):
+        ways[f"material_slots[{index}].material."] = slot.material
+        ways[f"material_slots[{index}].material.node_tree."] = slot.material and slot.material.node_tree
+    way = next((way for way, one in ways.items() if one == id_data), None)
+    return None if way is None else (way[:-1] if data_path.startswith("[") else way) + data_path
 
 
 def _active(context):
@@ -59,11 +117,15 @@ def owner_with(context, name):
     return obj
 
 
-def indices_for(context, owner, bones, is_whole):
-    """Indices of the entries that are meant: of bones by name, of the selected ones, or all of the object's."""
+def indices_for(context, owner, operator, is_whole):
+    """Indices of the entries that an operator means: the marked one, those of a property or of bones, or all."""
     settings = owner.motus.dynamics
-    if bones:
-        names = [one.strip() for one in bones.split(",") if one.strip()]
+    if operator.only_active:
+        return [settings.active_entry] if setup.active_entry(owner) else []
+    if operator.data_path:
+        return property_indices(owner, operator.data_path, operator.index)
+    if operator.bones:
+        names = names_in(operator.bones)
     elif context.mode == 'POSE' and not is_whole:
         names = [bone.name for bone in context.selected_pose_bones or () if bone.id_data == owner]
     else:
@@ -93,6 +155,15 @@ def check_free(owner, names):
             if shared:
                 raise Refused(tr("{bone} is driven by {system} of {other} already").format(
                     bone=min(shared), system=tr(system.label), other=entry.name))
+
+
+def check_loop(context, operator):
+    """Refuse a loop that ends before it begins."""
+    scene = context.scene
+    start = operator.loop_start if operator.is_given("loop_start") else scene.frame_start
+    end = operator.loop_end if operator.is_given("loop_end") else scene.frame_end + 1
+    if operator.use_loop and end <= start:
+        raise Refused(tr("The loop ends on frame {end}, before it begins on frame {start}").format(start=start, end=end))
 
 
 def check_no_loop(owner, names, follow):

@@ -104,34 +104,37 @@ def _children(owner, chain, taken):
 
 def _group(owner, key, entries_found, driven):
     bones = owner.pose.bones
-    on_chains, effectors, guards, kept, plan = [], [], [], [], []
-    for index, found in enumerate(entries_found):
-        chain, entry = found.chain, found.entry
+    on_chains, effectors, guards = [], [], []
+    for found in entries_found:
+        chain = found.chain
         on_chains += [Member(bones[name], STRETCHED if found.stretches else RELATIVE, 'LOCAL', is_relative=True)
                       for name in chain.bones]
         if not chain.use_tail:
             effector = bones[chain.effector]
-            if not found.stretches:
-                effectors.append(Member(effector, RELATIVE, 'LOCAL', is_relative=True))
-            else:
-                effectors.append(_kept(effector))
-                # One that must not be stretched counts as a guard in IkPlan; it has one row all the same.
-                kept.append((chain.effector, index))
-        guards += [(name, index) for name in found.guards]
-        plan.append({
-            "name": entry.name, "bones": chain.bones, "effector": chain.effector, "stretches": found.stretches,
-            "all": len(chains.of_bone(owner, entry.name, 0, chain.use_tail).bones),
-            "target": _where(owner, entry.target), "target_bone": entry.target_bone,
-            "pole": _where(owner, entry.pole), "pole_bone": entry.pole_bone, "extras": len(entry.extra_targets),
-            "settings": {
-                name: float(getattr(entry, name)) for name in ("tolerance", "iterations")}})
-    text = json.dumps({"fingerprint": rigs.fingerprint(owner), "chains": plan, "guards": kept + guards})
+            effectors.append(_kept(effector) if found.stretches else Member(effector, RELATIVE, 'LOCAL', is_relative=True))
+        guards += [_kept(bones[name]) for name in found.guards]
     return Group(
         key=key,
-        members=(*on_chains, *effectors, *(_kept(bones[name]) for name, _ in guards)),  # in the order of IkPlan.rows
+        members=(*on_chains, *effectors, *guards),  # in the order of IkPlan.rows
         inputs=_inputs(owner, entries_found, driven),
         outputs=tuple(f"{found.entry.name}.{name}" for found in entries_found for name in OUTPUTS),
-        data={PLAN: text})
+        data={PLAN: plan_of(owner, entries_found)})
+
+
+def plan_of(owner, entries_found):
+    """What wired.Wired is made of, as text."""
+    # An effector that must not be stretched counts as a guard in IkPlan; it has one row all the same.
+    kept = [(found.chain.effector, index) for index, found in enumerate(entries_found)
+            if found.stretches and not found.chain.use_tail]
+    guards = [(name, index) for index, found in enumerate(entries_found) for name in found.guards]
+    chains_found = [{
+        "name": found.entry.name, "bones": found.chain.bones, "effector": found.chain.effector, "stretches": found.stretches,
+        "all": len(chains.of_bone(owner, found.entry.name, 0, found.chain.use_tail).bones),
+        "target": _where(owner, found.entry.target), "target_bone": found.entry.target_bone,
+        "pole": _where(owner, found.entry.pole), "pole_bone": found.entry.pole_bone, "extras": len(found.entry.extra_targets),
+        "settings": {name: float(getattr(found.entry, name)) for name in ("tolerance", "iterations")},
+    } for found in entries_found]
+    return json.dumps({"fingerprint": rigs.fingerprint(owner), "chains": chains_found, "guards": kept + guards})
 
 
 def _kept(bone):

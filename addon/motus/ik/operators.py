@@ -226,6 +226,8 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
         rig, indices = self._found(context)
         names = [rig.motus.ik.entries[index].name for index in indices]
         controls = made.of_entries(rig, indices) if self.remove_controls else []
+        if any(bone for _, bone in controls):
+            control_bones.check(context, rig)
         setup.remove(rig, indices)
         kept = made.remove_unneeded(context, rig, controls)
         self.report({'INFO'}, tr("Removed from {objects}").format(objects=", ".join(names)))

@@ -14,7 +14,7 @@ def draw_main(layout, context):
     if entry is None:
         return
     settings = rig.motus.ik
-    ui.split(layout).prop(settings, "influence", text="Rig Influence", slider=True)
+    ui.draw_rig_influence(layout, settings)
     _, remove, _ = ui.draw_list(
         layout, "MOTUS_UL_ik_entries", settings, "entries", "active_entry", "motus.ik_add", "motus.ik_remove")
     remove.object, remove.bone = rig.name, entry.name

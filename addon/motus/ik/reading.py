@@ -102,8 +102,8 @@ def _gather(rig, wired, poses, depsgraph):
         numbers = numbers.copy()
         numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
     poles = goal_places.read_poles(listed, wired, posed, known.copy, depsgraph)
-    limits = _limits(rig, wired) if known.has_limits else None
-    return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, limits, off, known.is_stiff, is_astray)
+    bounds = limits(rig, wired) if known.has_limits else None
+    return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, bounds, off, known.is_stiff, is_astray)
 
 
 class _Listed:
@@ -189,7 +189,7 @@ def _column(entries, name, places, size=1, dtype="f4"):
     return found if places is None else found[places]
 
 
-def _limits(rig, wired):
+def limits(rig, wired):
     """(number of chain bones, 6) rad, least x, y, z and largest x, y, z; infinite where a bone has no limit."""
     bones = rig.pose.bones
     found = np.empty((len(wired.all_bones), 6))

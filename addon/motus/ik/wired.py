@@ -69,7 +69,11 @@ class Wired:
 
     def bones(self, rig):
         """The plan's bones as an evaluated rig has them animated."""
-        return self.plan.bones(self._at_rest(), rigs.basis(rig, self.still))
+        return self.bones_of(rigs.basis(rig, self.still))
+
+    def bones_of(self, basis):
+        """The same of bones' own transforms, as rigs.Arrays has them."""
+        return self.plan.bones(self._at_rest(), basis)
 
     def bones_of_copy(self, rig, number):
         """The same for a copy of the rig, by its number, in which nothing animates them: read once."""

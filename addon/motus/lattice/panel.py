@@ -44,12 +44,12 @@ def _draw_modifier(layout, obj, modifier):
     if obj.type == 'MESH':
         column.prop_search(modifier, "vertex_group", obj, "vertex_groups", text="Group")
     _draw_points(column, modifier.object.data)
-    pull = box.operator("motus.lattice_pull", icon='VIEW_PAN')
+    column = box.column(align=True)  # a row would be too narrow in a narrow editor
+    pull = column.operator("motus.lattice_pull", icon='VIEW_PAN')
     pull.object, pull.modifier = obj.name, modifier.name
-    row = box.row(align=True)
-    row.operator("motus.lattice_reset", icon='LOOP_BACK').object = modifier.object.name
+    column.operator("motus.lattice_reset", icon='LOOP_BACK').object = modifier.object.name
     if removal.fitted(modifier):
-        apply = row.operator("motus.lattice_remove", text="Apply", icon='CHECKMARK')
+        apply = column.operator("motus.lattice_remove", text="Apply", icon='CHECKMARK')
         apply.objects, apply.modifier, apply.use_apply = obj.name, modifier.name, True
 
 
@@ -63,11 +63,11 @@ def _draw_lattice(layout, obj):
         column.label(text=user.name, icon='MODIFIER', translate=False)
     column = ui.split(layout)
     _draw_points(column, obj.data)
-    layout.operator("motus.lattice_pull", icon='VIEW_PAN').object = obj.name
-    row = layout.row(align=True)
-    row.operator("motus.lattice_reset", icon='LOOP_BACK').object = obj.name
+    column = layout.column(align=True)
+    column.operator("motus.lattice_pull", icon='VIEW_PAN').object = obj.name
+    column.operator("motus.lattice_reset", icon='LOOP_BACK').object = obj.name
     if obj.motus.lattice.is_fitted:
-        row.operator("motus.lattice_remove", icon='X').objects = obj.name
+        column.operator("motus.lattice_remove", icon='X').objects = obj.name
 
 
 def _draw_points(layout, data):

@@ -1,7 +1,7 @@
 """Look At: spine, head and eyes of a rig share the turn to a target, each by its weight and within its limits."""
 
 from ..core.system import System
-from . import groups, operators, overlay, panel, presets, properties, solve
+from . import groups, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="look_at",
@@ -18,6 +18,7 @@ SYSTEM = System(
     groups=groups.groups,
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,
+    over_time=over_time.over_time,
     overlay=overlay.overlay,
     object_menu=("motus.look_at_add", "motus.look_at_remove"),
     pose_menu=("motus.look_at_add", "motus.look_at_remove"),

@@ -24,14 +24,14 @@ def driven_bones(owner, entry):
 
 def entries(owner):
     """For the order of evaluation: what each head reads and drives."""
-    return [Entry(entry.name, tuple(_reads(owner, entry, bones)), tuple(bones)) for entry, bones in _present(owner)]
+    return [Entry(entry.name, tuple(_reads(owner, entry, bones)), tuple(bones)) for entry, bones in present(owner)]
 
 
 def groups(owner):
     """One group for the heads of each level: they are solved by one call."""
     levels = dependencies.levels(owner)
     by_level, looped = {0: []}, 0
-    for entry, bones in _present(owner):
+    for entry, bones in present(owner):
         level = levels.get(("look_at", entry.name))
         if level is None:
             looped += 1
@@ -61,7 +61,7 @@ def shared_bone(owner, entry):
     return next((name for name in driven_bones(owner, entry) if name in _taken_before(owner, entry)), "")
 
 
-def _present(owner):
+def present(owner):
     """(entry, its bones) of all entries whose head the rig has, and whose bones no entry before them turns."""
     found, taken = [], set()
     for entry in owner.motus.look_at.entries:
@@ -73,7 +73,7 @@ def _present(owner):
 
 
 def _taken_before(owner, entry):
-    return {name for other, bones in _present(owner) if other != entry for name in bones}
+    return {name for other, bones in present(owner) if other != entry for name in bones}
 
 
 def _eyes(owner, entry):
@@ -93,12 +93,7 @@ def _reads(owner, entry, bones):
 
 def _group(owner, key, found, looped):
     reads = [(owner, "")] + [pair for entry, bones in found for pair in _reads(owner, entry, bones)]
-    own = [name for entry, bones in found for name in (*bones, *_between(owner, entry))]
-    plan = [{
-        "name": entry.name, "body": bones[:bones.index(entry.name)], "eyes": bones[bones.index(entry.name) + 1:],
-        "head_forward": list(anatomy.head_forward(owner, entry.name, entry.head_forward)),
-        "eyes_forward": list(anatomy.eyes_forward(owner, _eyes(owner, entry), entry.eyes_forward)),
-    } for entry, bones in found]
+    own = [name for entry, bones in found for name in read_bones(owner, entry, bones)]
     return Group(
         key=key,
         members=tuple(Member(owner.pose.bones[name], ROTATION, 'LOCAL', is_relative=True)
@@ -106,7 +101,22 @@ def _group(owner, key, found, looped):
         inputs=(*(Transform(*pair) for pair in dict.fromkeys(reads)),
                 *(BonesOwn(owner, name) for name in dict.fromkeys(own))),
         outputs=tuple(f"{entry.name}.{name}" for entry, _ in found for name in OUTPUTS),
-        data={PLAN: json.dumps({"fingerprint": rigs.fingerprint(owner), "heads": plan}), LOOPED: looped})
+        data={PLAN: plan_of(owner, found), LOOPED: looped})
+
+
+def plan_of(owner, found):
+    """What solve.Wired is made of, as text. found: entries with their bones."""
+    heads = [{
+        "name": entry.name, "body": bones[:bones.index(entry.name)], "eyes": bones[bones.index(entry.name) + 1:],
+        "head_forward": list(anatomy.head_forward(owner, entry.name, entry.head_forward)),
+        "eyes_forward": list(anatomy.eyes_forward(owner, _eyes(owner, entry), entry.eyes_forward)),
+    } for entry, bones in found]
+    return json.dumps({"fingerprint": rigs.fingerprint(owner), "heads": heads})
+
+
+def read_bones(owner, entry, bones):
+    """Names of the bones whose own transforms an entry reads: those that it turns, and those from the head to its eyes."""
+    return (*bones, *_between(owner, entry))
 
 
 def _between(owner, entry):

@@ -28,7 +28,7 @@ def draw_main(layout, context):
     rig = context.object
     settings = rig.motus.look_at
     entry = active_entry(rig)
-    ui.split(layout).prop(settings, "influence", text="Rig Influence", slider=True)
+    ui.draw_rig_influence(layout, settings)
     _, remove, _ = ui.draw_list(layout, "MOTUS_UL_look_at_entries", settings, "entries", "active_entry",
                                 "motus.look_at_add", "motus.look_at_remove", rows=2)
     remove.object, remove.bone = rig.name, entry.name if entry else ""

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Euler, Quaternion, Vector
 
-from ..core import teardown
+from ..core import handlers, teardown
 from ..core.operators import Operator
 from ..core.refusals import Refused
 from ..core.rows import Rows
@@ -27,6 +27,33 @@ KEPT = ("view_perspective", "view_rotation", "view_location", "view_distance", "
 """What of a view is put back, in that order: a camera's view takes none of the rest."""
 
 
+BESIDE = {'HEADER', 'TOOL_HEADER', 'TOOLS', 'UI'}
+"""Regions that may lie over the views."""
+LEAST_FREE = 0.25
+"""Of a view's side: with less it is fitted as if nothing lay over it."""
+
+
+class _Box(NamedTuple):
+    """Pixels of the window."""
+
+    left: float
+    bottom: float
+    right: float
+    top: float
+
+    @property
+    def width(self):
+        return max(self.right - self.left, 1.0)
+
+    @property
+    def height(self):
+        return max(self.top - self.bottom, 1.0)
+
+    @property
+    def middle(self):
+        return Vector((self.left + self.right, self.bottom + self.top)) / 2.0
+
+
 class _Before(NamedTuple):
     """view: which edit view is shown. is_quad: whether the viewport was a quad view. kept: of its views, {name: value} each."""
 
@@ -36,7 +63,7 @@ class _Before(NamedTuple):
 
 
 _before = {}
-"""What viewports with edit views were, by the areas' addresses."""
+"""What viewports with edit views were, by the addresses of their spaces, which stay what they are where an area is maximised."""
 
 
 class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
@@ -100,18 +127,32 @@ def draw_buttons(layout, context):
 
 
 def register():
-    """Put the way back into the viewport's header."""
-    bpy.types.VIEW3D_HT_header.append(_draw_header)
+    """Put the way back into the viewport's header, beside the menus: what stands at its end is cut off first."""
+    bpy.types.VIEW3D_MT_editor_menus.append(_draw_header)
+    handlers.add(_watched())
 
 
 def unregister():
     """Let all viewports be what they were."""
-    teardown.run(_leave_all, partial(bpy.types.VIEW3D_HT_header.remove, _draw_header), _before.clear)
+    handlers.remove(_watched())
+    teardown.run(_leave_all, partial(bpy.types.VIEW3D_MT_editor_menus.remove, _draw_header), _before.clear)
 
 
-def _draw_header(header, context):
+def _watched():
+    return ((bpy.app.handlers.load_post, _forget_gone),)
+
+
+@bpy.app.handlers.persistent
+def _forget_gone(*_):
+    """Forget viewports that are there no more, whose addresses others may have from now on."""
+    there = {space.as_pointer() for screen in bpy.data.screens for area in screen.areas for space in area.spaces}
+    for gone in _before.keys() - there:
+        del _before[gone]
+
+
+def _draw_header(menus, context):
     if _shown(context.area):
-        _draw_leave(header.layout)
+        _draw_leave(menus.layout)
 
 
 def _draw_leave(layout):
@@ -131,8 +172,8 @@ def _areas(context):
 
 def _shown(area):
     """Which edit view an area shows; "" for none."""
-    before = _before.get(area.as_pointer())
-    if before is None or area.type != 'VIEW_3D':
+    before = _before.get(area.spaces.active.as_pointer())
+    if before is None:
         return ""
     # A quad view may have been left by Blender's own key.
     is_there = before.view != 'ALL' or bool(area.spaces.active.region_quadviews)
@@ -152,27 +193,26 @@ def _enter(window, area, view, corners):
     space = area.spaces.active
     is_quad = bool(space.region_quadviews)
     kept = [{name: _value(one, name) for name in KEPT} for one in _views(space)]
-    region = _region(area)
-    width, height = region.width, region.height
+    whole, free = _boxes(area)
     if view == 'ALL':
         if not is_quad:
             _toggle_quad(window, area)
-            width, height = width / 2.0, height / 2.0  # Blender lays the regions out later
-        for one in _views(space)[:3]:
-            _fit(space, one, one.view_rotation, corners, width, height)
+        for one, box in zip(_views(space), _quarters(whole)):
+            _fit(space, one, corners, box, free)
     else:
         space.region_3d.view_perspective = 'ORTHO'
         space.region_3d.view_rotation = VIEWS[view]
-        _fit(space, space.region_3d, VIEWS[view], corners, width, height)
-    _before[area.as_pointer()] = _Before(view, is_quad, kept)
+        _fit(space, space.region_3d, corners, whole, free)
+    _forget_gone()
+    _before[space.as_pointer()] = _Before(view, is_quad, kept)
     area.tag_redraw()
 
 
 def _leave(window, area):
-    shown, before = _shown(area), _before.pop(area.as_pointer(), None)
+    space = area.spaces.active
+    shown, before = _shown(area), _before.pop(space.as_pointer(), None)
     if not shown:
         return
-    space = area.spaces.active
     if bool(space.region_quadviews) != before.is_quad:
         _toggle_quad(window, area)
     for one, kept in zip(_views(space), before.kept):
@@ -193,25 +233,50 @@ def _value(view, name):
     return value.copy() if hasattr(value, "copy") else value
 
 
-def _region(area):
-    """The region of the viewport's own view, the last of a quad view."""
-    return [region for region in area.regions if region.type == 'WINDOW'][-1]
+def _boxes(area):
+    """(all that the views have of an area, what of it no header, toolbar or sidebar lies over)."""
+    views = [_Box(one.x, one.y, one.x + one.width, one.y + one.height) for one in area.regions if one.type == 'WINDOW']
+    low, high = ([pick(ends) for ends in zip(*views)] for pick in (min, max))
+    whole = _Box(*low[:2], *high[2:])
+    left, bottom, right, top = whole
+    for one in area.regions:
+        if one.type in BESIDE and min(one.width, one.height) > 1:
+            if one.alignment == 'LEFT':
+                left = max(left, one.x + one.width)
+            elif one.alignment == 'RIGHT':
+                right = min(right, one.x)
+            elif one.alignment == 'TOP':
+                top = min(top, one.y)
+            elif one.alignment == 'BOTTOM':
+                bottom = max(bottom, one.y + one.height)
+    return whole, _Box(left, bottom, right, top)
+
+
+def _quarters(box):
+    """Where a quad view's views from the front, the top and the right will be: Blender lays them out later."""
+    x, y = (box.left + box.right) / 2.0, (box.bottom + box.top) / 2.0
+    return _Box(box.left, box.bottom, x, y), _Box(box.left, y, x, box.top), _Box(x, box.bottom, box.right, y)
 
 
 def _toggle_quad(window, area):
-    with bpy.context.temp_override(window=window, area=area, region=_region(area)):
+    region = [region for region in area.regions if region.type == 'WINDOW'][-1]
+    with bpy.context.temp_override(window=window, area=area, region=region):
         bpy.ops.screen.region_quadview()
 
 
-def _fit(space, view, rotation, corners, width, height):
-    """Let an orthographic view show all corners. width, height: of its region, pixels."""
+def _fit(space, view, corners, box, free):
+    """Let an orthographic view, which lies in a box, show all corners in what is free of it."""
+    shown = _Box(*(max(ends) for ends in zip(box[:2], free[:2])), *(min(ends) for ends in zip(box[2:], free[2:])))
+    if min(shown.width / box.width, shown.height / box.height) < LEAST_FREE:
+        shown = box
+    rotation = view.view_rotation
     turned = [rotation.inverted() @ corner for corner in corners]
     low, high = (Vector(map(end, zip(*turned))) for end in (min, max))
     size = [max(side, SMALLEST) for side in high - low]
-    larger = max(width, height, 1.0)
-    seen = MARGIN * max(size[0] * larger / max(width, 1.0), size[1] * larger / max(height, 1.0))
-    view.view_location = rotation @ ((low + high) / 2.0)
-    view.view_distance = seen * space.lens / SENSOR
+    pixel = MARGIN * max(size[0] / shown.width, size[1] / shown.height)
+    aside = shown.middle - box.middle
+    view.view_location = rotation @ ((low + high) / 2.0 - pixel * aside.to_3d())
+    view.view_distance = pixel * max(box.width, box.height) * space.lens / SENSOR
 
 
 def _corners(curve):

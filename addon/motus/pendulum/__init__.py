@@ -1,7 +1,7 @@
 """Pendulums: single, double, and fans of them, on pivots that may be moved."""
 
 from ..core.system import System
-from . import drag, operators, overlay, panel, parts, presets, properties, solve, trail
+from . import drag, operators, over_time, overlay, panel, parts, presets, properties, solve, trail
 
 SYSTEM = System(
     name="pendulum",
@@ -21,6 +21,7 @@ SYSTEM = System(
     member_data=parts.numbers,
     is_relative=True,
     same_bits=True,
+    over_time=over_time.over_time,
     owner_of=parts.pivot_of,
     overlay=overlay.overlay,
     add_menu=("motus.pendulum_add",),

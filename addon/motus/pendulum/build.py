@@ -7,7 +7,7 @@ from typing import NamedTuple
 import bpy
 from mathutils import Matrix
 
-from ..core import actions, libraries, wiring
+from ..core import actions, datablocks, libraries, wiring
 from ..core.system import forget, registered
 from . import parts, trail
 
@@ -190,7 +190,7 @@ def clear(owner, keeps_objects):
     if keeps_objects:
         return
     made = [obj for rod, bob, is_placed, _ in entries for obj in (rod, None if is_placed else bob) if obj]
-    _delete([*made, *([owner] if made_pivot else [])])
+    datablocks.remove_objects([*made, *([owner] if made_pivot else [])])
 
 
 def free(rod, keeps_objects):
@@ -204,20 +204,4 @@ def free(rod, keeps_objects):
     for obj in freed:
         forget(system(), obj)
     if not keeps_objects:
-        _delete([*rods, *bobs])
-
-
-def _delete(objects):
-    """Remove objects, with those of their meshes and materials that nothing else uses; others' children stay where they stand."""
-    for obj in set(objects):
-        for child in obj.children:
-            if child not in objects:
-                place = child.matrix_world.copy()
-                child.parent = None
-                child.matrix_world = place
-    used = {data for obj in objects for data in (obj.data, *(slot.material for slot in obj.material_slots)) if data}
-    for obj in dict.fromkeys(objects):
-        bpy.data.objects.remove(obj)
-    for data in sorted(used, key=lambda one: isinstance(one, bpy.types.Material)):
-        if data.users == 0:
-            (bpy.data.materials if isinstance(data, bpy.types.Material) else bpy.data.meshes).remove(data)
+        datablocks.remove_objects([*rods, *bobs])

@@ -181,7 +181,9 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
                 least, found = (seen - mouse).length, (held, seen, number)
         if found is None:
             return None
-        self._held, seen, self.number = found
+        self._held, seen, number = found
+        if pivot.motus.pendulum.count > 1:
+            self.number = number
         return self._held.point, seen
 
     def _move(self, place):

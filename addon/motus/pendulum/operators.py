@@ -33,7 +33,6 @@ PLAYS = (
 OTHER_ANGLES = math.radians(-70.0), math.radians(-170.0)
 APART = 1.25
 """Of the reach of both rods, between the edges of the demonstration's pendulums."""
-LARGEST_FAN = 500
 
 _has_look = is_one_of("take", 'NEW', 'ACTIVE')
 
@@ -75,9 +74,10 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
     needs_native = True
     redo = (
         Rows(("kind", "take", Row("count", when=is_one_of("kind", 'FAN', 'CHAOS'))), title="Add"),
-        *rows.ALL,
+        # What the panel does not have comes first: the whole is higher than most viewports.
         Rows((Row("rod_radius"), Row("bob_radius", when=_has_look), Row("spacing", when=is_one_of("kind", 'FAN', 'CHAOS')),
               "hue", Row("use_trails", when=is_one_of("kind", 'SINGLE', 'DOUBLE', 'FAN'))), title="Look"),
+        *rows.ALL,
     )
 
     def run(self, context):
@@ -157,8 +157,8 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
         for name in ("gravity", "damping"):
             if getattr(self, name) < 0.0:
                 raise Refused(tr("{keyword} must not be less than 0").format(keyword=name))
-        if not 1 <= self.count <= LARGEST_FAN:
-            raise Refused(tr("A fan has 1 to {count} pendulums").format(count=LARGEST_FAN))
+        if not 1 <= self.count <= parts.LARGEST_FAN:
+            raise Refused(tr("A fan has 1 to {count} pendulums").format(count=parts.LARGEST_FAN))
         return keywords
 
     def _report(self, context, pivots):

@@ -9,6 +9,8 @@ from ..core.system import registered
 MADE_KEY = "motus_pendulum"
 """Custom property of a mesh that was made for rods: their length; 0 for one that was made for bobs."""
 
+LARGEST_FAN = 500
+
 
 def rods_each(settings):
     """How many rods a pendulum has."""

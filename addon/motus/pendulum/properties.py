@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import parts
 
 KINDS = (
@@ -22,12 +22,12 @@ def _fit(settings, context):
 def _number(name, description, default, options=frozenset(), **more):
     more.setdefault("update", touch)
     return bpy.props.FloatProperty(
-        name=name, description=description, default=default, options=set(options), override=OVERRIDABLE, **more)
+        name=name, description=description + ("" if options else NO_KEYS), default=default, options=set(options), override=OVERRIDABLE, **more)
 
 
 def _switch(name, description, default, options=frozenset(), update=touch):
     return bpy.props.BoolProperty(
-        name=name, description=description, default=default, options=set(options), update=update, override=OVERRIDABLE)
+        name=name, description=description + ("" if options else NO_KEYS), default=default, options=set(options), update=update, override=OVERRIDABLE)
 
 
 class PendulumKeywords:
@@ -37,22 +37,22 @@ class PendulumKeywords:
     """
 
     length1: _number(
-        "Length", "Of the upper rod, before the pivot's scale. No keys: the whole motion follows from it", 1.0,
+        "Length", "Of the upper rod, before the pivot's scale", 1.0,
         soft_min=0.1, soft_max=10.0, subtype='DISTANCE', update=_fit)
     length2: _number(
-        "Lower Length", "Of the lower rod, before the pivot's scale. No keys: the whole motion follows from it", 1.0,
+        "Lower Length", "Of the lower rod, before the pivot's scale", 1.0,
         soft_min=0.1, soft_max=10.0, subtype='DISTANCE', update=_fit)
     mass1: _number(
-        "Mass", "Of the upper bob; counts beside the lower one's. No keys: the whole motion follows from it", 1.0,
+        "Mass", "Of the upper bob; counts beside the lower one's", 1.0,
         soft_min=0.1, soft_max=10.0, unit='MASS')
     mass2: _number(
-        "Lower Mass", "Of the lower bob. No keys: the whole motion follows from it", 1.0, soft_min=0.1, soft_max=10.0,
+        "Lower Mass", "Of the lower bob", 1.0, soft_min=0.1, soft_max=10.0,
         unit='MASS')
     angle1: _number(
-        "Angle", "Of the upper rod from hanging down, when the motion starts. No keys: the whole motion follows from it",
+        "Angle", "Of the upper rod from hanging down, when the motion starts",
         math.radians(120.0), soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
     angle2: _number(
-        "Lower Angle", "Of the lower rod from hanging down, when the motion starts. No keys: the whole motion follows from it",
+        "Lower Angle", "Of the lower rod from hanging down, when the motion starts",
         math.radians(90.0), soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
     angle_step: _number(
         "Angle Step", "By how much the lower angle differs from one pendulum of the fan to the next",
@@ -66,10 +66,10 @@ class PendulumKeywords:
     use_scene_gravity: _switch(
         "Scene Gravity", "Take the strength of the scene's gravity", True)
     gravity: _number(
-        "Gravity", "Acceleration along the pivot's -Z axis. No keys: the whole motion follows from it", 9.81, soft_min=0.0,
+        "Gravity", "Acceleration along the pivot's -Z axis", 9.81, soft_min=0.0,
         soft_max=30.0, unit='ACCELERATION')
     damping: _number(
-        "Damping", "Share of the velocity that is lost in a second. No keys: the whole motion follows from it", 0.0,
+        "Damping", "Share of the velocity that is lost in a second", 0.0,
         soft_min=0.0, soft_max=2.0)
     use_limits: _switch("Limits", "Keep velocities and accelerations below limits that no real pendulum has", False)
     most_velocity: _number(
@@ -114,8 +114,8 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
     kind: bpy.props.EnumProperty(
         name="Kind", description="How many rods there are", items=KINDS, options=set(), override=OVERRIDABLE)
     count: bpy.props.IntProperty(
-        name="Count", description="How many pendulums swing about the pivot", default=1, min=1, options=set(),
-        override=OVERRIDABLE)
+        name="Count", description="How many pendulums swing about the pivot", default=1, min=1,
+        max=parts.LARGEST_FAN, options=set(), override=OVERRIDABLE)
     rods: bpy.props.CollectionProperty(type=MOTUS_PG_pendulum_rod, name="Rods", override=EXTENDABLE)
     trail: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE)

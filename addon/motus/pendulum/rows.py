@@ -13,11 +13,14 @@ def _has_two(settings):
     return settings.kind != 'SINGLE'
 
 
+def _lower(name):
+    """Below the same of the upper rod or bob: the whole name would not fit into the sidebar."""
+    return Row(name, when=_has_two, text="Lower")
+
+
 SWING = Rows((
-    "length1", Row("length2", when=_has_two),
-    Row("mass1", when=_has_two), Row("mass2", when=_has_two),
-    "angle1", Row("angle2", when=_has_two), Row("angle_step", when=_is_fan),
-    "velocity1", Row("velocity2", when=_has_two)), title="Pendulum")
+    "length1", _lower("length2"), Row("mass1", when=_has_two), _lower("mass2"),
+    "angle1", _lower("angle2"), Row("angle_step", when=_is_fan), "velocity1", _lower("velocity2")), title="Pendulum")
 FORCES = Rows((
     "use_scene_gravity",
     Row("gravity", when=lambda settings: not settings.use_scene_gravity),

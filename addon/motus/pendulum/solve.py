@@ -16,6 +16,7 @@ NOT_FINITE = Problem("A setting is not a finite number")
 NO_LENGTH = Problem("The lengths must be greater than 0")
 NO_MASS = Problem("The masses must be greater than 0")
 NO_LIMIT = Problem("The limits must be greater than 0")
+NO_FAN = Problem("A fan has 1 to 500 pendulums")
 TOO_FAR = Problem(
     "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping")
 TOO_EXTREME = Problem(
@@ -23,7 +24,7 @@ TOO_EXTREME = Problem(
 NEAR = 60.0
 """Seconds from the start within which only extreme numbers let the motion be unknown."""
 PROBLEMS = (NO_RODS, PIVOT_DELETED, NOT_FINITE, NO_LENGTH, NO_MASS, NO_LIMIT, TOO_FAR, clock.UNKNOWN, pivot_motion.UNKNOWN,
-            pivot_motion.NOT_STEADY, TOO_EXTREME)
+            pivot_motion.NOT_STEADY, TOO_EXTREME, NO_FAN)
 
 NUMBERS = (
     "length1", "length2", "mass1", "mass2", "angle1", "angle2", "angle_step", "velocity1", "velocity2", "gravity",
@@ -118,6 +119,8 @@ def swing_of(settings, scene):
         return Swing(1, lambda seconds, **felt: [way(seconds, **felt).tolist()], lambda times, number=0, **felt: way(times, **felt))
     if not (settings.mass1 > 0.0 and settings.mass2 > 0.0):
         return NO_MASS
+    if not 1 <= settings.count <= parts.LARGEST_FAN:
+        return NO_FAN
     constants = {
         "mass1": settings.mass1, "mass2": settings.mass2, "length1": settings.length1, "length2": settings.length2,
         "gravity": gravity, "damping": damping}

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import bpy
 
-from ..core import wiring
+from ..core import datablocks, wiring
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.system import Matrix, Points, Problem, Setting, Variable, registered
@@ -148,10 +148,7 @@ def discard(obj):
         # With a modifier whose hub is gone Blender 5 does not count the material's user down.
         wiring.set_points_material(system(), obj, None)
         wiring.detach(system(), obj)
-    mesh = obj.data
-    bpy.data.objects.remove(obj)
-    if mesh.users == 0:
-        bpy.data.meshes.remove(mesh)
+    datablocks.remove_objects([obj])
     material = bpy.data.materials.get((MATERIAL, None))
     if material and material.users == 0:
         bpy.data.materials.remove(material)

@@ -1,7 +1,7 @@
 """Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
 
 from ..core.system import System
-from . import operators, overlay, panel, presets, properties, solve
+from . import gizmo, landings, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow",
@@ -10,12 +10,13 @@ SYSTEM = System(
     classes=(
         # The group before the one that holds it.
         properties.MOTUS_PG_snow_stop, properties.MOTUS_PG_snow,
-        *operators.classes, *presets.classes, *panel.classes,
+        *operators.classes, *presets.classes, *panel.classes, *gizmo.classes,
     ),
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
+    settle=landings.settle,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,
     add_menu=("motus.snow_add",),

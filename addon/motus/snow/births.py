@@ -1,10 +1,11 @@
-"""Where the emitter is when flakes are born: its motion over time, and the faces that flakes leave."""
+"""What flakes are born to: the emitter's motion and the wind over time, and faces that they leave or land on."""
 
 import hashlib
 import math
+from collections import OrderedDict
 from typing import Any, NamedTuple
 
-from ..core import tracks
+from ..core import copies, tracks
 from ..core.lazy import numpy as np
 
 BLOCK = 256
@@ -13,6 +14,14 @@ LONGEST = 4096
 """Frames of a motion that are read at once, whatever frame it is."""
 PARTS = 4
 """Samples from one frame, or key, to the next, between which the library goes on linearly and turns evenly."""
+
+
+MOST_BYTES = 256 << 20
+"""Of faces that are kept."""
+WIND = "motus.snow.wind"
+
+_faces = OrderedDict()
+"""Number of an evaluated copy of a mesh -> its Faces, or None."""
 
 
 class Poses(NamedTuple):
@@ -29,6 +38,16 @@ class Poses(NamedTuple):
         return hash(self.stamp)
 
 
+class Winds(NamedTuple):
+    """Velocities (k, 3) of the air over time. stamp: as of Poses."""
+
+    stamp: Any
+    seconds: Any
+    velocities: Any
+
+    __eq__, __hash__ = Poses.__eq__, Poses.__hash__
+
+
 class Faces(NamedTuple):
     """Triangles in the space of their object. stamp: of their content."""
 
@@ -37,6 +56,10 @@ class Faces(NamedTuple):
     triangles: Any
 
     __eq__, __hash__ = Poses.__eq__, Poses.__hash__
+
+    @property
+    def bytes(self):
+        return self.positions.nbytes + self.triangles.nbytes
 
 
 def track(obj, scene):
@@ -55,13 +78,34 @@ def moving(moved, frame, longest, start_frame, fps):
 
     moved: a Track that is known. longest: seconds that a flake lives, at most.
     """
-    first, last = _span(moved.extent, frame - longest * fps, frame)
+    found = _over_lives([moved], frame, longest, start_frame, fps)
+    return found and Poses(found[0], found[1], found[2][0])
+
+
+def winds(moved, frame, longest, start_frame, fps):
+    """Winds over the lives of the flakes that there are on a frame, as moving() has it. moved: Tracks of the wind's parts."""
+    found = _over_lives(moved, frame, longest, start_frame, fps)
+    return found and Winds(found[0], found[1], np.stack(found[2], axis=1))
+
+
+def _over_lives(moved, frame, longest, start_frame, fps):
+    """(stamp, seconds, samples of each track); None where they are not finite."""
+    extents = [one.extent for one in moved if one.extent is not None]
+    extent = (min(start for start, _ in extents), max(end for _, end in extents)) if extents else None
+    first, last = _span(extent, frame - longest * fps, frame)
     name = "snow", first, last, start_frame, fps
-    found = tracks.kept(moved, name, lambda: _sampled(moved, first, last, start_frame, fps))
-    if not np.isfinite(found[1]).all():
+    stamps = tuple(one.stamp for one in moved)
+    stamp = None if None in stamps else stamps
+    seconds, values = tracks.kept_by(stamp, name, lambda: _sampled(moved, first, last, start_frame, fps))
+    if not all(np.isfinite(one).all() for one in values):
         return None
-    # Where nobody can tell whether the motion is still the same, these are poses like no others.
-    return Poses((moved.stamp, name) if moved.stamp is not None else object(), *found)
+    # Where nobody can tell whether the motion is still the same, these are samples like no others.
+    return (object() if stamp is None else (stamp, name)), seconds, values
+
+
+def wind_tracks(owner):
+    """The Tracks of the wind's parts."""
+    return [tracks.property_track(owner, WIND, axis) for axis in range(3)]
 
 
 def _span(extent, first, last):
@@ -74,15 +118,33 @@ def _span(extent, first, last):
 
 
 def _sampled(moved, first, last, start_frame, fps):
-    edges = np.unique(np.array([first, *moved.bounds(first, last), last], float))
+    edges = np.unique(np.array([first, *(at for one in moved for at in one.bounds(first, last)), last], float))
     parts = np.arange(PARTS) / PARTS
     frames = np.append((edges[:-1, None] + np.diff(edges)[:, None] * parts).ravel(), edges[-1])
     seconds, places = np.unique((frames - start_frame) / fps, return_index=True)
-    return seconds, moved.values(frames[places])
+    return seconds, [one.values(frames[places]) for one in moved]
+
+
+def placed(found, matrix):
+    """The Faces as they are in the world."""
+    rows = np.array(matrix, float)
+    positions = found.positions @ rows[:3, :3].T + rows[:3, 3]
+    return Faces((found.stamp, rows.tobytes()), np.ascontiguousarray(positions, np.float32), found.triangles)
 
 
 def faces(mesh):
-    """The Faces of an evaluated mesh; None where it has no area."""
+    """The Faces of an evaluated mesh; None where it has no area. Kept for as long as Blender keeps that copy of it."""
+    number = copies.number_given(mesh)
+    if number in _faces:
+        _faces.move_to_end(number)
+        return _faces[number]
+    found = _faces[number] = _read(mesh)
+    while len(_faces) > 1 and sum(one.bytes for one in _faces.values() if one) > MOST_BYTES:
+        _faces.popitem(last=False)
+    return found
+
+
+def _read(mesh):
     mesh.calc_loop_triangles()
     count = len(mesh.loop_triangles)
     positions = np.empty(3 * len(mesh.vertices), np.float32)
@@ -96,10 +158,3 @@ def faces(mesh):
     stamp = hashlib.blake2b(positions, digest_size=16)
     stamp.update(triangles)
     return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3))
-
-
-def placed(found, matrix):
-    """The Faces as they are in the world."""
-    rows = np.array(matrix, float)
-    positions = found.positions @ rows[:3, :3].T + rows[:3, 3]
-    return Faces((found.stamp, rows.tobytes()), np.ascontiguousarray(positions, np.float32), found.triangles)

@@ -5,10 +5,10 @@ import math
 import bpy
 from mathutils import Euler
 
-from ..core import wiring
+from ..core import datablocks, wiring
 from ..core.system import forget, registered
 from ..core.translations import tr
-from . import look
+from . import colliders, look
 
 DOWN = Euler((math.pi, 0.0, 0.0))
 # Edges that show where an emitter is and to where flakes leave: a square and an arrow. Edges are not rendered.
@@ -21,6 +21,11 @@ MARK = (
 def system():
     """The registered System."""
     return registered["snow"]
+
+
+def is_emitter(obj):
+    """Whether an object has snow, which it is not given by asking."""
+    return obj.is_property_set("motus") and obj.motus.snow.is_active
 
 
 def new_emitter(context, place):
@@ -45,15 +50,9 @@ def remove(emitter, keeps_object):
     """Take the snow off an emitter, and the emitter away where it was made for it."""
     was_made = emitter.motus.snow.has_made_emitter
     look.drop(emitter)
+    colliders.forget(emitter)
     wiring.detach(system(), emitter)
     forget(system(), emitter)
     if not was_made or keeps_object:
         return
-    mesh = emitter.data
-    for child in list(emitter.children):
-        place = child.matrix_world.copy()
-        child.parent = None
-        child.matrix_world = place
-    bpy.data.objects.remove(emitter)
-    if mesh.users == 0:
-        bpy.data.meshes.remove(mesh)
+    datablocks.remove_objects([emitter])

@@ -7,6 +7,7 @@ from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.scratch import scratch
 from ..core.system import Problem
+from . import placing
 from .properties import KEYWORDS, WHITE
 
 MOST = 1 << 24
@@ -27,6 +28,8 @@ _DIRECT = ("start_speed", "lifetime", "rate", "delay", "duration", "looping", "c
            "max_angle", "snow_frequency", "snow_offsets", "gravity", "drag", "gusts", "gust_frequency", "turbulence",
            "turbulence_size", "tumble")
 """Settings that the library has under the same names and in the same units."""
+_SHAPES = {'CAMERA': "frustum"}
+"""The library's names that are others."""
 _NAMES = (("position", "position"), ("velocity", "velocity"), ("size", "radius"), ("color", "tint"), ("age", "age"),
           ("rotation", "turn"))
 """The library's name, and that of the points' attribute."""
@@ -57,11 +60,14 @@ def numbers(settings):
     if not most(settings) <= MOST:
         return TOO_MANY
     found = [(name, getattr(settings, name)) for name in _DIRECT]
-    found += [("start_size", _size(settings)), ("shape", settings.shape.lower()), ("wind", tuple(settings.wind)),
+    found += [("start_size", _size(settings)), ("shape", _SHAPES.get(settings.shape) or settings.shape.lower()),
+              ("wind", tuple(settings.wind)),
               ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops)))]
     if settings.use_ground:
         found.append(("ground", settings.ground))
-    if settings.use_ground or settings.collider:
+    if settings.shape == 'CAMERA':
+        found += [("frustum_near", settings.closest), ("frustum_far", settings.farthest)]
+    if settings.use_ground or settings.collider or settings.colliders or settings.recorded:
         found += [("collision", settings.collision.lower()), ("melt_time", settings.melt_time),
                   ("friction", settings.friction)]
     if settings.burst > 0:
@@ -76,9 +82,17 @@ def _size(settings):
 
 
 @functools.lru_cache(maxsize=KEPT)
-def made(keywords, acceleration, poses, faces, collider):
-    """The native Snow; or what is wrong with it. faces: that flakes leave; collider: a SnowCollider; or None."""
+def made(keywords, acceleration, poses, winds=None, faces=None, angles=None, collider=None):
+    """The native Snow; or what is wrong with it.
+
+    winds: Winds, of a wind that is keyed. faces: that flakes leave. angles: half those that a camera sees by. collider: a
+    SnowCollider. Each of these may be None.
+    """
     given = dict(keywords)
+    if winds is not None:
+        given |= {"wind_times": winds.seconds, "wind_values": winds.velocities}
+    if angles is not None:
+        given["frustum_angles"] = angles
     if collider is not None:
         given["collider"] = collider
     if faces is not None:
@@ -91,18 +105,18 @@ def made(keywords, acceleration, poses, faces, collider):
 
 
 @functools.lru_cache(maxsize=COLLIDERS)
-def collider(faces):
-    """The native SnowCollider of Faces in the world, or None where they cannot be one."""
+def collider(parts):
+    """The native SnowCollider of faces that are Placed, or None where they cannot be one."""
     try:
-        return native.module.SnowCollider(faces.positions, faces.triangles)
+        return native.module.SnowCollider(*placing.joined(parts))
     except ValueError:
         return None
 
 
-def fill(points, snow, seconds, share):
+def fill(points, snow, seconds, share, is_found=True):
     """Let Blender's points be the flakes of a time, or those that a share of them has been chosen of.
 
-    points: Context.points.
+    points: Context.points. is_found: whether it is known where all flakes land; else those are left out of which it is not.
     """
     if share >= 1.0:
         found = {}
@@ -111,15 +125,15 @@ def fill(points, snow, seconds, share):
             found.update(points(count))
             return _named(found) | {"id": _numbers(count)}
 
-        numbered = snow.evaluate(seconds, out=room)["id"]
+        numbered = snow.evaluate(seconds, out=room, known=not is_found)["id"]
         found["id"][:] = numbered
         return
-    ids = snow.evaluate(seconds, ("id",))["id"]
+    ids = snow.evaluate(seconds, ("id",), known=not is_found)["id"]
     places = np.flatnonzero(is_chosen(ids, share))
     found = points(len(places))
     found["id"][:] = ids[places]
     named = _named(found)
-    every = snow.evaluate(seconds, tuple(named))
+    every = snow.evaluate(seconds, tuple(named), known=not is_found)
     for name, array in named.items():
         np.take(every[name], places, axis=0, out=array)
 

@@ -10,7 +10,7 @@ from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named
 from ..core.rows import Rows
 from ..core.translations import tr
-from . import build, flakes, look, presets, rows
+from . import build, colliders, flakes, look, presets, rows
 from .properties import KEYWORDS, SnowKeywords
 
 ABOVE = 6.0  # m, of an emitter that is added by hand, over the 3D cursor or what the viewport looks at
@@ -39,6 +39,8 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
     preset: _preset()
     surface: _name("Mesh", "Name of a mesh object whose faces flakes leave")
     collider: _name("Collider", "Name of a mesh object that flakes land on")
+    colliders: _name("Colliders", "Name of a collection whose mesh objects flakes land on")
+    camera: _name("Camera", "Name of a camera in whose view flakes come into being")
     flake: _name("Flake", "Name of the object that flakes are instances of")
     flakes: _name("Flakes", "Name of the collection whose objects flakes are instances of")
     location: bpy.props.FloatVectorProperty(
@@ -62,6 +64,8 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
         check_finite(self, (*KEYWORDS, "location"))
         surface = _surface(self.surface) if self.surface else None
         collider = _surface(self.collider) if self.collider else None
+        collection = _collection(self.colliders) if self.colliders else None
+        camera = self._camera(context)
         chosen = self._chosen()
         keywords = self.given(KEYWORDS)
         place = Vector(self.location) if self.is_given("location") else context.scene.cursor.location.copy()
@@ -72,7 +76,9 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
             setattr(settings, name, value)
         if surface is not None:
             settings.shape, settings.surface = 'SURFACE', surface
-        settings.collider = collider
+        if camera is not None:
+            settings.shape, settings.camera = 'CAMERA', camera
+        settings.collider, settings.colliders = collider, collection
         try:
             _check_count(settings)
         except Refused:
@@ -92,11 +98,28 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
         if self.flake:
             return {"look": 'OBJECT', "flake": named(self.flake)}
         if self.flakes:
-            found = bpy.data.collections.get(self.flakes)
-            if found is None:
-                raise Refused(tr("There is no collection {collection}").format(collection=self.flakes))
-            return {"look": 'COLLECTION', "flakes": found}
+            return {"look": 'COLLECTION', "flakes": _collection(self.flakes)}
         return {}
+
+    def _camera(self, context):
+        """The camera that was named, or else the scene's; None where flakes have another emitter."""
+        if self.camera:
+            found = named(self.camera)
+            if found.type != 'CAMERA':
+                raise Refused(tr("{object} is no camera").format(object=found.name))
+            return found
+        if self.surface or not self.is_given("shape") or self.shape != 'CAMERA':
+            return None
+        if context.scene.camera is None:
+            raise Refused(tr("The scene has no camera"))
+        return context.scene.camera
+
+
+def _collection(name):
+    found = bpy.data.collections.get(name)
+    if found is None:
+        raise Refused(tr("There is no collection {collection}").format(collection=name))
+    return found
 
 
 def _surface(name):
@@ -233,6 +256,31 @@ class MOTUS_OT_snow_stop_remove(_OnEmitter, bpy.types.Operator):
         wiring.touch(build.system(), emitter)
 
 
+class MOTUS_OT_snow_colliders_record(_OnEmitter, bpy.types.Operator):
+    bl_idname = "motus.snow_colliders_record"
+    bl_label = "Record Colliders"
+    bl_description = "Keep what flakes land on as it is on this frame, in the file, whatever moves later"
+
+    def run(self, context):
+        emitter = emitter_for(context, self.object)
+        context.view_layer.update()
+        if not colliders.record(emitter, context.view_layer.depsgraph):
+            raise Refused(tr("There is nothing with faces that flakes land on"))
+        emitter.motus.snow.recorded_frame = context.scene.frame_current_final
+
+
+class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):
+    bl_idname = "motus.snow_colliders_clear"
+    bl_label = "Clear Recorded Colliders"
+    bl_description = "Let flakes land on the colliders themselves again"
+
+    def run(self, context):
+        emitter = emitter_for(context, self.object)
+        if emitter.motus.snow.recorded is None:
+            raise Refused(tr("Nothing was recorded"))
+        colliders.forget(emitter)
+
+
 class MOTUS_OT_snow_refresh(_OnEmitter, bpy.types.Operator):
     bl_idname = "motus.snow_refresh"
     bl_label = "Refresh"
@@ -245,4 +293,4 @@ class MOTUS_OT_snow_refresh(_OnEmitter, bpy.types.Operator):
 
 
 classes = (MOTUS_OT_snow_add, MOTUS_OT_snow_remove, MOTUS_OT_snow_preset, MOTUS_OT_snow_stop_add,
-           MOTUS_OT_snow_stop_remove, MOTUS_OT_snow_refresh)
+           MOTUS_OT_snow_stop_remove, MOTUS_OT_snow_colliders_record, MOTUS_OT_snow_colliders_clear, MOTUS_OT_snow_refresh)

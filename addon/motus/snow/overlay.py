@@ -1,20 +1,22 @@
-"""What the viewport shows of an emitter: the shape that flakes are born in, and to where they leave."""
+"""What the viewport shows of an emitter, with its handles: the shape that flakes are born in, and to where they leave."""
 
 import math
 
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
+from . import handles
 
 COLOR = (0.55, 0.80, 1.0, 0.9)
 STEPS = 48
+RAYS = 8
 
 
 def _batches(context, obj):
-    if not obj.motus.snow.is_active or obj.motus.snow.shape == 'SURFACE':
+    if not obj.motus.snow.is_active or obj.motus.snow.shape in {'SURFACE', 'CAMERA'}:
         return []
     settings = obj.motus.snow
     matrix = np.array(obj.evaluated_get(context.evaluated_depsgraph_get()).matrix_world)
-    lines = np.concatenate([_lines(settings), _arrow(settings)])
+    lines = np.concatenate([_lines(settings), _arrow(settings), *([_rays(settings)] if handles.leans(settings) else [])])
     points = lines @ matrix[:3, :3].T + matrix[:3, 3]
     return [Batch('LINES', points.astype(np.float32), COLOR, 1.5)]
 
@@ -31,8 +33,6 @@ def _lines(settings):
     circle = radius * _circle()
     if settings.shape == 'SPHERE':
         return np.concatenate([circle, circle[:, (0, 2, 1)], circle[:, (2, 0, 1)]])
-    if settings.shape == 'CONE':
-        return np.concatenate([circle, _rays(radius, settings.cone_angle)])
     return circle
 
 
@@ -47,19 +47,17 @@ def _circle():
     return np.repeat(points, 2, axis=0)[1:-1]
 
 
-def _rays(radius, angle):
-    """Lines from the edge of a cone's disc to where flakes leave there."""
-    length = max(radius, 0.5)
-    found = []
-    for turn in np.arange(8) * math.pi / 4.0:
-        around = np.array((math.cos(turn), math.sin(turn), 0.0))
-        found += [radius * around, radius * around + length * (math.sin(angle) * around + (0.0, 0.0, math.cos(angle)))]
-    return np.array(found)
+def _rays(settings):
+    """Lines by which flakes leave at the edge, at most."""
+    ends = np.array(handles.ray(settings))
+    turns = np.arange(RAYS) * 2.0 * math.pi / RAYS
+    across = ends[None, :, :1] * np.stack((np.cos(turns), np.sin(turns)), axis=1)[:, None, :]
+    return np.concatenate((across, np.broadcast_to(ends[:, 2:], (RAYS, 2, 1))), axis=2).reshape(-1, 3)
 
 
 def _arrow(settings):
-    """From the middle to as far as a flake comes in half a second."""
-    length = 0.5 * settings.start_speed
+    """From the middle to as far as a flake comes in a while."""
+    length = handles.SECONDS * settings.start_speed
     head = 0.15 * length
     tip = (0.0, 0.0, length)
     return np.array([(0.0, 0.0, 0.0), tip, tip, (head, 0.0, length - head), tip, (-head, 0.0, length - head)])

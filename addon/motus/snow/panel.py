@@ -1,13 +1,9 @@
 """The panel of snow: in the sidebar's tab and in the object's constraint properties, on the emitter."""
 
 from ..core import panels, tracks, ui
-from . import births, flakes, presets, rows, solve
-from .build import system
-
-
-def _is_emitter(obj):
-    # To ask an object for its settings gives it some.
-    return obj.is_property_set("motus") and obj.motus.snow.is_active
+from ..core.translations import tr
+from . import births, flakes, landings, presets, rows, solve
+from .build import is_emitter, system
 
 
 def draw_main(layout, context):
@@ -27,7 +23,7 @@ def draw_emitter(layout, context):
     settings = emitter.motus.snow
     column = ui.split(layout)
     rows.EMITTER.draw(column, settings)
-    rows.SURFACE.draw(column, settings)
+    rows.SOURCE.draw(column, settings)
     source = solve.source(emitter)
     if source is None:
         return
@@ -52,14 +48,27 @@ def _draw_steering_switch(layout, context):
 
 def draw_air(layout, context):
     """Gravity and the air."""
-    rows.AIR.draw(ui.split(layout), context.object.motus.snow)
+    emitter = context.object
+    rows.AIR.draw(ui.split(layout), emitter.motus.snow)
+    if emitter.motus.snow.drag > 0.0 and emitter.animation_data is not None:
+        moved = [(axis, one) for axis, one in enumerate(births.wind_tracks(emitter)) if not one.is_constant]
+        # One that has to be recorded first; what is known of one is known of all.
+        for axis, one in sorted(moved, key=lambda pair: pair[1].is_known)[:1]:
+            tracks.draw(layout, one, datablock=emitter.name, data_path=births.WIND, index=axis)
 
 
 def draw_landing(layout, context):
     """What flakes land on, and what they do there."""
+    emitter = context.object
+    settings = emitter.motus.snow
     column = ui.split(layout)
-    rows.COLLIDER.draw(column, context.object.motus.snow)
-    rows.LANDING.draw(column, context.object.motus.snow)
+    rows.COLLIDERS.draw(column, settings)
+    if settings.recorded is not None:
+        ui.draw_message(layout, tr("As they were on frame {frame}").format(frame=f"{settings.recorded_frame:g}"), 'REC')
+        layout.operator("motus.snow_colliders_clear", icon='X').object = emitter.name
+    elif settings.collider is not None or settings.colliders is not None:
+        layout.operator("motus.snow_colliders_record", icon='REC').object = emitter.name
+    rows.LANDING.draw(ui.split(layout), settings)
 
 
 def draw_flakes(layout, context):
@@ -82,9 +91,12 @@ def draw_readouts(layout, context):
     count = flakes.most(context.object.motus.snow)
     if not count < flakes.MOST:
         return
-    ui.draw_readouts(layout, [
-        ui.Readout(text="Flakes at Most", value=f"{count:,.0f}"),
-        ui.Readout(text="Memory", value=f"{count * flakes.BYTES / 2 ** 20:,.1f} MB")])
+    found = [ui.Readout(text="Flakes at Most", value=f"{count:,.0f}"),
+             ui.Readout(text="Memory", value=f"{count * flakes.BYTES / 2 ** 20:,.1f} MB")]
+    done = landings.done(context.object)
+    if done is not None:
+        found.append(ui.Readout(text="Landings Found", value=f"{100.0 * done:.0f} %"))
+    ui.draw_readouts(layout, found)
 
 
 def draw_actions(layout, context):
@@ -99,12 +111,14 @@ def draw_add(layout, context):
     column.operator("motus.snow_add", icon='ADD')
     if context.object.type == 'MESH':
         column.operator("motus.snow_add", text="Snow from its Surface", icon='ADD').surface = context.object.name
+    if context.object.type == 'CAMERA':
+        column.operator("motus.snow_add", text="Snow in its View", icon='ADD').camera = context.object.name
 
 
 PANEL = panels.SystemPanel(
     name="snow", prefix="MOTUS_PT_snow", label="Snow",
     editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
-    suits=lambda obj: True, is_used=_is_emitter, draw=draw_main,
+    suits=lambda obj: True, is_used=is_emitter, draw=draw_main,
     parts=(
         panels.Part("emitter", "Emitter", draw_emitter, is_open=True),
         panels.Part("steering", "Steering", draw_steering, is_open=True, draw_header=_draw_steering_switch),

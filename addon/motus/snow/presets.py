@@ -46,7 +46,7 @@ _GRADIENTS = {identifier: gradient for identifier, _, _, _, gradient in KINDS}
 # What belongs to one shot is not part of a style.
 OF_THE_SHOT = {"start_frame", "delay", "use_ground", "ground", "all_attributes", "preview", "influence", "seed", "look"}
 LEFT_ALONE = {"start_frame", "all_attributes", "preview", "influence", "seed", "use_ground", "ground", "collision", "melt_time",
-              "friction"}
+              "friction", "closest", "farthest"}
 """Settings that no preset of ours says anything of."""
 CHOSEN = 'OBJECT', 'COLLECTION', 'POINTS'
 """Looks that are the user's."""
@@ -80,7 +80,7 @@ def kind_of(settings):
 
 def _of_a_kind(settings):
     """Names of the settings that a preset says something of."""
-    left_alone = LEFT_ALONE | ({"shape"} if settings.shape == 'SURFACE' else set())
+    left_alone = LEFT_ALONE | ({"shape"} if settings.shape in {'SURFACE', 'CAMERA'} else set())
     left_alone |= {"look", "flake_width"} if settings.look in CHOSEN else set()
     return [name for name in KEYWORDS if name not in left_alone]
 

@@ -14,6 +14,7 @@ SHAPES = (
     ('SPHERE', "Sphere", "Flakes come into being within a ball and leave its middle"),
     ('CONE', "Cone", "Flakes leave a disc, leaning outwards, at its edge by the cone angle"),
     ('SURFACE', "Mesh Surface", "Flakes leave the faces of a mesh along their normals, evenly over their area"),
+    ('CAMERA', "Camera View", "Flakes come into being evenly in what a camera sees, and fall down"),
 )
 LOOKS = (
     ('FLAKE', "Six-Armed Flake", "A flat crystal with six arms"),
@@ -98,6 +99,12 @@ class SnowKeywords:
         "Cone Angle", "By how much flakes lean outwards at the edge of a cone, or at random at most", 0.0, min=0.0,
         max=math.pi, soft_max=0.5 * math.pi, subtype='ANGLE')
 
+    closest: _number(
+        "Closest", "To the camera that flakes come into being, along its view", 0.5, min=0.0, soft_max=10.0, subtype='DISTANCE')
+    farthest: _number(
+        "Farthest", "From the camera that flakes come into being, along its view", 20.0, min=1e-3, soft_max=100.0,
+        subtype='DISTANCE')
+
     random_speed: _switch("Random Speed", "Vary the speed by up to 1 m/s")
     random_orientation: _switch("Random Orientation", "Flakes leave anywhere within the cone angle")
     random_lifetime: _switch("Random Lifetime", "Vary the lifetime by up to 1 s")
@@ -119,8 +126,8 @@ class SnowKeywords:
         "Air Drag", "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind", 0.0,
         min=0.0, max=1000.0, soft_max=10.0)
     wind: bpy.props.FloatVectorProperty(
-        name="Wind", description="Velocity of the air in world space", size=3, subtype='XYZ', unit='VELOCITY',
-        options=set(), update=touch, override=OVERRIDABLE)
+        name="Wind", description="Velocity of the air in world space; it may be keyed", size=3, subtype='XYZ', unit='VELOCITY',
+        options=ANIMATED, update=touch, override=OVERRIDABLE)
     gusts: _number("Gusts", "By which part of it the wind varies", 0.0, min=0.0, soft_max=1.0)
     gust_frequency: _number(
         "Gust Frequency", "About how often a second the wind varies", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
@@ -180,6 +187,18 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     collider: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Collider", description="Mesh object that flakes land on", update=rewire,
         override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
+    colliders: bpy.props.PointerProperty(
+        type=bpy.types.Collection, name="Colliders", description="Collection whose mesh objects flakes land on",
+        update=rewire, override=OVERRIDABLE)
+    recorded: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Recorded", description="What flakes land on, as it was on one frame", update=rewire,
+        override=OVERRIDABLE)
+    recorded_frame: bpy.props.FloatProperty(
+        name="Recorded Frame", description="On which the colliders were as flakes land on them", options=set(),
+        override=OVERRIDABLE)
+    camera: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Camera", description="In whose view flakes come into being", update=rewire,
+        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'CAMERA')
     flake: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Flake", description="Object that each flake is an instance of", update=_dress,
         override=OVERRIDABLE)

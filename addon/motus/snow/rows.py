@@ -16,8 +16,9 @@ EMISSION = Rows((
     Row("duration", when=lambda settings: not settings.looping),
     "burst", Row("burst_time", when=lambda settings: settings.burst > 0)), title="Emission")
 EMITTER = Rows((
-    "shape", Row("cone_radius", when=is_not("shape", 'SURFACE')), Row("cone_angle", when=_leans)), title="Emitter")
-SURFACE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')),))
+    "shape", Row("cone_radius", when=is_not("shape", 'SURFACE', 'CAMERA')), Row("cone_angle", when=_leans),
+    Row("closest", when=is_one_of("shape", 'CAMERA')), Row("farthest", when=is_one_of("shape", 'CAMERA'))), title="Emitter")
+SOURCE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')), Row("camera", when=is_one_of("shape", 'CAMERA'))))
 RANDOM = Rows((
     "random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed"), title="Random")
 STEERING = Rows((
@@ -32,7 +33,7 @@ LANDING = Rows((
     "use_ground", Row("ground", when=_is_on("use_ground")), "collision",
     Row("melt_time", when=is_one_of("collision", 'MELT')), Row("friction", when=is_one_of("collision", 'SLIDE'))),
     title="Collision")
-COLLIDER = Rows(("collider",))
+COLLIDERS = Rows(("collider", "colliders"))
 _WIDTH = Row("flake_width", when=is_not("look", 'OBJECT', 'COLLECTION'))
 FLAKES = Rows((
     "look", Row("flake", when=is_one_of("look", 'OBJECT')), Row("flakes", when=is_one_of("look", 'COLLECTION')), _WIDTH,

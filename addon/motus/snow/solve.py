@@ -1,8 +1,8 @@
 """Snow: what its solver reads, and the one call of the library."""
 
 from ..core import deleted
-from ..core.system import Geometry, Matrix, OwnMatrix, Points, Problem, Setting
-from . import births, flakes
+from ..core.system import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
+from . import births, colliders, flakes, landings, view
 
 NO_SURFACE = Problem("Choose a mesh that flakes leave")
 SURFACE_DELETED = Problem("The mesh that flakes leave is in no collection any more: choose another one")
@@ -12,11 +12,11 @@ UNKNOWN = Problem(
 NO_FLAKES = Problem("Choose what flakes look like: there is no such object or collection", False)
 FLAT = Problem("The emitter has a scale of 0, and can show no flakes")
 UNBAKEABLE = Problem("Flakes are computed on each frame: there is nothing to bake")
-NO_COLLIDER = Problem("The collider is gone: flakes fall on without it", blocking=False)
-COLLIDER_WITHOUT_FACES = Problem("The collider has no faces: flakes fall through it", blocking=False)
-COLLIDER_MOVES = Problem("The collider moves: flakes land where it is on the present frame", blocking=False)
-PROBLEMS = (NO_COLLIDER, COLLIDER_WITHOUT_FACES, COLLIDER_MOVES, NO_SURFACE, SURFACE_DELETED, NO_FACES, UNKNOWN, NO_FLAKES, FLAT, flakes.NOT_FINITE, flakes.TOO_MANY,
-            flakes.OUT_OF_RANGE)
+UNKNOWN_WIND = Problem(
+    "The wind is not known ahead, and blows on all frames as it does now: key it, or record it", blocking=False)
+FINDING = Problem("Flakes appear as soon as it is known where they land", blocking=False)
+PROBLEMS = (*colliders.PROBLEMS, NO_SURFACE, SURFACE_DELETED, NO_FACES, *view.PROBLEMS, UNKNOWN, UNKNOWN_WIND, FINDING,
+            NO_FLAKES, FLAT, flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
 
 
 def _unneeded(settings):
@@ -32,10 +32,11 @@ POINTS = Points(
                 ("id", 'INT')),
     capacity=flakes.MOST, unneeded=_unneeded)
 INPUTS = (OwnMatrix("emitter"), Matrix("placed", of="surface"), Geometry("surface", of="surface"),
-          Matrix("standing", of="collider"), Geometry("collider", of="collider"), Setting("influence"))
+          Matrix("seeing", of="camera"), view.Lens("lens", of="camera"), Geometries("landed_on", of=colliders.objects),
+          Setting("influence"))
 
 
-def solve(context, emitter, placed, surface, standing, collider, influence):
+def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence):
     """Flakes in world space."""
     settings = context.settings
     keywords = context.kept("keywords", None, lambda: flakes.numbers(settings))
@@ -45,29 +46,36 @@ def solve(context, emitter, placed, surface, standing, collider, influence):
         return None
     if emitter is None or emitter.determinant() == 0.0:
         return FLAT
-    faces = None
+    scene = context.depsgraph.scene
+    faces = angles = None
     if settings.shape == 'SURFACE':
         emitter, faces = placed, _faces(context, placed, surface)
         if isinstance(faces, Problem):
             return faces
+    elif settings.shape == 'CAMERA':
+        emitter, angles = seeing, view.angles(context.target("camera"), seeing, scene)
+        if isinstance(angles, Problem):
+            return angles
     poses, problem = _poses(context, emitter)
-    if poses is None:
+    winds, unsure = _winds(context)
+    if poses is None or unsure is flakes.NOT_FINITE:
         return flakes.NOT_FINITE
-    scene = context.depsgraph.scene
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
-    barrier, fault = _barrier(context, standing, collider) if settings.collider else (None, None)
-    snow = flakes.made(keywords, acceleration, poses, faces, barrier)
+    barrier, fault = colliders.barrier(context) if colliders.are_any(settings) else (None, None)
+    snow = flakes.made(keywords, acceleration, poses, winds, faces, angles, barrier)
     if isinstance(snow, Problem):
         return snow
-    share = settings.preview / 100.0 if context.depsgraph.mode == 'VIEWPORT' else 1.0
-    flakes.fill(context.points, snow, (context.frame - settings.start_frame) / context.fps, share)
-    return problem or fault or _look_problem(settings)
+    seconds = (context.frame - settings.start_frame) / context.fps
+    is_viewport = context.depsgraph.mode == 'VIEWPORT'
+    is_found = not (is_viewport and landings.are_left(context, snow, seconds))
+    flakes.fill(context.points, snow, seconds, settings.preview / 100.0 if is_viewport else 1.0, is_found)
+    return problem or unsure or fault or (None if is_found else FINDING) or _look_problem(settings)
 
 
 def source(owner):
-    """The object at whose poses flakes are born: the emitter, or the one whose faces they leave."""
+    """The object at whose poses flakes are born: the emitter, the mesh whose faces they leave, or the camera."""
     settings = owner.motus.snow
-    return settings.surface if settings.shape == 'SURFACE' else owner
+    return {'SURFACE': settings.surface, 'CAMERA': settings.camera}.get(settings.shape, owner)
 
 
 def _poses(context, present):
@@ -92,17 +100,19 @@ def _faces(context, placed, surface):
     return births.faces(surface.data) or NO_FACES
 
 
-def _barrier(context, standing, collider):
-    """(the native SnowCollider or None, Problem or None)."""
-    found = context.target("collider")
-    if found is None or standing is None or collider is None or found.type != 'MESH' or deleted.is_deleted(found):
-        return None, NO_COLLIDER
-    faces = births.faces(collider.data)
-    barrier = faces and flakes.collider(births.placed(faces, standing))
-    if barrier is None:
-        return None, COLLIDER_WITHOUT_FACES
-    moved = births.track(found, context.depsgraph.scene)
-    return barrier, COLLIDER_MOVES if not moved.is_known or moved.extent is not None else None
+def _winds(context):
+    """(Winds of a wind that is keyed, else None; Problem or None)."""
+    settings = context.settings
+    if context.is_still or settings.drag == 0.0:
+        return None, None
+    moved = births.wind_tracks(context.owner)
+    if not all(one.is_known for one in moved):
+        return None, UNKNOWN_WIND
+    if all(one.extent is None for one in moved):
+        return None, None
+    found = births.winds(
+        moved, context.frame, flakes.longest_life(settings), settings.start_frame, context.fps)
+    return found, None if found else flakes.NOT_FINITE
 
 
 def _look_problem(settings):

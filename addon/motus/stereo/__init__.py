@@ -7,9 +7,10 @@ SYSTEM = System(
     name="stereo",
     label="Stereo Camera",
     settings=properties.MOTUS_PG_stereo,
+    scene_settings=properties.MOTUS_PG_stereo_scene,
     classes=(
-        properties.MOTUS_PG_stereo, *operators.classes, *measuring.classes, *checking.classes, *output.classes, *viewing.classes,
-        *presets.classes, *panel.classes),
+        properties.MOTUS_PG_stereo, properties.MOTUS_PG_stereo_scene, *operators.classes, *measuring.classes, *checking.classes,
+        *output.classes, *viewing.classes, *presets.classes, *panel.classes),
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,

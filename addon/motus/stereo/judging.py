@@ -3,6 +3,7 @@
 from typing import Any, NamedTuple
 
 from ..core import native
+from ..core.frames import spoken
 from ..core.lazy import numpy as np
 from ..core.translations import tr
 
@@ -37,16 +38,16 @@ def judge(eyes, lens, screen, pixels, x, depths):
 def sentence(kind, worst, frames, screen, pixels):
     """A fault in words. worst: of all frames. frames: as text."""
     words = {
-        "percent": f"{100.0 * worst:.2g}", "pixels": f"{pixels * worst:.0f}", "width": f"{screen['width']:g}", "frames": frames}
+        "percent": f"{100.0 * worst:.2g}", "pixels": f"{pixels * worst:.0f}", "width": f"{screen['width']:g}", "frames": spoken(frames)}
     return SENTENCES[kind]().format(**words)
 
 
 SENTENCES = {
-    'EMPTY': lambda: tr("The camera sees nothing that has a depth in frames {frames}"),
-    'DIVERGES': lambda: tr("Diverges on a {width} m screen by {percent} % in frames {frames}"),
-    'FAR': lambda: tr("Is too far behind a {width} m screen by {percent} % in frames {frames}"),
-    'NEAR': lambda: tr("Is too far in front of a {width} m screen by {percent} % in frames {frames}"),
-    'LEFT': lambda: tr("The window is violated on the left edge by {percent} % in frames {frames}"),
-    'RIGHT': lambda: tr("The window is violated on the right edge by {percent} % in frames {frames}"),
-    'VERTICAL': lambda: tr("Corners are higher in one eye than in the other by more than a pixel, {pixels} pixels, in frames {frames}"),
+    'EMPTY': lambda: tr("The camera sees nothing that has a depth in {frames}"),
+    'DIVERGES': lambda: tr("Diverges on a {width} m screen by {percent} % in {frames}"),
+    'FAR': lambda: tr("Is too far behind a {width} m screen by {percent} % in {frames}"),
+    'NEAR': lambda: tr("Is too far in front of a {width} m screen by {percent} % in {frames}"),
+    'LEFT': lambda: tr("The window is violated on the left edge by {percent} % in {frames}"),
+    'RIGHT': lambda: tr("The window is violated on the right edge by {percent} % in {frames}"),
+    'VERTICAL': lambda: tr("Corners are higher in one eye than in the other by more than a pixel, {pixels} pixels, in {frames}"),
 }

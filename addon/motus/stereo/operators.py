@@ -137,7 +137,7 @@ class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
     def run(self, context):
         camera = targets.rig_for(context, self.object)
         targets.check_removable(camera)
-        rig.remove(context.scene, camera)
+        rig.remove(camera)
 
 
 class MOTUS_OT_stereo_refresh(OfARig, Operator, bpy.types.Operator):

@@ -41,17 +41,16 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
         scene = context.scene
         if self.use_360 and scene.render.engine != 'CYCLES':
             raise Refused(tr("Only Cycles can see all around in stereo: choose that as the render engine first"))
-        self._set_format(scene, camera)
+        self._set_format(scene)
         see = around.begin if self.use_360 else around.end
         see(camera.motus.stereo, camera.data)
         label = next(label for identifier, label, _ in FORMATS if identifier == self.format)
         self.report({'INFO'}, tr("Both eyes are written as: {format}").format(
             format=bpy.app.translations.pgettext_iface(label)))
 
-    def _set_format(self, scene, camera):
+    def _set_format(self, scene):
         render = scene.render
-        if not render.use_multiview:
-            rig.begin_multiview(render, camera.motus.stereo)
+        rig.begin_multiview(scene)
         render.views_format = 'STEREO_3D'
         for view in render.stereo_views:
             view.use = True

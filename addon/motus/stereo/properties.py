@@ -75,7 +75,10 @@ class MOTUS_PG_stereo(StereoKeywords, SystemSettings, bpy.types.PropertyGroup):
     before_spherical: bpy.props.BoolProperty(
         name="Spherical Before", description="Whether the camera's stereo was spherical before it was made to see all around",
         options=set())
+
+
+class MOTUS_PG_stereo_scene(bpy.types.PropertyGroup):
     is_multiview_made: bpy.props.BoolProperty(
-        name="Multiview Made", description="The rig has switched multiview on in the scene", options=set())
+        name="Multiview Made", description="A rig has switched multiview on in the scene", options=set())
     before_views: bpy.props.StringProperty(
-        name="Views Before", description="Format of views that the scene had before the rig switched multiview on", options=set())
+        name="Views Before", description="Format of views that the scene had before a rig switched multiview on", options=set())

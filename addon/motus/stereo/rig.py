@@ -38,11 +38,10 @@ def has_rig(obj):
 
 def add(scene, owner, mode, focus, keywords):
     """Give a camera a rig. keywords: settings."""
-    settings, stereo, render = owner.motus.stereo, owner.data.stereo, scene.render
+    settings, stereo = owner.motus.stereo, owner.data.stereo
     settings.before_mode, settings.before_pivot = stereo.convergence_mode, stereo.pivot
     stereo.convergence_mode, stereo.pivot = mode, CENTRE
-    if not render.use_multiview:
-        begin_multiview(render, settings)
+    begin_multiview(scene)
     for name, value in keywords.items():
         setattr(settings, name, value)
     settings.focus = focus
@@ -50,11 +49,10 @@ def add(scene, owner, mode, focus, keywords):
     wiring.attach(system(), owner)
 
 
-def remove(scene, owner):
-    """Take a rig back: wiring, keys of its settings, what it has set in camera and scene, and the settings themselves."""
+def remove(owner):
+    """Take a rig back: wiring, keys of its settings, what it has set in camera and scenes, and the settings themselves."""
     settings, camera = owner.motus.stereo, owner.data
     before = settings.before_mode, settings.before_pivot
-    is_multiview_made, views = settings.is_multiview_made, settings.before_views
     around.end(settings, camera)
     wiring.detach(system(), owner)
     actions.remove(owner, (PREFIX,))
@@ -62,8 +60,8 @@ def remove(scene, owner):
     results.forget(owner)
     for name, value in zip(("convergence_mode", "pivot"), before):
         around.put(camera.stereo, name, value)
-    if is_multiview_made:
-        _give_multiview_back(scene, views)
+    for scene in bpy.data.scenes:
+        _give_multiview_back(scene)
 
 
 def renders_both_eyes(scene):
@@ -77,20 +75,23 @@ def one_eye():
     return tr("The scene does not render a left and a right eye: Stereo Output lets it")
 
 
-def begin_multiview(render, settings):
-    """Switch multiview on, and note how it has been. settings: of the rig that does."""
-    settings.before_views, settings.is_multiview_made = render.views_format, True
+def begin_multiview(scene):
+    """Switch multiview on in a scene without it, and note there how it has been."""
+    render, noted = scene.render, scene.motus.stereo
+    if render.use_multiview:
+        return
+    noted.before_views, noted.is_multiview_made = render.views_format, True
     render.use_multiview, render.views_format = True, 'STEREO_3D'
 
 
-def _give_multiview_back(scene, views):
-    """Switch multiview off, unless another rig of the scene needs it, which is then the one that has it. views: their format before."""
-    heir = next((obj for obj in scene.objects if has_rig(obj)), None)
-    if heir is None:
-        scene.render.use_multiview = False
-        around.put(scene.render, "views_format", views)
-    else:
-        heir.motus.stereo.is_multiview_made, heir.motus.stereo.before_views = True, views
+def _give_multiview_back(scene):
+    """Switch multiview off where it was switched on for rigs, and none is left."""
+    noted = scene.motus.stereo
+    if not noted.is_multiview_made or scene.library or any(has_rig(obj) for obj in scene.objects):
+        return
+    scene.render.use_multiview = False
+    around.put(scene.render, "views_format", noted.before_views)
+    scene.motus.property_unset("stereo")
 
 
 def eyes(scene, owner, depsgraph):

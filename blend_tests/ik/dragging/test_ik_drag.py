@@ -32,6 +32,33 @@ class DragTestCase(IkTestCase):
         self.assertNear(self.point(rig, bone, factor), place, tolerance)
 
 
+class OfControlBones(DragTestCase):
+    def test_targets_and_poles_are_moved(self):
+        rig = self.arm()
+        rig.location, rig.rotation_euler, rig.scale = (1.0, 2.0, 3.0), (0.1, 0.2, 0.3), (2.0, 2.0, 2.0)
+        self.reach(target="", make_control_bone=True, make_pole=True)
+        for bone, factor, shift in (("Target Bone 1", 0.0, (0.1, -0.05, 0.02)), ("Pole Bone 1", 0.6, (-0.2, 0.1, 0.3))):
+            posed = rig.pose.bones[bone]
+            turned = posed.matrix_basis.to_3x3()
+            self.assertPulled(rig, bone, factor, shift)
+            self.assertNear(posed.matrix_basis.to_3x3(), turned, 0.0)
+
+    def test_put_back_where_the_drag_ends_as_it_began(self):
+        rig = self.arm()
+        self.reach(target="", make_control_bone=True)
+        control = rig.pose.bones["Target Bone 1"]
+        before = tuple(control.location)
+        self.drag(control.name, 0.0, self.point(rig, control.name, 0.0))
+        self.assertEqual(tuple(control.location), before)
+
+    def test_one_that_is_driven_stays(self):
+        rig = self.arm()
+        self.reach(target="", make_control_bone=True)
+        rig.pose.bones["Target Bone 1"].driver_add("location", 0)
+        self.assertRefused("moved by a driver", bpy.ops.motus.ik_drag, object="Rig", bone="Target Bone 1", location=(1, 0, 0))
+
+
+
 class WithoutIk(DragTestCase):
     def chain(self, count=5, size=0.3, **options):
         def build(bones):

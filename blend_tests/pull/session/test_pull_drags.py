@@ -209,6 +209,17 @@ class ByTheMouse(SessionTestCase):
         self.assertIsNone(drag.axis)
         self.assertNear(drag.displacement, free)
 
+    def test_shift_slows_it_down_from_where_it_is(self):
+        drag = self.dragging(self.ball(), Straight())
+        drag.move(event('MOUSEMOVE', 40, 30))
+        drag.move(event('MOUSEMOVE', 60, 30, shift=True))
+        self.assertNear(drag.displacement, (0.42, 0.3, 0.0))
+        drag.move(event('MOUSEMOVE', 70, 50))
+        self.assertNear(drag.displacement, (0.52, 0.5, 0.0))
+        self.key('X')
+        drag.move(event('MOUSEMOVE', 70, 90, shift=True))
+        self.assertNear(drag.displacement, (0.52, 0.0, 0.0))
+
     def test_a_held_key_is_pressed_once(self):
         drag = self.dragging(self.ball(), Straight())
         self.key('X')
@@ -282,8 +293,8 @@ class ByTheMouse(SessionTestCase):
         self.assertIsNone(drag.axis_line(1.0))
 
 
-def event(kind, x=0, y=0, value='PRESS', is_repeat=False):
-    return types.SimpleNamespace(type=kind, value=value, mouse_x=x, mouse_y=y, is_repeat=is_repeat)
+def event(kind, x=0, y=0, value='PRESS', is_repeat=False, shift=False):
+    return types.SimpleNamespace(type=kind, value=value, mouse_x=x, mouse_y=y, is_repeat=is_repeat, shift=shift)
 
 
 class Straight:

@@ -2,9 +2,7 @@
 
 import bpy
 import support
-from window import window_support
-
-STEP = 6  # pixels
+from window import properties_editor, window_support
 
 
 def build():
@@ -18,48 +16,21 @@ def build():
     return cube
 
 
-def editor():
-    """The properties editor's region with the object's transform, the same in all Blenders."""
-    area = window_support.area('PROPERTIES')
-    area.spaces.active.context = 'OBJECT'
-    return area, next(one for one in area.regions if one.type == 'WINDOW')
-
-
-def over():
-    area, region = editor()
-    return bpy.context.temp_override(window=window_support.window(), area=area, region=region)
-
-
-def hover(wanted):
-    """Generator: moves the mouse down the editor until it is over that property; its value is the place, or None."""
-    _, region = editor()
-    x = region.x + 11 * region.width // 20
-    for y in range(region.y + region.height - STEP, region.y, -STEP):
-        window_support.move(x, y)
-        yield
-        with over():
-            if bpy.ops.ui.copy_data_path_button.poll():
-                bpy.ops.ui.copy_data_path_button(full_path=False)
-                if bpy.context.window_manager.clipboard.startswith(wanted):
-                    return x, y
-    return None
-
-
 def test_from_the_menu_of_a_property_to_the_list():
     lamp = build()
     yield
-    found = yield from hover("rotation_euler")
+    found = yield from properties_editor.hover("rotation_euler")
     assert found, "the editor shows no rotation"
-    (x, y), places = found, support.addon("drivers.places")
+    (x, y), under_mouse = found, support.addon("core.hovered")
 
-    hovered, as_it_is = [], places.hovered
-    places.hovered = lambda *arguments, **keywords: hovered.append(as_it_is(*arguments, **keywords)) or hovered[-1]
+    hovered, as_it_is = [], under_mouse.find
+    under_mouse.find = lambda *arguments, **keywords: hovered.append(as_it_is(*arguments, **keywords)) or hovered[-1]
     try:
         window_support.press('RIGHTMOUSE', x, y)
         yield from window_support.until(lambda: hovered)
         yield from window_support.picture("driver_menu")
     finally:
-        places.hovered = as_it_is
+        under_mouse.find = as_it_is
     assert hovered and hovered[0] is not None and hovered[0][:2] == (lamp, "rotation_euler"), hovered
     window_support.press('ESC', x, y)
     yield
@@ -68,7 +39,7 @@ def test_from_the_menu_of_a_property_to_the_list():
     yield
     window_support.move(x, y)
     yield
-    with over():
+    with properties_editor.over():
         if hasattr(bpy.context, "property"):
             bpy.ops.motus.driver_add('INVOKE_DEFAULT')
         else:
@@ -86,3 +57,21 @@ def test_from_the_menu_of_a_property_to_the_list():
     with window_support.override():
         bpy.ops.motus.driver_remove(datablock="Lamp", data_path="rotation_euler")
     assert not lamp.animation_data.drivers
+
+
+def test_a_second_one_from_the_sidebar_leaves_the_first():
+    lamp = build()
+    lamp.driver_add("rotation_euler", 1).driver.expression = "frame * 0.01"
+    bpy.ops.motus.driver_add(datablock="Lamp", data_path="rotation_euler", index=0)
+    yield from window_support.open_tab("Motus")
+    x, y = window_support.centre()
+    window_support.move(x, y)
+    yield
+    with window_support.override():
+        bpy.ops.motus.driver_add('INVOKE_DEFAULT')
+    yield
+    yield from window_support.picture("driver_second")
+    window_support.press('RET', x, y)
+    yield from window_support.until(lambda: len(lamp.animation_data.drivers) == 3)
+    expressions = {driven.array_index: driven.driver.expression for driven in lamp.animation_data.drivers}
+    assert expressions[1] == "frame * 0.01" and all("motus_pendulum" in expressions[index] for index in (0, 2)), expressions

@@ -1,10 +1,12 @@
 """Dynamics as an artist sees them: the sidebar with the graph, which follows the numbers, and what has to be recorded."""
 
+import types
+
 import bpy
 import numpy as np
 from dynamics import dynamics_cases as cases
 import support
-from window import window_support
+from window import properties_editor, window_support
 
 
 def build():
@@ -57,3 +59,81 @@ def test_what_has_to_be_recorded_is_said():
     yield from window_support.picture("dynamics_recorded")
     source = support.addon("dynamics.panel").input_of(child, child.motus.dynamics.entries[0], bpy.context.scene)
     assert source.is_known and "1-20" in source.unknown[0][0].sentence
+
+
+class _Buttons(list):
+    """A layout that keeps what its buttons would do."""
+
+    def column(self, align):
+        return self
+
+    def operator(self, identifier, **look):
+        self.append(types.SimpleNamespace(identifier=identifier))
+        return self[-1]
+
+
+def test_a_tail_has_a_button_of_its_own():
+    """Each button says whether it takes the bones below, so that none does what another did last."""
+    draw = support.addon("dynamics.panel").draw_add
+    for mode, wanted in (('OBJECT', [False]), ('POSE', [False, True])):
+        buttons = _Buttons()
+        draw(buttons, types.SimpleNamespace(mode=mode))
+        assert [button.whole_chains for button in buttons] == wanted, (mode, buttons)
+    yield
+
+
+def test_what_stands_still_is_said():
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    ball = cases.link("Ball")
+    bpy.context.view_layer.objects.active = ball
+    bpy.ops.motus.dynamics_add(object="Ball")
+    ui, said = support.addon("core.ui"), []
+    draw = ui.draw_message
+    ui.draw_message = lambda layout, sentence, icon: said.append(sentence) or draw(layout, sentence, icon)
+    try:
+        yield from window_support.open_tab("Motus")
+        yield from window_support.picture("dynamics_still")
+        assert "Nothing moves here yet that could be followed" in said, said
+        ball.keyframe_insert("location", frame=1)
+        ball.location.x = 3.0
+        ball.keyframe_insert("location", frame=20)
+        said.clear()
+        window_support.draw_all()
+        yield
+        assert "Exact at any frame" in said, said
+    finally:
+        ui.draw_message = draw
+
+
+def test_a_property_from_its_menu_to_the_list():
+    ball = build()
+    bpy.ops.motus.dynamics_remove(object="Ball")
+    cases.key(ball, "rotation_euler", {1: (0.0, 0.0, 0.0), 20: (0.0, 0.0, 1.0)})
+    yield
+    found = yield from properties_editor.hover("rotation_euler")
+    assert found, "the editor shows no rotation"
+    targets, offered = support.addon("dynamics.targets"), []
+    as_it_is = targets.path_from
+    targets.path_from = lambda *arguments: offered.append(as_it_is(*arguments)) or offered[-1]
+    try:
+        window_support.press('RIGHTMOUSE', *found)
+        yield from window_support.until(lambda: offered)
+        yield from window_support.picture("dynamics_menu")
+    finally:
+        targets.path_from = as_it_is
+    assert offered[0] == "rotation_euler", offered
+    window_support.press('ESC', *found)
+    yield
+    with window_support.override():
+        bpy.ops.motus.dynamics_add(object="Ball", data_path=offered[0], style='BOUNCY')
+        bpy.ops.motus.dynamics_add(object="Ball", style='FLOPPY', channels={'LOCATION'})
+    drawn = yield from window_support.open_tab("Motus")
+    assert "MOTUS_PT_dynamics_motion" in drawn, drawn
+    for index, name in enumerate(("property", "object")):
+        ball.motus.dynamics.active_entry = index
+        window_support.draw_all()
+        yield
+        yield from window_support.picture(f"dynamics_list_{name}")
+    button = support.addon("dynamics.setup").label(ball.motus.dynamics.entries[0])
+    assert button == ball.bl_rna.properties["rotation_euler"].name, button

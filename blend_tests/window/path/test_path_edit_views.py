@@ -1,6 +1,7 @@
 """Edit Views in the window: Blender's quad view fitted to the curve, a visible way back, and everything as it was."""
 
 import bpy
+import support
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 from window import window_support
@@ -57,10 +58,14 @@ def run(**keywords):
 
 
 def assert_all_seen(curve):
+    """In the views from the front, the top and the right, and not below a header, toolbar or sidebar."""
+    over = [one for one in window_support.area().regions if one.type in {'HEADER', 'TOOL_HEADER', 'TOOLS', 'UI'}]
     for region in windows()[:3]:
         for place in (curve.matrix_world @ Vector(corner) for corner in curve.bound_box):
             seen = location_3d_to_region_2d(region, region.data, place)
             assert 0 < seen.x < region.width and 0 < seen.y < region.height, (seen, region.width, region.height)
+            x, y = seen.x + region.x, seen.y + region.y
+            assert not [one.type for one in over if one.x <= x < one.x + one.width and one.y <= y < one.y + one.height], (x, y)
 
 
 def there_and_back(perspective):
@@ -100,11 +105,54 @@ def test_the_header_leads_back():
     before = state()
     run(view='ALL')
     yield
-    draws = [name for name in bpy.types.VIEW3D_HT_header.draw._draw_funcs if "edit_views" in name.__module__]
+    draws = [name for name in bpy.types.VIEW3D_MT_editor_menus.draw._draw_funcs if "edit_views" in name.__module__]
     assert len(draws) == 1
     assert run(view='LEAVE') == {'FINISHED'}
     yield
     assert state() == before
+
+
+def test_beside_an_open_sidebar():
+    curve = build()
+    yield from window_support.open_tab("Motus")
+    for view in ('ALL', 'TOP'):
+        run(view=view)
+        yield
+        if view == 'ALL':
+            assert_all_seen(curve)
+        yield from window_support.picture(f"path_edit_views_sidebar_{view.lower()}")
+    run(view='LEAVE')
+    space().show_region_ui = False
+    yield
+
+
+def test_the_way_back_from_a_maximised_area():
+    build()
+    yield
+    before, views = state(), support.addon("path.edit_views")
+    run(view='ALL')
+    yield
+    for is_maximised in (True, False):
+        with window_support.override():
+            bpy.ops.screen.screen_full_area()
+        yield
+        with window_support.override():
+            assert views.is_on(bpy.context), is_maximised
+    run(view='LEAVE')
+    yield
+    assert state() == before
+
+
+def test_another_file_has_none():
+    build()
+    yield
+    views = support.addon("path.edit_views")
+    run(view='TOP')
+    bpy.ops.wm.read_homefile(use_factory_startup=True)
+    yield
+    with window_support.override():
+        assert not views.is_on(bpy.context)
+    assert not views._before
 
 
 def test_a_quad_view_of_the_artists_own_stays():

@@ -152,6 +152,20 @@ def test_axes_are_locked_and_let_go():
     yield from pull.key('ESC')
 
 
+def test_shift_is_precise():
+    vertex, _, end = yield from held_in_session()
+    window_support.move(*beside(end, 100, -50), shift=True)
+    yield
+    assert off(vertex, beside(end, 10, -5)) <= NEAR, off(vertex, beside(end, 10, -5))
+    yield from window_support.picture("pull_drag_precise")
+    window_support.move(*beside(end, 120, -50))
+    yield
+    assert off(vertex, beside(end, 30, -5)) <= NEAR, "without Shift it goes on from there"
+    yield from pull.key('RET', *end)
+    yield from pull.key('ESC', *end)
+    assert pull.pulling() is None
+
+
 def test_numbers_are_typed():
     vertex, before, end = yield from held_in_session()
     free = world(vertex) - before

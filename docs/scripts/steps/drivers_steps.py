@@ -19,7 +19,8 @@ def steps(strip):
     yield 0.5
 
     yield from hand.enter("2", "Length", beside=150)
-    yield from strip.shot(730, 270)
+    yield from strip.shot(730, 340)
+    yield from strip.panel("drivers_dialog", 736, 275, 1130, 793)
     yield from hand.click("OK")
 
     yield from hand.to_frame(34)
@@ -35,7 +36,7 @@ def steps(strip):
     yield 0.5
     yield from hand.click("Noise")
     yield 0.5
-    yield from strip.shot(400, 200)
+    yield from strip.shot(400, 275)
 
 
 def _open_menu():

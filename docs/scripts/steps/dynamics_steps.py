@@ -39,6 +39,7 @@ def steps(strip):
 
     yield from hand.to_frame(15)
     yield from strip.shot(100, 300)
+    yield from strip.panel("dynamics_panel", 0, 28, 1050, 720)
 
     yield from hand.click("Motion", hand.box('UI'))
     yield from hand.click("Loop", hand.box('UI'))

@@ -2,12 +2,16 @@
 
 import math
 
+import bpy
 from mathutils import Euler, Vector
 
 import ik_arm
 from window import window_support
 
 from . import hand
+
+DRAG_CHAIN = (31, 349)
+"""Where the tool is in the toolbar, pixels."""
 
 
 def steps(strip):
@@ -42,7 +46,25 @@ def steps(strip):
     yield from strip.shot(620, 280)
 
     yield from hand.enter("1", "Position", hand.box('UI'), beside=120)
-    yield from strip.shot(190, 130)
+    yield from hand.over_view()
+    yield from hand.scroll(-4)
+    yield from strip.shot(190, 200)
+
+    yield from hand.scroll(2)
+    yield from hand.click("As Bone", hand.box('UI'))
+    yield from hand.click("New Control Bone", hand.box('UI'))
+    yield from hand.over_view()
+    yield from strip.panel("ik_control_bones", 240, 80, 1050, 720)
+
+    yield from hand.click_at(DRAG_CHAIN)
+    yield from hand.press_at(*hand.pixel_of(_tip(rig)))
+    yield from hand.drag_to(hand.place[0] + 150, hand.place[1] + 90)
+    yield from hand.let_go()
+    yield from strip.panel("ik_panel", 0, 28, 1050, 720)
+
+
+def _tip(rig):
+    return rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones["Hand"].tail
 
 
 def _look():

@@ -27,7 +27,7 @@ class Inset(NamedTuple):
 
 
 INSETS = (
-    Inset("flight", "Aeroplane", (3.0, 17.0, 0.0), (50.0, -75.0), 62.0, (645, 305)),
+    Inset("flight", "Aeroplane", (3.0, 13.0, 0.0), (50.0, -75.0), 62.0, (645, 305)),
     Inset("reach", "Wooden Pilot", (0.0, 0.0, 0.85), (80.0, 10.0), 3.2, (645, 15)),
 )
 

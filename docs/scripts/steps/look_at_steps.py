@@ -37,3 +37,4 @@ def steps(strip):
     yield from hand.enter("0.3", "Body", hand.box('UI'), beside=120)
     yield from hand.enter("1", "Eyes", hand.box('UI'), beside=120)
     yield from strip.shot(200, 90)
+    yield from strip.panel("look_at_panel", 0, 28, 1050, 720)

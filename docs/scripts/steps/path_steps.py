@@ -38,6 +38,7 @@ def steps(strip):
 
     yield from hand.to_frame(80)
     yield from strip.shot(200, 300)
+    yield from strip.panel("path_panel", 0, 28, 1050, 720)
 
     yield from hand.click_at(hand.pixel_of((0.0, 4.0, 0.0)))
     yield from hand.key('TAB')
@@ -47,3 +48,5 @@ def steps(strip):
     yield from hand.to(hand.place[0] + 60, hand.place[1] + 60)
     yield from hand.click()
     yield from strip.shot(200, 250)
+    yield from hand.click("Edit Views", hand.box('UI'))
+    yield from strip.panel("path_edit_views", 0, 28, 1050, 720)

@@ -14,7 +14,7 @@ def steps(strip):
     yield from hand.click()
 
     yield from hand.frame_view(zoom_out=3)
-    yield from hand.enter("0.7", "Lower Length", hand.box('UI'), beside=120)
+    yield from hand.enter("0.7", "Lower", hand.box('UI'), beside=120)
     yield from hand.enter("150", "Angle", hand.box('UI'), beside=120)
     yield from strip.shot(620, 80)
 
@@ -26,7 +26,7 @@ def steps(strip):
     bob = bpy.context.object.motus.pendulum.rods[1].bob
     yield from hand.press_at(*_where(bob))
     yield from hand.drag_to(hand.place[0] - 150, hand.place[1] - 60)
-    yield from strip.shot(200, 200)
+    yield from strip.shot(hand.place[0] - 100, 200)
     yield from hand.let_go()
 
     yield from hand.click("Play", hand.box('UI'))

@@ -221,6 +221,9 @@ Outputs at times, s, a number or (m,): of the shape of the times, with the input
             },
             "time"_a, R"(
 The output of inputs (m,) at one time, s, as a float, without the cost of arrays.)")
+        .def_property_readonly(
+            "nbytes", [](const BoundTrack& self) { return self.track.bytes(); },
+            "Of the memory that it takes.")
         .def(
             "offsets",
             [](const BoundTrack& self, const py::object& times) {
@@ -262,7 +265,8 @@ Rotations at times, s, a number or (m,): (4,) or (m, 4).)")
             },
             "times"_a, R"(
 Turns from the inputs to the outputs at times, in the inputs' own frames, in the same shape: exactly none where the input
-has never moved.)");
+has never moved.)")
+        .def_property_readonly("nbytes", &RotationTrack::bytes, "Of the memory that it takes.");
 }
 
 }  // namespace

@@ -341,11 +341,11 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
 }
 
 [[nodiscard]] py::dict evaluate(const Snow& self, const py::object& given_time, const py::object& fields,
-                                const py::object& given_out) {
+                                const py::object& given_out, bool known) {
     const double time = number(given_time, "time");
     const snow::Living living = [&] {
         const py::gil_scoped_release released;
-        return self.living(time);
+        return known ? self.known(time) : self.living(time);
     }();
     const auto count = static_cast<py::ssize_t>(living.count);
     const py::object out = PyCallable_Check(given_out.ptr()) != 0 ? given_out(count) : given_out;
@@ -365,6 +365,15 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
         self.evaluate(living, rows);
     }
     return result;
+}
+
+[[nodiscard]] std::size_t find_landings(const Snow& self, const py::object& given_time,
+                                        const py::object& given_most) {
+    const double time = number(given_time, "time");
+    const int most = whole_number(given_most, "most");
+    if (most < 0) value_error("most", "must be at least 0");
+    const py::gil_scoped_release released;
+    return self.find_landings(time, static_cast<std::size_t>(most));
 }
 
 }  // namespace
@@ -410,7 +419,7 @@ what it meets first after birth; a way between looks 1/32 s apart counts as stra
 as it was turned; 'slide', straight down the triangle and those beyond its edges, of a collider, as acceleration pulls it
 (with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
 'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its
-lifetime ends, as it does anyway. Where flakes land is found once and kept, for eight million of them at most (512 MB).
+lifetime ends, as it does anyway. Where flakes land is found once and kept, for 18 million of them at most (1 GB).
 seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
 emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
 Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.)")
@@ -434,13 +443,18 @@ Where flakes land until `end`, s, by time and then number, as a dict: float64 ti
 (n, 3), int64 triangle (n,) of the collider, -1 for the ground. Looks at all flakes born until then, some 10 us each.
 
 Raises ValueError that names the argument, also where more than 1e7 flakes are born until then.)")
-        .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(), R"(
+        .def("find_landings", &find_landings, "time"_a, "most"_a, R"(
+Finds where flakes land of up to `most` blocks of 256 of those that live at `time`, s: some 3 ms a block. Returns how many
+blocks remain. evaluate() finds it for all.)")
+        .def("evaluate", &evaluate, "time"_a, "fields"_a = py::none(), "out"_a = py::none(),
+             "known"_a = false, R"(
 The flakes that live at `time`, s, as a dict of arrays in the order of their numbers: float32 position (m, 3), velocity
 (m, 3), size (m,), color (m, 4), age (m,), rotation (m, 4), which turns +Z to where the flake heads, and int64 id (m,).
 
 fields: names of those wanted; None: those in out, or all.
 out: a dict of C-contiguous arrays of m rows or more, written into, or a function that is called with m and gives one; the
 result has views of their first m rows.
+known: leave out flakes of which nobody has found yet where they land; otherwise that is found now.
 The same bits on every machine, for any number of threads. Raises ValueError or TypeError that names the argument.)");
 
     py::class_<Cover>(m, "SnowCover", py::module_local(), R"(

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <glm/common.hpp>
 #include <vector>
 
 #include "motus/core/numeric.hpp"
@@ -252,10 +253,12 @@ Report judge_screen(const Picture& picture, const glm::dvec3& color) {
             spill += std::max(0.0, excess(pixel, channel, 0.0));
             continue;
         }
-        const double sum = pixel.x + pixel.y + pixel.z;
+        // Of light that there is: colours beyond the screen's gamut have parts below 0.
+        const glm::dvec3 light = glm::max(pixel, glm::dvec3(0.0));
+        const double sum = light.x + light.y + light.z;
         screen.luminances.push_back(luminance(pixel));
-        screen.reds.push_back(pixel.x / sum);
-        screen.greens.push_back(pixel.y / sum);
+        screen.reds.push_back(sum > 0.0 ? light.x / sum : 0.0);
+        screen.greens.push_back(sum > 0.0 ? light.y / sum : 0.0);
         screen.mattes.push_back(matte(pixel, color));
     }
 

@@ -19,7 +19,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
     constexpr double precise = 2.5e-3;  // the series below is then right to the last digit
     for (;;) {
         const double spread = std::max({std::abs(mean - x), std::abs(mean - y), std::abs(mean - z)}) / mean;
-        if (spread < precise) break;
+        if (!(spread >= precise)) break;
         const double lambda = std::sqrt(x) * std::sqrt(y) + std::sqrt(z) * (std::sqrt(x) + std::sqrt(y));
         x = 0.25 * (x + lambda);
         y = 0.25 * (y + lambda);

@@ -38,9 +38,14 @@ class MotionTable {
 
   public:
     static constexpr std::size_t most_nodes = std::size_t{1} << 18U;
+    /// Of a stiff motion, whose intervals take many steps each; some seconds' work.
+    static constexpr std::size_t most_steps = 8 * most_nodes;
 
     explicit MotionTable(MotionSettings<System> settings)
-        : settings_(std::move(settings)), states_{settings_.start}, levels_{0} {}
+        : settings_(std::move(settings)), states_{settings_.start}, levels_{0} {
+        if (!are_finite(settings_.start))
+            throw std::domain_error("angles and angular velocities must be smaller");
+    }
 
     /// At a time of the sign of the interval, below most_nodes of them.
     [[nodiscard]] State at(double time) const {
@@ -111,14 +116,22 @@ class MotionTable {
         const std::scoped_lock lock(growing_);
         std::array<Growth, 1> growth{Growth(*this, node)};
         run(growth);
+        if (reaches(node)) return;
+        if (end_ == End::is_long) throw std::length_error("times must be nearer to 0 for so stiff a motion");
+        throw std::domain_error("times must not reach where the motion leaves all bounds");
     }
+
+    /// Why a table grows no further.
+    enum class End : std::uint8_t { none, is_long, leaves_bounds };
 
     /// The steps of one interval, and of the next ones: made by somebody else, judged here.
     class Growth {
       public:
         Growth(const MotionTable& table, std::size_t node) : table_(table), node_(node) { begin(); }
 
-        [[nodiscard]] bool is_done() const noexcept { return table_.states_.size() > node_; }
+        [[nodiscard]] bool is_done() const noexcept {
+            return table_.states_.size() > node_ || table_.end_ != End::none;
+        }
 
         /// The step to be made.
         [[nodiscard]] GaussStep<System> step() {
@@ -130,9 +143,15 @@ class MotionTable {
         }
 
         void take(const GaussStep<System>& step) {
+            if (++table_.steps_ > most_steps) {
+                table_.end_ = End::is_long;
+                return;
+            }
             if (!step.converged || !are_finite(state_) || step.tail > table_.largest_tail_) {
-                if (level_ == highest_level)
-                    throw std::domain_error("times must not reach where the motion leaves all bounds");
+                if (level_ == highest_level) {
+                    table_.end_ = End::leaves_bounds;
+                    return;
+                }
                 ++level_;
                 again();
                 return;
@@ -251,6 +270,8 @@ class MotionTable {
     mutable std::vector<State> states_;
     mutable std::vector<std::uint8_t> levels_;  ///< with 2 to the power of which steps the interval was made
     mutable int level_ = 0;                     ///< of the interval that comes next
+    mutable std::size_t steps_ = 0;             ///< that were made, also those in vain
+    mutable End end_ = End::none;
 };
 
 }  // namespace motus::dynamics

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -50,7 +51,12 @@ void single_pendulum(const Pendulum& pendulum, const PendulumState& start, std::
     require_valid(pendulum, start, times, out);
     if (pendulum.damping == 0.0) {
         const Swing swing(pendulum, start);
-        std::ranges::transform(times, out.begin(), [&](double time) { return swing.at(time); });
+        std::ranges::transform(times, out.begin(), [&](double time) {
+            const PendulumState state = swing.at(time);
+            if (!are_finite(state.angle, state.velocity))
+                throw std::domain_error("times must not reach where the angle is beyond all numbers");
+            return state;
+        });
         return;
     }
     const TimeUnit unit(pendulum.length, pendulum.gravity);

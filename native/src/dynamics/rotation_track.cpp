@@ -129,7 +129,7 @@ glm::dvec3 RotationTrack::offset_after(std::size_t sample, double seconds) const
 }
 
 glm::dquat RotationTrack::evaluate(double time) const {
-    require(std::isfinite(time), "time must be finite");
+    require_time(time, times_);
     const Place place = place_of(time, times_, is_loop_);
     const std::size_t k = place.sample;
     const double seconds = place.seconds;
@@ -141,7 +141,7 @@ glm::dquat RotationTrack::evaluate(double time) const {
 }
 
 glm::dquat RotationTrack::offset(double time) const {
-    require(std::isfinite(time), "time must be finite");
+    require_time(time, times_);
     const Place place = place_of(time, times_, is_loop_);
     return rotation(offset_after(place.sample, place.seconds));
 }

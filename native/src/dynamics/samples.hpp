@@ -22,6 +22,11 @@ inline void require_times(std::span<const double> times) {
     require(std::isfinite(times.back() - times.front()), "times must be finite, their range too");
 }
 
+inline void require_time(double time, std::span<const double> times) {
+    require(std::isfinite(time), "time must be finite");
+    require(!times.empty(), "times must have at least one sample: the track was moved from");
+}
+
 inline void require_samples(std::span<const double> times, std::span<const double> inputs,
                             std::size_t dimensions) {
     require_times(times);

@@ -13,6 +13,7 @@ namespace motus::dynamics {
 namespace {
 
 constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double most = 1e100;  // of the numbers of a filter: their products are numbers too
 
 /// exp(-damping w h) times cos and sin(wd h) / wd, or their hyperbolic likes above critical damping; at
 /// critical damping both forms end in h.
@@ -25,7 +26,9 @@ struct Waves {
     if (damping < 1.0) {
         const double wd = rate * std::sqrt((1.0 - damping) * (1.0 + damping));
         const double decay = std::exp(-damping * rate * time);
-        return {decay * std::cos(wd * time), wd > 0.0 ? decay * std::sin(wd * time) / wd : decay * time};
+        constexpr double farthest = 1e300;  // a number without an angle
+        const double angle = std::min(wd * time, farthest);
+        return {decay * std::cos(angle), wd > 0.0 ? decay * std::sin(angle) / wd : decay * time};
     }
     // exp(-(damping w - b) h) is taken out: it neither overflows nor loses digits.
     const double root = std::sqrt((damping - 1.0) * (damping + 1.0));
@@ -77,17 +80,17 @@ SecondOrder::SecondOrder(Raw /*raw*/, double rate, double damping, double lead)
 
 SecondOrder::SecondOrder(double frequency, double damping, double response)
     : SecondOrder(Raw{}, turn * frequency, damping, response * damping / (turn * frequency)) {
-    require(frequency > 0.0 && std::isfinite(rate_), "frequency must be greater than 0 and finite");
-    require(damping >= 0.0 && std::isfinite(damping), "damping must be at least 0 and finite");
-    require(std::isfinite(response) && std::isfinite(lead_), "response must be finite");
+    require(frequency >= 1.0 / most && frequency <= most, "frequency must be from 1e-100 to 1e100");
+    require(damping >= 0.0 && damping <= most, "damping must be from 0 to 1e100");
+    require(std::abs(response) <= most, "response must be from -1e100 to 1e100");
 }
 
 SecondOrder SecondOrder::from_coefficients(const Coefficients& coefficients) {
     const auto [k1, k2, k3] = coefficients;
-    require(k1 >= 0.0 && std::isfinite(k1), "k1 must be at least 0 and finite");
-    require(k2 > 0.0 && std::isfinite(k2), "k2 must be greater than 0 and finite");
-    require(std::isfinite(k3), "k3 must be finite");
+    require(k2 >= 1.0 / most && k2 <= most, "k2 must be from 1e-100 to 1e100");
     const double root = std::sqrt(k2);
+    require(k1 >= 0.0 && k1 <= most * root, "k1 must be from 0 to 1e100 times the root of k2");
+    require(std::abs(k3) <= most * root, "k3 must be within 1e100 times the root of k2");
     return {Raw{}, 1.0 / root, 0.5 * k1 / root, k3};
 }
 

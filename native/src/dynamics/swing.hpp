@@ -15,7 +15,7 @@ class Swing {
 
   private:
     enum class Kind {
-        drifts,   ///< without gravity, or at rest hanging or upright
+        drifts,   ///< without gravity that matters, or at rest hanging or upright
         swings,   ///< back and forth
         rotates,  ///< over the top, again and again; or just up to it
     };

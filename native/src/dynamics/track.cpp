@@ -86,7 +86,7 @@ void Track::evaluate(double time, std::span<double> out) const {
 
 template <class Visit>
 void Track::at(double time, const Visit& visit) const {
-    require(std::isfinite(time), "time must be finite");
+    require_time(time, times_);
     const Place place = place_of(time, times_, is_loop_);
     const std::size_t last = times_.size() - 1;
     const std::size_t next = place.sample + 1;

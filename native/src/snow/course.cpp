@@ -19,6 +19,7 @@ namespace {
 constexpr float speed_range = 1.0F;  // m/s
 constexpr float size_range = 0.1F;
 constexpr double whole_turn = 2.0 * std::numbers::pi;
+constexpr double largest_step = 0x1p-5;  // s
 
 /// Numbers that the loops take in single precision.
 [[nodiscard]] bool is_single(double value) {
@@ -76,10 +77,10 @@ void require_valid(const Settings& s) {
 /// Between nodes of what depends on the age: a power of two, so that nodes lie at exact ages. The cubics
 /// between them are then right to 1e-5 of a second's way.
 [[nodiscard]] double step_for(const Settings& s) {
-    double step = 0x1p-5;
+    double step = largest_step;
     const double fastest =
         std::max({s.snow ? s.snow_frequency : 0.0, 0.25 * s.drag, s.gusts > 0.0 ? s.gust_frequency : 0.0});
-    while (step * fastest > 0x1p-5) step *= 0.5;
+    while (step * fastest > largest_step) step *= 0.5;
     return step;
 }
 
@@ -108,9 +109,11 @@ void require_valid(const Settings& s) {
     return sum / static_cast<double>(s.wind_values.size());
 }
 
-/// Whole steps, so few that a flake's way is looked at a few thousand times at most.
-[[nodiscard]] double look_step_for(double step, double longest) {
+/// Of the same length however fine the steps are, and so that a flake's way is looked at a few thousand times
+/// at most.
+[[nodiscard]] double look_step_for(double longest) {
     constexpr double most = 4096.0;
+    double step = largest_step;
     while (step * most < longest) step *= 2.0;
     return step;
 }
@@ -143,7 +146,7 @@ Course::Course(Settings settings)
       emitter(settings.emitter_times, settings.emitter_matrices),
       air(air_of(settings)),
       step(step_for(settings)),
-      look_step(look_step_for(step, longest())) {
+      look_step(look_step_for(longest())) {
     const double flakes = births.most_within(longest());
     if (flakes > Snow::most_flakes) {
         constexpr double bytes = 72.0;
@@ -262,10 +265,7 @@ void Flight::fill(double time, const double* ages, const std::uint32_t* lows, st
             run_.phases[wave] = phase_at(course_.kind.waves[wave], time - run_.start);
             run_.phase_changes[wave] = static_cast<float>(-course_.kind.waves[wave].frequency * course_.step);
         }
-        if (course_.steering) {
-            run_.origin = &course_.steering->node(0);
-            run_.node = &course_.steering->node(static_cast<std::size_t>(interval));
-        }
+        if (course_.steering) course_.steering->set(static_cast<std::size_t>(interval), run_);
         course_.kernel->fill(course_.kind, run_, scratch_.data());
     });
 }

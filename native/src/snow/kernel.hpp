@@ -87,6 +87,16 @@ struct Node {
     std::array<double, 2> angle{}, angle_slope{};
 };
 
+/// The same table for flakes that begin at nodes of their own and so read it at random: in a cache line, the
+/// integral in whole numbers of Run::unit, which keep their digits in the difference of two nodes.
+struct alignas(64) OwnNode {
+    std::array<std::int32_t, entries> integral{};
+    std::array<float, entries> slope{};
+};
+struct OwnAngles {
+    std::array<float, 2> angle{}, slope{};
+};
+
 /// What flakes have in common. Colours: stop s is at places[s], and from there to the next one the colour
 /// changes by changes[s], in 1 / scales[s].
 struct Kind {
@@ -121,9 +131,12 @@ struct Run {
     std::size_t count = 0;
     double start = 0.0, step = 1.0;
     Glide glide;
-    Cubic way, way_rate;           ///< without steering: distance along the direction, per speed; its rate
-    const Node* origin = nullptr;  ///< with it: the table's first node
-    const Node* node = nullptr;    ///< and the one at u = 0, of flakes without offset
+    Cubic way, way_rate;         ///< without steering: distance along the direction, per speed; its rate
+    const Node* node = nullptr;  ///< with it: the table's node at u = 0
+    const OwnNode* own_origin = nullptr;  ///< with offsets: their table's first node,
+    const OwnNode* own_node = nullptr;    ///< and the one at u = 0 of a flake without offset
+    const OwnAngles* own_angles = nullptr;
+    float unit = 1.0F;             ///< s
     std::array<Cubic, 3> drift{};  ///< gravity's and the wind's part of the way
     std::array<Cubic, 3> drift_velocity{};
     std::array<float, wave_count> phases{}, phase_changes{};  ///< at birth, at u = 0, and from there to u = 1

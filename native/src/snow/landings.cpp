@@ -11,7 +11,7 @@ namespace motus::snow {
 namespace {
 
 constexpr std::size_t most_pages = std::size_t{1} << 20U;
-constexpr std::size_t most_bytes = std::size_t{512} << 20U;
+constexpr std::size_t most_bytes = std::size_t{1} << 30U;
 
 /// Rows of a block, and what loops over whole vectors read beyond them.
 template <class T>
@@ -24,7 +24,7 @@ struct Landings::Hit {
     glm::dvec3 point{0.0};
     glm::dvec3 normal{0.0, 0.0, 1.0};
     double part = 0.0;  ///< of the way that was looked at
-    std::int32_t triangle = ground;
+    std::int32_t triangle = Landing::ground;
 };
 
 Landings::Landings(const Course& course, const Settings& settings)
@@ -194,7 +194,7 @@ class Landings::March {
         landing.rotation = rotation_[0];
         landing.triangle = hit.triangle;
         landing.is_behind = glm::dot(glm::dvec3(velocity_[0]), hit.normal) > 0.0;
-        if (landings_.collision_ != Collision::slide || hit.triangle == ground) return;
+        if (landings_.collision_ != Collision::slide || hit.triangle == Landing::ground) return;
         landing.slide = static_cast<std::uint32_t>(page.slides.size());
         landings_.collider_->slide({static_cast<std::uint32_t>(hit.triangle), landing.is_behind, place},
                                    velocity_[0], landings_.pull_, landings_.friction_, page.slides);

@@ -21,25 +21,28 @@
 
 namespace motus::snow {
 
-class Landings {
-  public:
+struct Landing {
     static constexpr std::int32_t nowhere = -2, ground = -1;  ///< in place of a triangle
 
-    struct Landing {
-        glm::vec3 point{0.0F};
-        glm::vec4 rotation{1.0F, 0.0F, 0.0F, 0.0F};
-        std::int32_t triangle = nowhere;
-        bool is_behind = false;                    ///< it came from where the normal does not point to
-        std::uint32_t slide = 0, slide_count = 0;  ///< of the page's
-    };
-    /// Those of the flakes of a block.
-    struct Page {
-        Page() { times.fill(std::numeric_limits<double>::infinity()); }
+    glm::vec3 point{0.0F};
+    glm::vec4 rotation{1.0F, 0.0F, 0.0F, 0.0F};
+    std::int32_t triangle = nowhere;
+    bool is_behind = false;                    ///< it came from where the normal does not point to
+    std::uint32_t slide = 0, slide_count = 0;  ///< of the page's
+};
 
-        std::array<double, block_size> times{};  ///< of landing; infinity: never
-        std::array<Landing, block_size> landings{};
-        std::vector<Slide> slides;
-    };
+/// Of the flakes of a block.
+struct LandingPage {
+    LandingPage() { times.fill(std::numeric_limits<double>::infinity()); }
+
+    std::array<double, block_size> times{};  ///< of landing; infinity: never
+    std::array<Landing, block_size> landings{};
+    std::vector<Slide> slides;
+};
+
+class Landings {
+  public:
+    using Page = LandingPage;
 
     /// The course has to stay where it is.
     Landings(const Course& course, const Settings& settings);
@@ -55,6 +58,8 @@ class Landings {
 
     /// Of the numbers from block_size * block on; looked for, or as they were kept.
     [[nodiscard]] std::shared_ptr<const Page> page(std::uint64_t block) const;
+    /// null where it has not been looked for, or is no longer kept.
+    [[nodiscard]] std::shared_ptr<const Page> kept(std::uint64_t block) const { return pages_.held(block); }
     [[nodiscard]] std::shared_ptr<const Page> find(std::uint64_t block) const;
 
     /// Puts flakes that have landed into the rows from `index` on.

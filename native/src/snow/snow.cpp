@@ -38,9 +38,11 @@ class Block {
           kernel_(*course.kernel),
           landings_(landings) {}
 
-    /// Those of numbers from first to last, all in one block of block_size.
-    void take(double time, std::uint64_t first, std::uint64_t last) {
+    /// Those of numbers from first to last, all in one block of block_size, as they land by its page.
+    void take(double time, std::uint64_t first, std::uint64_t last, std::shared_ptr<const LandingPage> page) {
         count_ = 0;
+        page_ = std::move(page);
+        if (!page_ && landings_.are_any()) return;
         auto piece = std::ranges::upper_bound(births_.pieces(), first, {}, &Births::Piece::first);
         for (--piece; first < last; ++piece) {
             const std::uint64_t until = std::min(last, piece->last);
@@ -58,7 +60,6 @@ class Block {
             first = until;
         }
         pad();
-        page_ = landings_.are_any() ? landings_.page((last - 1) / block_size) : nullptr;
         const std::size_t all = count_;
         if (random_lifetime_ && ages_[0] >= lifetime_ - lifetime_range) keep_living();
         if (page_ && landings_.rest_time() < std::numeric_limits<double>::infinity()) keep_resting(time);
@@ -71,7 +72,7 @@ class Block {
     [[nodiscard]] const std::uint32_t* lows() const noexcept { return lows_.data(); }
     [[nodiscard]] std::uint32_t high() const noexcept { return high_; }
     /// Where its flakes land; nullptr where nothing is to land on.
-    [[nodiscard]] const Landings::Page* page() const noexcept { return page_.get(); }
+    [[nodiscard]] const LandingPage* page() const noexcept { return page_.get(); }
 
   private:
     void pad() {
@@ -109,7 +110,7 @@ class Block {
     const Kind& kind_;
     const Kernel& kernel_;
     const Landings& landings_;
-    std::shared_ptr<const Landings::Page> page_;
+    std::shared_ptr<const LandingPage> page_;
     Unfilled<double, block_size + padding> ages_;
     Unfilled<std::uint32_t, block_size + padding> lows_;
     std::uint32_t high_ = 0;
@@ -126,6 +127,39 @@ class Block {
     return {std::max(living.first, start), std::min(living.last, start + block_size)};
 }
 
+/// Where the flakes of a block land: as it was known, or as it is found now.
+[[nodiscard]] std::shared_ptr<const LandingPage> page_of(const Landings& landings, const Living& living,
+                                                         std::size_t block) {
+    if (!living.pages.empty()) return living.pages[block];
+    return landings.are_any() ? landings.page(living.first / block_size + block) : nullptr;
+}
+
+/// Those that may live at a time.
+[[nodiscard]] Living candidates(const Course& course, double time) {
+    require(std::isfinite(time), "time must be finite");
+    Living living{time, course.births.count_older(time, course.longest()), course.births.count(time)};
+    living.count = static_cast<std::size_t>(living.last - living.first);
+    return living;
+}
+
+void count_living(const Course& course, const Landings& landings, Living& living, std::size_t threads) {
+    std::vector<std::size_t> counts(blocks_of(living) + 1);
+    in_parts(
+        counts.size() - 1, landings.are_any() ? landing_grain : std::size_t{256},
+        [&](std::size_t from, std::size_t to) {
+            Block block(course, landings);
+            for (std::size_t i = from; i < to; ++i) {
+                const auto [first, last] = numbers_of(living, i);
+                block.take(living.time, first, last, page_of(landings, living, i));
+                counts[i + 1] = block.count();
+            }
+        },
+        threads);
+    for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
+    living.count = counts.back();
+    living.before = std::move(counts);
+}
+
 }  // namespace
 
 Snow::Snow(const Settings& settings)
@@ -135,31 +169,46 @@ Snow::Snow(Snow&& other) noexcept = default;
 Snow& Snow::operator=(Snow&& other) noexcept = default;
 
 Living Snow::living(double time, std::size_t threads) const {
-    require(std::isfinite(time), "time must be finite");
     const Course& course = parts_->course;
     const Landings& landings = parts_->landings;
     return in_ieee_floats([&] {
-        Living living{time, course.births.count_older(time, course.longest()), course.births.count(time)};
-        living.count = static_cast<std::size_t>(living.last - living.first);
+        Living living = candidates(course, time);
         const bool may_rest =
             landings.are_any() && landings.rest_time() < std::numeric_limits<double>::infinity();
-        if (!course.random_lifetime && !may_rest) return living;
-        std::vector<std::size_t> counts(blocks_of(living) + 1);
+        if (course.random_lifetime || may_rest) count_living(course, landings, living, threads);
+        return living;
+    });
+}
+
+Living Snow::known(double time, std::size_t threads) const {
+    const Landings& landings = parts_->landings;
+    if (!landings.are_any()) return living(time, threads);
+    return in_ieee_floats([&] {
+        Living living = candidates(parts_->course, time);
+        for (std::size_t block = 0; block < blocks_of(living); ++block)
+            living.pages.push_back(landings.kept(living.first / block_size + block));
+        count_living(parts_->course, landings, living, threads);
+        return living;
+    });
+}
+
+std::size_t Snow::find_landings(double time, std::size_t most, std::size_t threads) const {
+    const Landings& landings = parts_->landings;
+    return in_ieee_floats([&] {
+        const Living living = candidates(parts_->course, time);
+        std::vector<std::uint64_t> missing;
+        for (std::size_t i = 0; landings.are_any() && i < blocks_of(living); ++i) {
+            const std::uint64_t block = living.first / block_size + i;
+            if (!landings.kept(block)) missing.push_back(block);
+        }
+        const std::size_t found = std::min(most, missing.size());
         in_parts(
-            counts.size() - 1, landings.are_any() ? landing_grain : std::size_t{256},
+            found, landing_grain,
             [&](std::size_t from, std::size_t to) {
-                Block block(course, landings);
-                for (std::size_t i = from; i < to; ++i) {
-                    const auto [first, last] = numbers_of(living, i);
-                    block.take(time, first, last);
-                    counts[i + 1] = block.count();
-                }
+                for (std::size_t i = from; i < to; ++i) static_cast<void>(landings.page(missing[i]));
             },
             threads);
-        for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
-        living.count = counts.back();
-        living.before = std::move(counts);
-        return living;
+        return missing.size() - found;
     });
 }
 
@@ -175,7 +224,7 @@ void Snow::evaluate(const Living& living, const Fields& out, std::size_t threads
         Flight flight(course);
         for (std::size_t i = from; i < to; ++i) {
             const auto [first, last] = numbers_of(living, i);
-            block.take(living.time, first, last);
+            block.take(living.time, first, last, page_of(landings, living, i));
             const std::size_t before =
                 living.before.empty() ? static_cast<std::size_t>(first - living.first) : living.before[i];
             flight.fill(living.time, block.ages(), block.lows(), block.high(), block.count(), out, before);
@@ -204,7 +253,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
                 for (std::size_t block = from; block < to; ++block) {
                     const auto page = landings.find(block);
                     for (std::size_t slot = 0; slot < block_size; ++slot) {
-                        const Landings::Landing& landing = page->landings.at(slot);
+                        const Landing& landing = page->landings.at(slot);
                         if (page->times.at(slot) <= end)
                             of_blocks[block].push_back({page->times.at(slot), block * block_size + slot,
                                                         landing.point, landing.triangle, landing.is_behind});

@@ -51,6 +51,39 @@ Steering::Steering(double max_angle, double frequency, std::uint64_t seed, doubl
             for (std::size_t e = 0; e < entries; ++e) integral[e] += step * weights[k] * rotation[e];
         }
     }
+    if (offsets > 0) make_own(step);
+}
+
+void Steering::make_own(double step) {
+    // The integral of a rotation's entry is no larger than the time.
+    const double longest = step * static_cast<double>(nodes_.size());
+    double units = 0x1p30;  // a second
+    while (units * longest >= 0x1p31) units *= 0.5;
+    unit_ = static_cast<float>(1.0 / units);
+    for (const Node& node : nodes_) {
+        OwnNode& own = own_.emplace_back();
+        for (std::size_t e = 0; e < entries; ++e) {
+            own.integral[e] = static_cast<std::int32_t>(std::floor(units * node.integral[e] + 0.5));
+            own.slope[e] = static_cast<float>(node.slope[e]);
+        }
+        OwnAngles& angles = own_angles_.emplace_back();
+        for (std::size_t i = 0; i < 2; ++i) {
+            angles.angle[i] = static_cast<float>(node.angle[i]);
+            angles.slope[i] = static_cast<float>(node.angle_slope[i]);
+        }
+    }
+    nodes_ = {};
+}
+
+void Steering::set(std::size_t node, Run& run) const {
+    if (own_.empty()) {
+        run.node = &nodes_[node];
+        return;
+    }
+    run.own_origin = own_.data();
+    run.own_node = &own_[node];
+    run.own_angles = &own_angles_[node];
+    run.unit = unit_;
 }
 
 }  // namespace motus::snow

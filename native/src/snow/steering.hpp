@@ -14,14 +14,20 @@ class Steering {
     static constexpr std::size_t offset_count = 1U << 14U;
     static constexpr std::size_t most_nodes = 1U << 20U;
 
-    /// Nodes for ages up to `longest` s, `step` s apart, and `offsets` more.
+    /// Nodes for ages up to `longest` s, `step` s apart, and `offsets` more if flakes have some.
     Steering(double max_angle, double frequency, std::uint64_t seed, double longest, double step,
              std::size_t offsets);
 
-    [[nodiscard]] const Node& node(std::size_t index) const { return nodes_[index]; }
+    /// Sets where a run reads it whose flakes without offset are at a node.
+    void set(std::size_t node, Run& run) const;
 
   private:
-    std::vector<Node> nodes_;
+    void make_own(double step);
+
+    std::vector<Node> nodes_;  ///< empty with offsets
+    std::vector<OwnNode> own_;
+    std::vector<OwnAngles> own_angles_;
+    float unit_ = 1.0F;
 };
 
 }  // namespace motus::snow

@@ -132,6 +132,15 @@ TEST_CASE("the report tells an even screen from an uneven one", "[colour]") {
     CHECK(found.share == Approx(even.share).margin(0.03));
 }
 
+TEST_CASE("colours beyond the gamut give numbers", "[colour]") {
+    // Parts below 0, whose sum is 0.
+    const glm::dvec3 wide{-0.5, 1.0, -0.5};
+    const Report report = judge_screen(Footage(wide, skin, 0.0, 0.0).picture(), green);
+    CHECK(report.share > 0.5);
+    CHECK(report.chroma_spread == Approx(0.0).margin(1e-6));
+    CHECK(report.luminance_spread == Approx(0.0).margin(1e-6));
+}
+
 TEST_CASE("spill is measured on the subject", "[colour]") {
     const glm::dvec3 lit{0.3, 0.3 + 0.1 * (0.45 - 0.08), 0.3};
     const Report report = judge_screen(Footage(green, lit, 0.0, 0.0).picture(), green);

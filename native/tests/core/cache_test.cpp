@@ -43,6 +43,8 @@ TEST_CASE("the cache tells keys apart by content and makes each once", "[cache]"
     CHECK(*cache.get("a", std::ref(maker)) == "a!");
     CHECK(*cache.get("b", std::ref(maker)) == "b!");
     CHECK(*cache.get("a", std::ref(maker)) == "a!");
+    CHECK(*cache.held("b") == "b!");
+    CHECK(cache.held("c") == nullptr);
     CHECK(maker.made == 2);
     CHECK(cache.size() == 2);
 }

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <stdexcept>
 
 #include "motion.hpp"
+#include "motion_table.hpp"
 
 using namespace motus;
 using namespace motus::dynamics;
@@ -77,6 +79,36 @@ TEST_CASE("all ways to make steps give the same bits", "[gauss]") {
                     REQUIRE(steps[i].tail == others[i].tail);
                 }
             }
+        }
+    }
+}
+
+TEST_CASE("a table that cannot grow leaves those that grow with it as they are alone", "[gauss]") {
+    // Backwards in time damping drives it on.
+    const auto table = [](double start) {
+        MotionSettings<DoubleSystem> settings;
+        settings.system.damping = 1.0;
+        settings.start = {start, start, 0.5, 0.0};
+        settings.interval = -0.5;
+        return MotionTable<DoubleSystem>(settings);
+    };
+    constexpr double near = -0.7, far = -300.0;
+    for (const double start : {0.3, 0.8, 1.3, 1.9}) {
+        const MotionTable<DoubleSystem> fails = table(2.5), other = table(start), alone = table(start);
+        const std::array<const MotionTable<DoubleSystem>*, 2> both{&fails, &other};
+        std::array<std::array<double, 4>, 2> states{};
+        for (int round = 0; round < 2; ++round)
+            CHECK_THROWS_AS(MotionTable<DoubleSystem>::at(both, far, states), std::domain_error);
+        CHECK_THROWS_AS(other.at(far), std::domain_error);
+        for (double time = near; time > -12.0; time -= 0.1) {
+            std::array<double, 4> expected{};
+            try {
+                expected = alone.at(time);
+            } catch (const std::domain_error&) {
+                CHECK_THROWS_AS(other.at(time), std::domain_error);
+                continue;
+            }
+            CHECK(other.at(time) == expected);
         }
     }
 }

@@ -214,4 +214,17 @@ TEST_CASE("what is no pendulum is refused by its argument's name", "[pendulum]")
     CHECK_THROWS_WITH(at({}, {}, nan), StartsWith("times"));
     CHECK_THROWS_AS(at({1.0, 9.81, 0.1}, {1.0, 0.0}, 1e9), std::length_error);
     CHECK(std::isfinite(at({1.0, 9.81, 0.0}, {1.0, 0.0}, 1e9).angle));
+    // Heavily damped: each interval takes thousands of steps.
+    CHECK_THROWS_AS(at({1.0, 9.81, 1e4}, {1.0, 0.0}, 8000.0), std::length_error);
+}
+
+TEST_CASE("a pendulum that turns too fast for its gravity turns evenly", "[pendulum]") {
+    const Pendulum weak{1.0, 1e-10, 0.0};
+    for (const double velocity : {1e120, -1e300, 1.7e308}) {
+        const PendulumState start{1.0, velocity};
+        CHECK(at(weak, start, 1e-120) == PendulumState{1.0 + velocity * 1e-120, velocity});
+        CHECK(pendulum_period(weak, start) == std::numeric_limits<double>::infinity());
+    }
+    CHECK_THROWS_AS(at(weak, {1.0, 1.7e308}, 10.0), std::domain_error);
+    CHECK_THROWS_AS(at({5e-324, 9.81, 0.0}, {1.0, 0.0}, 1.0), std::domain_error);
 }

@@ -136,4 +136,27 @@ TEST_CASE("what is no filter is refused by its argument's name", "[second_order]
     CHECK_THROWS_WITH(SecondOrder::from_overshoot(1.0, 1.0), StartsWith("overshoot"));
     CHECK_THROWS_WITH(SecondOrder::from_overshoot(0.5, 0.0), StartsWith("settling"));
     CHECK_THROWS_WITH(settling_time(SecondOrder(1.0, 1.0, 0.0), 0.0), StartsWith("tolerance"));
+    CHECK_THROWS_WITH(SecondOrder(1e-300, 1.0, 0.0), StartsWith("frequency"));
+    CHECK_THROWS_WITH(SecondOrder(1e101, 1.0, 0.0), StartsWith("frequency"));
+    CHECK_THROWS_WITH(SecondOrder(1.0, 1e101, 0.0), StartsWith("damping"));
+    CHECK_THROWS_WITH(SecondOrder(1.0, 1.0, -1e101), StartsWith("response"));
+    CHECK_THROWS_WITH(SecondOrder::from_coefficients({1e300, 1.0, 0.0}), StartsWith("k1"));
+    CHECK_THROWS_WITH(SecondOrder::from_coefficients({1.0, 1e300, 0.0}), StartsWith("k2"));
+    CHECK_THROWS_WITH(SecondOrder::from_coefficients({1.0, 1.0, 1e300}), StartsWith("k3"));
+}
+
+TEST_CASE("the most extreme filters and times give numbers", "[second_order]") {
+    for (const double frequency : {1e-100, 1.0, 1e100})
+        for (const double damping : {0.0, 0.5, 1.0, 1e100})
+            for (const double response : {-1e100, 0.0, 1e100}) {
+                const SecondOrder filter(frequency, damping, response);
+                CHECK_FALSE(std::isnan(overshoot(filter)));
+                CHECK_FALSE(std::isnan(settling_time(filter)));
+                for (const double time : {0.0, 1e-300, 1.0, 1e300}) {
+                    CHECK(std::isfinite(step_response(filter, time).value));
+                    const Step step = make_step(filter, time);
+                    for (const double part : {step.lag, step.ee, step.eu, step.ue, step.uu})
+                        CHECK(std::isfinite(part));
+                }
+            }
 }

@@ -9,6 +9,7 @@
 #include <limits>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "random.hpp"
@@ -299,6 +300,22 @@ TEST_CASE("what is no track is refused by its argument's name", "[track]") {
     CHECK_THROWS_WITH(track.evaluate(0.0, {}), StartsWith("out"));
     const std::array rotations{glm::dquat(1.0, 0.0, 0.0, 0.0), glm::dquat(2.0, 0.0, 0.0, 0.0)};
     CHECK_THROWS_WITH(RotationTrack(filter, times, rotations), StartsWith("inputs"));
+}
+
+TEST_CASE("a track that was moved from refuses", "[track]") {
+    const std::vector<double> times{0.0, 1.0}, inputs{0.0, 1.0};
+    Track track(SecondOrder(1.0, 0.5, 0.0), times, inputs, 1);
+    const Track other = std::move(track);
+    double value = 0.0;
+    other.evaluate(0.5, {&value, 1});
+    CHECK(value > 0.0);
+    CHECK_THROWS_AS(track.evaluate(0.5, {&value, 1}), std::invalid_argument);
+    const std::vector<glm::dquat> turns(2, glm::dquat(1.0, 0.0, 0.0, 0.0));
+    RotationTrack turning(SecondOrder(1.0, 0.5, 0.0), times, turns);
+    const RotationTrack another = std::move(turning);
+    CHECK(another.evaluate(0.5) == turns[0]);
+    CHECK_THROWS_AS(turning.evaluate(0.5), std::invalid_argument);
+    CHECK_THROWS_AS(turning.offset(0.5), std::invalid_argument);
 }
 
 TEST_CASE("offsets are what outputs differ from their inputs by", "[track]") {

@@ -109,6 +109,13 @@ class SecondOrderTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "time"):
             plain.value(float("nan"))
 
+    def test_memory(self):
+        filter = native.SecondOrder(1.0, 0.5, 0.0)
+        times = np.arange(100.0)
+        turns = np.tile([1.0, 0.0, 0.0, 0.0], (100, 1))
+        self.assertEqual(native.Track(filter, times, times).nbytes, 8 * 100 * (1 + 1 + 2))
+        self.assertGreaterEqual(native.RotationTrack(filter, times, turns).nbytes, 8 * 100 * (1 + 4 + 3 + 6))
+
     def test_resets_and_loops(self):
         filter = native.SecondOrder(1.0, 0.3, 0.0)
         track = native.Track(filter, [0.0, 1.0, 2.0], [0.0, 1.0, 9.0], resets=[2])

@@ -133,6 +133,13 @@ class SnowTest(unittest.TestCase):
         self.assertEqual(len(snow.evaluate(3.0)["id"]), 150)
         self.assertEqual(len(native.Snow(**settings, ground=1.0, rest_time=1.0).evaluate(3.0)["id"]), 200)
         self.assertEqual(len(native.Snow(**settings).landings(3.0)["id"]), 0)
+        self.assertEqual(len(native.Snow(**settings).evaluate(3.0, known=True)["id"]), 300)
+        snow = native.Snow(**settings, ground=1.0)
+        self.assertEqual(len(snow.evaluate(3.0, known=True)["id"]), 0)
+        self.assertEqual(snow.find_landings(3.0, 1), 1)
+        np.testing.assert_array_equal(snow.evaluate(3.0, known=True)["id"], np.arange(256))
+        self.assertEqual(snow.find_landings(3.0, 9), 0)
+        self.assertEqual(len(snow.evaluate(3.0, known=True)["id"]), 300)
 
     def test_cover(self):
         corners = [[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0]]
@@ -176,6 +183,8 @@ class SnowTest(unittest.TestCase):
                 (lambda: native.SnowCollider([0, 0, 0], []), "collider_positions"),
                 (lambda: native.SnowCollider([[0, 0, 0]], [[0, 0, 1]]), "collider_triangles"),
                 (lambda: native.Snow().landings(nan), "end"),
+                (lambda: native.Snow().find_landings(nan, 1), "time"),
+                (lambda: native.Snow().find_landings(1.0, -1), "most"),
                 (lambda: native.Snow(rate=1e6, lifetime=1, ground=0).landings(100), "end")):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
                 call()

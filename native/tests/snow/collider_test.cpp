@@ -112,6 +112,39 @@ TEST_CASE("landed flakes are the same whatever was asked for before", "[snow]") 
     }
 }
 
+TEST_CASE("landings are found block by block, and the flakes known then are those that there are", "[snow]") {
+    for (const Collision collision : {Collision::stay, Collision::melt}) {
+        Settings settings = falling(1000.0);
+        settings.ground = 0.0;
+        settings.collision = collision;
+        settings.melt_time = 5.0;
+        settings.random_lifetime = true;
+        const Snow whole(settings), snow(settings);
+        const double time = 5.5;
+        const Flakes all = flakes_at(whole, time);
+        CHECK(snow.known(time).count == 0);
+        const std::size_t blocks = snow.find_landings(time, 0);
+        REQUIRE(blocks > 15);
+        CHECK(snow.find_landings(time, 4, 2) == blocks - 4);
+        const Living living = snow.known(time);
+        Flakes some(living.count);
+        // What is found in between is no part of it.
+        CHECK(snow.find_landings(time, 3) == blocks - 7);
+        snow.evaluate(living, some.fields());
+        CHECK(some.id.size() > 500);
+        for (std::size_t i = 0; i < some.id.size(); ++i) {
+            CHECK(some.id[i] == all.id[i]);
+            CHECK(some.position[i] == all.position[i]);
+            CHECK(some.size[i] == all.size[i]);
+        }
+        CHECK(snow.find_landings(time, 1000) == 0);
+        CHECK(snow.known(time).count == all.id.size());
+        CHECK(are_same(flakes_at(snow, time), all));
+    }
+    CHECK(Snow(falling(100.0)).find_landings(3.0, 1) == 0);
+    CHECK(Snow(falling(100.0)).known(3.0).count == 300);
+}
+
 TEST_CASE("all instruction sets find the same landings", "[snow]") {
     for (const bool has_offsets : {false, true}) {
         Settings settings = rich_over(Collision::slide);

@@ -70,4 +70,16 @@ template <class T>
     return s;
 }
 
+/// Flakes of several shapes that fly in several ways.
+[[nodiscard]] inline std::array<Settings, 4> kinds(double rate) {
+    std::array<Settings, 4> all{rich(rate), rich(rate), rich(rate), rich(rate)};
+    all[1].snow = false;
+    all[1].shape = Shape::sphere;
+    all[2].snow_offsets = true;
+    all[2].shape = Shape::cone;
+    all[3] = Settings{};
+    all[3].rate = rate;
+    return all;
+}
+
 }  // namespace motus::snow

@@ -1,12 +1,14 @@
 #include "kernel.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <span>
 #include <vector>
 
+#include "motus/core/numeric.hpp"
 #include "random.hpp"
 
 using namespace motus;
@@ -26,6 +28,12 @@ struct Sample {
             for (double& one : node.slope) one = random.between(-2.0, 2.0);
             node.angle = {random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
         }
+        for (OwnNode& node : own_nodes) {
+            for (std::int32_t& one : node.integral)
+                one = static_cast<std::int32_t>(random.below(1U << 30U)) - (1 << 29);
+            for (float& one : node.slope) one = any();
+        }
+        for (OwnAngles& angles : own_angles) angles = {{any(), any()}, {any(), any()}};
         places = {0.0F, 0.3F, 0.3F};
         scales = {1.0F / 0.3F, 1e30F, 1.0F / 0.7F};
         changes.resize(places.size());
@@ -56,7 +64,7 @@ struct Sample {
         kind.changes = changes;
         kind.snow = random.chance(0.7);
         kind.snow_offsets = random.chance(0.5);
-        kind.offset_count = static_cast<float>(nodes.size() - 2);
+        kind.offset_count = static_cast<float>(own_nodes.size() - 2);
         kind.tumble = random.chance(0.5) ? 1.0F : 0.0F;
 
         kind.is_turbulent = random.chance(0.5);
@@ -86,7 +94,11 @@ struct Sample {
         for (Cubic& c : run.drift_velocity) number(c);
         for (float& phase : run.phases) phase = any();
         for (float& change : run.phase_changes) change = any();
-        run.origin = run.node = nodes.data();
+        run.node = nodes.data();
+        run.own_origin = own_nodes.data();
+        run.own_node = own_nodes.data() + 1;
+        run.own_angles = own_angles.data();
+        run.unit = 0x1p-28F;
     }
 
     [[nodiscard]] std::vector<float> filled(const Kernel& kernel) {
@@ -107,7 +119,9 @@ struct Sample {
     std::vector<double> ages = std::vector<double>(block_size);
     std::vector<std::uint32_t> lows = std::vector<std::uint32_t>(block_size);
     std::vector<Facet> facets = std::vector<Facet>(7);
-    std::vector<Node> nodes = std::vector<Node>(40);
+    std::vector<Node> nodes = std::vector<Node>(2);
+    std::vector<OwnNode> own_nodes = std::vector<OwnNode>(40);
+    std::vector<OwnAngles> own_angles = std::vector<OwnAngles>(40);
     std::vector<float> places, scales;
     std::vector<std::array<float, 4>> changes;
     Kind kind;
@@ -139,6 +153,26 @@ TEST_CASE("all instruction sets give the same bits", "[snow]") {
             kernel->ages(1000.0, 0.25, 31.0, 12345678901U, block_size, ages.data());
             for (std::size_t i = 0; i < block_size; ++i)
                 CHECK(ages[i] == 1000.0 - (0.25 + static_cast<double>(12345678902U + i) / 31.0));
+        }
+    }
+}
+
+TEST_CASE("angles of any size give numbers, the same in all instruction sets", "[snow]") {
+    test::Random random(4);
+    for (int round = 0; round < 100; ++round) {
+        Sample sample(random);
+        const float size = std::pow(10.0F, random.between(6.0F, 20.0F));
+        for (Wave& wave : sample.kind.waves) {
+            for (float& one : wave.vector) one *= size;
+            wave.rate *= size;
+        }
+        for (Node& node : sample.nodes)
+            for (double& angle : node.angle) angle *= static_cast<double>(size);
+        const std::vector<float> wanted = sample.filled(base_kernel);
+        CHECK(are_finite(std::span<const float>(wanted)));
+        for (const Kernel* kernel : kernels()) {
+            CAPTURE(round, kernel->name);
+            CHECK(are_same(sample.filled(*kernel), wanted));
         }
     }
 }

@@ -1,9 +1,10 @@
-"""Objects that a system of Motus's drives: the system itself is asked where they are at any times.
+"""Objects and bones that a system of Motus's drives: the system itself is asked where they are at any times.
 
 What System.over_time gives is None, or has
 
     reason                     as Channel.reason
-    applied(times, matrices)   world matrices (n, 4, 4) of the object, from those that its own channels and parents make
+    applied(times, matrices)   world matrices (n, 4, 4) of the object, from those that its own channels and parents make;
+                               of a bone its own Transforms, from those of its channels
     bounds, extent, stamp      as those of Channel
 """
 
@@ -16,22 +17,22 @@ from . import rotations
 from .reason import Reason
 
 _asked = set()
-"""(thread, object) of all that is being asked for its reason."""
+"""(thread, object or bone) of all that is being asked for its reason."""
 
 
 class Solved:
-    """What a system makes of an object, as a part of a chain of parents. label: of the system."""
+    """What a system makes of an Object or PoseBone, as a part of a chain of parents. label: of the system."""
 
-    def __init__(self, system, obj, source):
-        self.label, self._object, self._source = system.label, obj, source
+    def __init__(self, system, thing, source):
+        self.label, self._thing, self._source = system.label, thing, source
         self.bounds, self.applied = source.bounds, source.applied
 
     @property
     def reason(self):
         """As Channel.reason."""
-        place = threading.get_ident(), hash(self._object)
+        place = threading.get_ident(), hash(self._thing)
         if place in _asked:  # such as a curve that hangs on what follows it
-            return Reason(Reason.LOOP, thing=self._object.name)
+            return Reason(Reason.LOOP, thing=self._thing.name)
         _asked.add(place)
         try:
             return self._source.reason
@@ -59,6 +60,15 @@ def placed(matrices, locations, turns, acts):
     return found
 
 
+def turned(matrices, turns, scales):
+    """World matrices with turns (n, 4) after the objects' own rotation, below their own scales (n, 3)."""
+    found = matrices.copy()
+    safe = np.where(scales != 0.0, scales, 1.0)
+    below = rotations.matrices(turns) * scales[:, None, :] / safe[:, :, None]
+    found[:, :3, :3] = rotations.chained(matrices[:, :3, :3], below)
+    return found
+
+
 def of(obj, scene):
     """The Solved of an object, original or evaluated; None where no system drives it that can be asked, or not it alone."""
     acting = [constraint for constraint in obj.constraints if not constraint.mute]
@@ -73,4 +83,17 @@ def of(obj, scene):
         source = system.over_time(owner, obj, scene) if sinks and all(one in sinks for one in acting) else None
         if source is not None:
             return Solved(system, obj, source)
+    return None
+
+
+def of_bone(bone, scene, beneath=None):
+    """The same of a PoseBone; its owner is the rig. beneath: a System whose sinks do not count."""
+    rig = bone.id_data
+    acting = [one for one in bone.constraints if not one.mute and not (beneath and wiring.is_sink(beneath, one))]
+    if not acting or not rig.is_property_set("motus"):
+        return None
+    for system in systems():
+        if system.over_time and getattr(rig.motus, system.name).is_active and all(wiring.is_sink(system, one) for one in acting):
+            source = system.over_time(rig, bone, scene)
+            return Solved(system, bone, source) if source else None
     return None

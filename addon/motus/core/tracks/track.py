@@ -13,6 +13,7 @@ from .strips import keys_stamp
 from .transforms import Own, Transforms, World
 
 LARGEST_CACHE = 1024  # of what kept() keeps: the bones of some rigs, in a viewport and a render
+LARGEST_MEMORY = 1 << 30  # bytes of that
 
 _kept = OrderedDict()
 
@@ -181,12 +182,21 @@ def kept_by(stamp, name, make):
     if stamp is None:
         return make()
     place = name, stamp
-    found = _kept.get(place)
-    if found is None:
-        found = _kept[place] = make()
-        if len(_kept) > LARGEST_CACHE:
-            _kept.popitem(last=False)
-    return found
+    held = _kept.get(place)
+    if held is None:
+        found = make()
+        held = _kept[place] = found, _bytes(found)
+        memory = sum(size for _, size in list(_kept.values()))
+        while len(_kept) > LARGEST_CACHE or memory > LARGEST_MEMORY and len(_kept) > 1:
+            memory -= _kept.popitem(last=False)[1][1]
+    return held[0]
+
+
+def _bytes(found):
+    """Of the memory that arrays and native tracks take, about."""
+    if isinstance(found, tuple):
+        return sum(map(_bytes, found))
+    return getattr(found, "nbytes", 0)
 
 
 class _Number(Channel):

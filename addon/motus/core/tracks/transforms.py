@@ -227,7 +227,7 @@ class World:
     @property
     def solvers(self):
         """Names of the systems that are asked for it."""
-        return [link.solved.label for link in self._links if link.solved]
+        return list(dict.fromkeys(one.label for link in self._links for one in link.all_solved))
 
     def _of(self, link, *question_and_answer):
         """What is asked of a link, which things that hang on the same one ask too."""
@@ -244,6 +244,11 @@ class World:
         for link in self._links:
             found = self._of(link, "values", marks, lambda link=link, above=found: link.matrices(times, above))
         return found
+
+    def poses(self, times):
+        """(n, 4, 4) of a bone in the space of its rig."""
+        link = self._links[-1]
+        return np.broadcast_to(self._of(link, "poses", times.tobytes(), lambda: link.poses(times)), (len(times), 4, 4))
 
     def bounds(self, first, last):
         """As Channel.bounds()."""
@@ -288,7 +293,7 @@ class _Link:
     def _of_object(self):
         if self._object.rigid_body:
             return Reason(Reason.PHYSICS, thing=self._object.name)
-        return self.solved.reason if self.solved else _constrained(self._object)
+        return self.solved.reason if self.solved else constrained(self._object)
 
     @functools.cached_property
     def solved(self):
@@ -299,7 +304,8 @@ class _Link:
         if self._bone is None or self._object.data.pose_position == 'REST':
             return None
         for bone in self._bones:
-            found = _constrained(bone, self._beneath)
+            turning = self._turning.get(bone.name)
+            found = turning.reason if turning else constrained(bone, self._beneath)
             if found:
                 return found
         names = {bone.name for bone in self._bones}
@@ -309,6 +315,18 @@ class _Link:
                     return Reason(Reason.SOLVED_BONE, thing=self._bone.name, bone=bone.name, name=constraint.name)
         return None
 
+    @functools.cached_property
+    def _turning(self):
+        """{name of a bone: what a system of Motus's makes of it}."""
+        found = {bone.name: solved.of_bone(bone, self._scene, self._beneath) for bone in self._bones if len(bone.constraints)}
+        return {name: one for name, one in found.items() if one}
+
+    @property
+    def all_solved(self):
+        """What systems make of the object and the bones."""
+        is_posed = self._bone is not None and self._object.data.pose_position != 'REST'
+        return [*([self.solved] if self.solved else []), *(self._turning.values() if is_posed else ())]
+
     def matrices(self, times, parent):
         """World matrices of the bone or object; parent: of what it hangs on, or None."""
         obj = self._object
@@ -317,20 +335,21 @@ class _Link:
             found = rotations.chained(rotations.chained(parent, parent_offset(obj)), found)
         if self.solved:
             found = self.solved.applied(times, found)
-        return rotations.chained(found, self._poses(times)) if self._bone else found
+        return rotations.chained(found, self.poses(times)) if self._bone else found
 
-    def _poses(self, times):
+    def poses(self, times):
         """Matrices of the bone in the rig's space."""
         if self._object.data.pose_position == 'REST':
             return _array(self._bone.bone.matrix_local)
         found = None
         for bone, own in zip(self._bones, self._posed):
-            found = posed(bone, own.values(times), found)
+            turning, transforms = self._turning.get(bone.name), own.values(times)
+            found = posed(bone, turning.applied(times, transforms) if turning else transforms, found)
         return found
 
     @property
     def _parts(self):
-        return [self._own, *self._posed, *([self.solved] if self.solved else [])]
+        return [self._own, *self._posed, *self.all_solved]
 
     def bounds(self, first, last):
         return keys.union([part.bounds(first, last) for part in self._parts])
@@ -346,9 +365,8 @@ class _Link:
                        bone.bone.use_local_location, bone.bone.use_connect, bone.bone.use_relative_parent, bone.bone.length)
                       for bone in self._bones)
         pose = obj.data.pose_position if bones else ""
-        solver = self.solved.stamp if self.solved else ()
         return strips.together((
-            self._own.stamp, *(own.stamp for own in self._posed), solver, obj.parent_type, _numbers(obj.matrix_parent_inverse),
+            self._own.stamp, *(own.stamp for own in self._posed), *(one.stamp for one in self.all_solved), obj.parent_type, _numbers(obj.matrix_parent_inverse),
             bones, pose))
 
 
@@ -361,7 +379,7 @@ def _numbers(matrix):
     return tuple(map(tuple, matrix))
 
 
-def _constrained(thing, beneath=None):
+def constrained(thing, beneath=None):
     """Why a constraint makes it unknown; None without one that acts. beneath: a System whose sinks do not count."""
     for constraint in thing.constraints:
         if not constraint.mute and not (beneath and wiring.is_sink(beneath, constraint)):

@@ -214,7 +214,7 @@ def refresh_edited(system, owner):
 
 def _renamed(system, owner):
     """(rig, old name, new name) of bones that were renamed since the owner was wired."""
-    driven = [(owner, old, new) for old, new in renamed_bones(system, owner)]
+    driven = [(owner, *names) for names in (*renamed_bones(system, owner), *property_sink.renamed_bones(system, owner))]
     return list(dict.fromkeys(driven + solver_driver.renamed_reads(system, owner)))
 
 

@@ -8,6 +8,7 @@
 - The bones of an armature, the owner's or one that it reads, were renamed, removed, or given other parents.
 - A rig was joined into another one: its sinks come along, but not its settings. They are removed.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
+- Objects came into a collection that a solver reads, or left it.
 
 Solvers and Blender's handlers notice; the wiring is done when Blender has finished the evaluation, which it then does once
 more. Each happens once, and its result is the same whoever evaluates first.
@@ -20,7 +21,7 @@ from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native
 from ..system import of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, outbox, overrides, property_sink, proxy_sink, relations, rows
+from . import attaching, carriers, geometry_sink, order, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -40,6 +41,8 @@ _bone_counts = {}
 """key of an armature -> how many bones it had when the rigs with it were last looked through."""
 _watched = set()
 """(system, owner) whose points are moved."""
+_gathering = set()
+"""(system, owner) whose solvers read objects that come and go with collections."""
 _rows = {}
 """(system, hub that owners share) -> its rows."""
 _unsettled = set()
@@ -94,6 +97,12 @@ def watch(system, owner):
         _watched.add((system.name, owner.name))
 
 
+def watch_collections(system, owner):
+    """Called by the solver with the evaluated owner for which it reads what a collection holds."""
+    if not owner.library:
+        _gathering.add((system.name, owner.name))
+
+
 def ask_to_settle(system, owner):
     """Have System.settle called with the original of an evaluated owner, after the evaluation."""
     if not owner.library:
@@ -125,6 +134,8 @@ def _heal_all(depsgraph, is_edit):
     if is_edit or depsgraph is None or _object_count[0] < 0 or deleted.have_collections_changed(depsgraph):
         _heal_copies()
     _heal_meshes()
+    if _gathering and depsgraph is not None and deleted.have_collections_changed(depsgraph):
+        _heal_gathered()
     if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
         _heal_edited(depsgraph)
 
@@ -171,6 +182,15 @@ def _heal_meshes():
         system, owner = _find(*_unsettled.pop())
         if owner is not None:
             system.settle(owner)
+
+
+def _heal_gathered():
+    for place in list(_gathering):
+        system, owner = _find(*place)
+        if owner is None:
+            _gathering.discard(place)
+        elif order.is_stale(system, of_owner(system, owner)):
+            attaching.refresh(system, owner)
 
 
 def _find(name, owner_name):
@@ -322,6 +342,7 @@ def _forget(*_):
     _orphans.clear()
     _bone_counts.clear()
     _watched.clear()
+    _gathering.clear()
     _rows.clear()
     _unsettled.clear()
     _keyed.clear()

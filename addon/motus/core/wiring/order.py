@@ -8,14 +8,26 @@ import bpy
 
 from ..system import Deformed
 
-_WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP'}
-"""Type of an object -> of the constraint that waits for its geometry."""
+_WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION'}
+"""Type of an object -> of the constraint that waits for its geometry, or, where it has none, for its transform."""
 
 
 def geometries(system, settings):
     """The objects whose geometry the system reads as it is evaluated."""
-    named = (getattr(settings, declared.of) for declared in system.inputs if isinstance(declared, Deformed))
+    named = (obj for declared in system.inputs if isinstance(declared, Deformed) for obj in declared.objects(settings))
     return list(dict.fromkeys(obj for obj in named if obj and obj.type in _WAITING))
+
+
+def waited_for(settings):
+    """{original: evaluated} of the objects that come before a solver, of the evaluated settings that it was called with."""
+    proxy = settings.order_proxy
+    return {one.original: one for one in _waits_for(proxy) if one} if proxy else {}
+
+
+def is_stale(system, settings):
+    """Whether the proxy waits for other objects than it would have to now."""
+    proxy = settings.order_proxy
+    return (_waits_for(proxy) if proxy else []) != geometries(system, settings)
 
 
 def proxy_for(system, settings):

@@ -11,6 +11,7 @@ solver of what was linked or appended.
 import functools
 import json
 import math
+import re
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
@@ -28,6 +29,7 @@ KEY = "motus_properties"
 REST_KEY = "motus_resting"
 """Custom property of a hub's mesh whose drivers are at rest, and of what they are on: they are aimed at it."""
 LARGEST_CACHE = 256
+_OF_BONE = re.compile(r'pose\.bones\["((?:[^"\\]|\\.)*)"\]')
 
 _known = OrderedDict()
 """Text -> Notes, or Damaged."""
@@ -73,6 +75,9 @@ def check(obj, path, index=-1):
     """The Place of a property that may be driven; refuses any other."""
     found = place(obj, path, index)
     check_local(found.id_data)
+    declared = found.number.holder.bl_rna.properties.get(found.number.name)
+    if declared and not declared.is_animatable:
+        raise Refused(tr("{path} is no number that can be driven").format(path=found.data_path))
     if found.driver:
         raise Refused(tr("{path} of {object} has a driver already: remove it first").format(
             object=found.id_data.name, path=found.data_path))
@@ -254,6 +259,18 @@ def are_driven(system, owner, mesh):
         if found is None or not found.driver or _hub_of(found.driver) != mesh or not _reads(system, found.driver, note):
             return False
     return True
+
+
+def renamed_bones(system, owner):
+    """(old name, new name) of bones whose properties an owner drives: Blender has renamed them in the drivers' own paths."""
+    found = {}
+    for _, mesh in outbox.carriers(system, owner):
+        for holder, curve, _ in _sinks([mesh]):
+            note = next((one for one in _notes_of(mesh) if _reads(system, curve, one)), None)
+            old, new = note and _OF_BONE.match(note.path), _OF_BONE.match(curve.data_path)
+            if holder == owner and old and new and old[1] != new[1]:
+                found[bpy.utils.unescape_identifier(old[1])] = bpy.utils.unescape_identifier(new[1])
+    return list(found.items())
 
 
 def is_foreign(mesh):

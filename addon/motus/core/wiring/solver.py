@@ -36,6 +36,8 @@ def motus_solve(self, name, frame, depsgraph, *values):
         outbox.let_out(system, owner, box.slots)
         if system.reads_mesh:
             healing.watch(system, owner)
+        if system.reads_several:
+            healing.watch_collections(system, owner)
         if not system.moves_points:
             healing.check(system, owner, self)
     except Exception as error:

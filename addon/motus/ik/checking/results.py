@@ -4,7 +4,7 @@ import re
 
 import bpy
 
-from ...core.frames import ranges
+from ...core.frames import ranges, spoken
 from ...core.translations import tr
 
 _RUN = re.compile(r"(-?[\d.]+)(?:-(-?[\d.]+))?")
@@ -84,13 +84,13 @@ def sentence(entry, length):
         return ""
     templates = {
         'NONE': tr("Reaches its target on all frames {range}"),
-        'UNSOLVED': tr("Not solved on frames {frames}: the panel says why (checked {range})"),
+        'UNSOLVED': tr("Not solved on {frames}: the panel says why (checked {range})"),
         'ANIMATED': tr("The weights leave it to its animation on all frames {range}"),
-        'FAR': tr("Out of reach on frames {frames}, at most {length} short (checked {range})"),
-        'NEAR': tr("Too near on frames {frames}, at most {length} (checked {range})"),
-        'LIMIT': tr("Held by joint limits on frames {frames}, at most {length} short (checked {range})"),
-        'TURN': tr("Too far with the target's orientation on frames {frames}, at most {length} short (checked {range})"),
-        'ITERATIONS': tr("Iterations used up on frames {frames}, at most {length} short (checked {range})"),
+        'FAR': tr("Out of reach on {frames}, at most {length} short (checked {range})"),
+        'NEAR': tr("Too near on {frames}, at most {length} (checked {range})"),
+        'LIMIT': tr("Held by joint limits on {frames}, at most {length} short (checked {range})"),
+        'TURN': tr("Too far with the target's orientation on {frames}, at most {length} short (checked {range})"),
+        'ITERATIONS': tr("Iterations used up on {frames}, at most {length} short (checked {range})"),
     }
     return templates[entry.check_reason].format(
-        frames=entry.check_frames, length=length(entry.check_worst), range=entry.check_range)
+        frames=spoken(entry.check_frames), length=length(entry.check_worst), range=entry.check_range)

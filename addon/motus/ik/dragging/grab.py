@@ -1,4 +1,4 @@
-"""A point of a chain that is pulled to a place: by its target where a solver has it, else by turning its bones."""
+"""A point of a chain that is pulled to a place: by its target where a solver has it, else by turning its bones. Bones that chains go to are moved."""
 
 from mathutils import Matrix, Quaternion, Vector
 
@@ -27,7 +27,10 @@ def grab(context, rig, bone, factor, chain_length=0):
     settings = rig.motus.ik
     index = chains.entry_with(rig, bone) if settings.is_active and not settings.is_baked else -1
     if index < 0:
-        return _PoseGrab(context, rig, free_chain(rig, bone, chain_length), factor)
+        bones = free_chain(rig, bone, chain_length)
+        if any((rig, bone) in groups.goals(entry) for entry in settings.entries):
+            return _ControlGrab(context, rig, bone, factor)
+        return _PoseGrab(context, rig, bones, factor)
     entry = settings.entries[index]
     chain = chains.find(rig, entry)
     if entry.is_muted or entry.position_weight * settings.influence == 0.0:
@@ -102,6 +105,31 @@ class _PoseGrab:
         """Put the bones' channels back."""
         for thing, path, before in zip(self.things, self.paths, self._before):
             setattr(thing, path, before)
+
+
+class _ControlGrab:
+    """Moves a bone that is a target or a pole."""
+
+    def __init__(self, context, rig, bone, factor):
+        self._depsgraph = context.view_layer.depsgraph
+        self._control = controls.Control(rig, bone)
+        controls.check_movable(self._control, ("location",))
+        self.things, self.paths = [self._control.thing], ["location"]
+        self._before = tuple(self._control.thing.location)
+        self._matrix = controls.world_matrix(self._control, self._depsgraph)
+        self.point = point_on(rig, self._depsgraph, bone, factor)
+
+    def pull(self, place):
+        """Move the bone as far as its point goes."""
+        if place == self.point:
+            self.restore()
+            return
+        matrix = Matrix.Translation(place - self.point) @ self._matrix
+        self._control.thing.location = controls.basis_for(self._control, self._depsgraph, matrix).translation
+
+    def restore(self):
+        """Put the bone back."""
+        self._control.thing.location = self._before
 
 
 class _TargetGrab:

@@ -10,8 +10,9 @@ from ..groups import goals
 from . import control_bones
 from .placing import CONTROL_KEY
 
-HOLDERS = {'COLLECTION', 'SCENE', 'ACTION', 'SCREEN', 'WINDOWMANAGER', 'WORKSPACE'}
-"""Types of datablocks for which an object does nothing."""
+HOLDERS = (
+    bpy.types.Collection, bpy.types.Scene, bpy.types.Action, bpy.types.Screen, bpy.types.WindowManager, bpy.types.WorkSpace)
+"""Types of datablocks for which an object does nothing. ID.id_type, which would name them, is not there in 3.4."""
 
 
 def of_entries(rig, indices):
@@ -53,26 +54,31 @@ def _rigs():
 
 def _is_object_needed(obj, _bone):
     users = bpy.data.user_map(subset=[obj])[obj]
-    return any(user.id_type not in HOLDERS and user != obj for user in users)
+    return any(not isinstance(user, HOLDERS) and user != obj for user in users)
 
 
 def _is_bone_needed(rig, bone):
-    """Whether another bone, object, constraint, driver or entry of a system hangs on a bone of the rig."""
+    """Whether another bone, object, constraint, driver or entry of a system hangs on a bone of the rig.
+
+    Objects that share the armature lose the bone too.
+    """
     if rig.data.bones[bone].children:
         return True
+    rigs = {obj for obj in bpy.data.objects if obj.data == rig.data}
     for obj in bpy.data.objects:
-        if obj.parent == rig and obj.parent_type == 'BONE' and obj.parent_bone == bone:
+        if obj.parent in rigs and obj.parent_type == 'BONE' and obj.parent_bone == bone:
             return True
         things = [obj, *(obj.pose.bones if obj.pose else ())]
         constraints = itertools.chain.from_iterable(thing.constraints for thing in things)
-        if any(pair == (rig, bone) for constraint in constraints for pair in _constraint_targets(constraint)):
+        if any(one in rigs and name == bone for constraint in constraints for one, name in _constraint_targets(constraint)):
             return True
     path = f'pose.bones["{bpy.utils.escape_identifier(bone)}"]'
-    for _, _, variable, index in wiring.targets_on({rig}):
+    for _, _, variable, index in wiring.targets_on(rigs):
         target = variable.targets[index]
         if target.bone_target == bone or target.data_path.startswith(path):
             return True
-    return any((rig, bone) in entry.reads or one == rig and bone in entry.drives
+    pairs = {(one, bone) for one in rigs}
+    return any(not pairs.isdisjoint(entry.reads) or one in rigs and bone in entry.drives
                for system in systems() if system.entries for one in _rigs() for entry in system.entries(one))
 
 

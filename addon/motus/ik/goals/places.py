@@ -90,14 +90,20 @@ def blend(found, rig, entries, further, off):
             off[row] = NOT_FINITE
             continue
         places = [None if row in off else Matrix(found[row].reshape(4, 4).T), *_further_places(entry, are_there)]
-        numbers, share = stations.needed(entry.target_blend, places)
-        ends = [stations.nearest(number, places) for number in numbers]
-        if None in ends:
+        matrix, numbers = mixed(entry.target_blend, places)
+        if matrix is None:
             continue
         off.pop(row, None)
-        found[row] = rigs.columns(_mixed(ends[0], ends[-1], share))
+        found[row] = rigs.columns(matrix)
         is_astray |= not entry.is_muted and None in [places[number] for number in numbers]
     return is_astray
+
+
+def mixed(value, places):
+    """(matrix at a Blend's value among the places of all stations, or None where it is missing; numbers of those it needs)."""
+    numbers, share = stations.needed(value, places)
+    ends = [stations.nearest(number, places) for number in numbers]
+    return None if None in ends else _between(ends[0], ends[-1], share), numbers
 
 
 def _further_places(entry, are_there):
@@ -106,7 +112,7 @@ def _further_places(entry, are_there):
             for extra, is_there in zip(entry.extra_targets, are_there)]
 
 
-def _mixed(start, end, share):
+def _between(start, end, share):
     """Matrix between two: place by a straight line, orientation by the shorter way; without their scales."""
     turned = start.to_quaternion().slerp(end.to_quaternion(), share)
     matrix = turned.to_matrix().to_4x4()

@@ -3,7 +3,7 @@
 import math
 
 import bpy
-from mathutils import Vector
+from mathutils import Euler, Vector
 
 from ...core import libraries
 from .. import chains, forward
@@ -16,6 +16,7 @@ CONTROL_KEY = "motus_ik_control"
 BENT = math.radians(0.5)  # a rest pose that is bent by less counts as straight
 ROUNDS = 20  # of turning a pole back
 STILL = 1e-7  # half an angle, rad
+ALIGNED = 1e-6  # rad: what rounding leaves between orientations that are the same
 TARGET_SIZE, POLE_SIZE = 0.08, 0.05  # of the chain's length
 DEFAULT_LENGTH = 1.0  # m, of a chain without length
 
@@ -93,7 +94,8 @@ def goal_matrix(context, target, bone):
 def rotation_offset(context, evaluated, chain, target, bone):
     """The turn, in the target's own space, that makes its orientation that of the chain's last bone now."""
     space = goal_matrix(context, target, bone).to_3x3()
-    return frame_of(space.inverted_safe() @ effector_orientation(evaluated, chain).to_matrix()).to_euler('XYZ')
+    turn = frame_of(space.inverted_safe() @ effector_orientation(evaluated, chain).to_matrix())
+    return turn.to_euler('XYZ') if turn.angle > ALIGNED else Euler()
 
 
 def pole_place(rig, entry, depsgraph, turned):

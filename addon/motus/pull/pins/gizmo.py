@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core import drawing, native, overlay
+from ...core import drawing, handle_groups
 from ...core.lazy import numpy as np
 from ..window import hover
 from . import handles, setup
@@ -12,7 +12,6 @@ RADIUS = 5.0
 """Pixels, at the interface's normal size."""
 ACTIVE_RADIUS = 7.0
 RIM = 1.5
-CORNERS = 16
 PULLING, RESTING, BROKEN = (0.95, 0.95, 1.0, 0.9), (0.6, 0.6, 0.65, 0.6), (0.95, 0.25, 0.3, 0.9)
 ACTIVE = (1.0, 0.56, 0.16, 1.0)
 LIT = 0.35
@@ -57,46 +56,25 @@ class MOTUS_GT_pins(bpy.types.Gizmo):
         colors[hovered] += LIT * (1.0 - colors[hovered])
         gpu.state.blend_set('ALPHA')
         rims = np.tile(RIM_COLOR, (len(places), 1))
-        _discs(places[is_before], radii[is_before] + RIM * scale, rims[is_before])
-        _discs(places[is_before], radii[is_before], colors[is_before])
+        drawing.discs(places[is_before], radii[is_before] + RIM * scale, rims[is_before])
+        drawing.discs(places[is_before], radii[is_before], colors[is_before])
         for row in np.flatnonzero(hovered & is_before):
             x, y = places[row] + (1.5 * ACTIVE_RADIUS * scale, ACTIVE_RADIUS * scale)
             drawing.text([obj.motus.pull.pins[int(shown.indices[row])].name], x, y, scale)
         gpu.state.blend_set('NONE')
 
 
-def _discs(places, radii, colors):
-    """Discs about places (n, 2) of the region."""
-    angles = np.linspace(0.0, 2.0 * np.pi, CORNERS, endpoint=False)
-    corners = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    points = (places[:, None, :] + radii[:, None, None] * corners).reshape(-1, 2)
-    fan = np.array([(0, corner, corner + 1) for corner in range(1, CORNERS - 1)])
-    triangles = (CORNERS * np.arange(len(places))[:, None, None] + fan).reshape(-1, 3)
-    drawing.triangles(points, np.repeat(colors, CORNERS, axis=0), triangles)
-
-
-class MOTUS_GGT_pins(bpy.types.GizmoGroup):
+class MOTUS_GGT_pins(handle_groups.HandleGroup, bpy.types.GizmoGroup):
     bl_idname = "MOTUS_GGT_pins"
     bl_label = "Pins"
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'WINDOW'
-    bl_options = {'PERSISTENT', 'SHOW_MODAL_ALL'}
 
-    @classmethod
-    def poll(cls, context):
-        obj, space = context.object, context.space_data
-        if native.module is None or obj is None or context.mode != 'OBJECT' or not space.show_gizmo:
-            return False
-        # To ask an object for its settings gives it some.
-        if obj.type != 'MESH' or not obj.is_property_set("motus") or not obj.motus.pull.is_active:
-            return False
-        return overlay.is_shown(context, setup.system()) and obj.visible_get()
+    gizmo, operator = MOTUS_GT_pins.bl_idname, MOTUS_OT_pin_drag.bl_idname
+    system = staticmethod(setup.system)
 
-    def setup(self, _context):
-        made = self.gizmos.new(MOTUS_GT_pins.bl_idname)
-        made.target_set_operator(MOTUS_OT_pin_drag.bl_idname)
-        made.use_draw_modal = True
-        made.use_tooltip = False  # it would cover the pin's name
+    @staticmethod
+    def is_owner(obj):
+        """Whether it has pins."""
+        return obj.type == 'MESH' and obj.motus.pull.is_active
 
 
 classes = (MOTUS_GT_pins, MOTUS_GGT_pins)

@@ -17,7 +17,7 @@ MOST_NOTCHES = 2000
 
 
 def notched(brush, name, notches):
-    """The number after so many notches of the wheel, downward where they are less than 0."""
+    """The number after so many steps of a bracket key, downward for less than 0."""
     now = getattr(brush, name)
     if name == status.RADIUS and brush.distance == 'EDGES':
         return max(round(now) + notches, 1.0)

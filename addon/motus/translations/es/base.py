@@ -1,8 +1,8 @@
 """Spanish: what all systems share, Follow Path and the demos."""
 
 INTERFACE = {
-    "X, Y or Z locks an axis, a number sets the length; Esc or the right button cancels":
-        "X, Y o Z fija un eje, un número da la longitud; Esc o el botón derecho cancela",
+    "X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels":
+        "X, Y o Z fija un eje, Mayús da precisión, un número da la longitud; Esc o el botón derecho cancela",
     "Aircraft": "Avión",
     "Even speed, and the bank that its curves ask for":
         "Velocidad constante y el alabeo que piden sus curvas",
@@ -88,6 +88,8 @@ INTERFACE = {
     "Tangents": "Tangentes",
     "Draw the tangent at equal distances": "Dibujar la tangente a distancias iguales",
     "Frames": "Fotogramas",
+    "frame {frames}": "el fotograma {frames}",
+    "frames {frames}": "los fotogramas {frames}",
     "Path Frames": "Orientaciones",
     "Offset": "Desplazamiento",
     "Draw the orientation at equal distances": "Dibujar la orientación a distancias iguales",

@@ -113,6 +113,7 @@ INTERFACE = {
     "{object} has no property {path}": "{object} no tiene la propiedad {path}",
     "Point at a property with the mouse, or give its data path":
         "Señala una propiedad con el ratón, o indica su ruta de datos",
+    "Edit Motion Driver": "Editar controlador de movimiento",
 }
 
 OPERATORS = {

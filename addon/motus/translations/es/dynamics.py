@@ -17,26 +17,37 @@ INTERFACE = {
     "The rotation follows": "Sigue la rotación",
     "The scale follows": "Sigue la escala",
     "Scale": "Escala",
-    "How many times a second it swings": "Cuántas veces por segundo oscila",
-    "0 swings for ever, 1 comes to rest soonest without swinging":
-        "Con 0 oscila para siempre, con 1 se detiene lo antes posible sin oscilar",
-    "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first":
-        "Con 0 arranca despacio, con 1 enseguida, por encima de 1 se pasa, por debajo de 0 toma impulso antes",
+    "How many times a second it swings. No keys: the whole motion follows from it":
+        "Cuántas veces por segundo oscila. Sin claves: todo el movimiento depende de ello",
+    "0 swings for ever, 1 comes to rest soonest without swinging. No keys: the whole motion follows from it":
+        "Con 0 oscila para siempre, con 1 se detiene lo antes posible sin oscilar. Sin claves: todo el movimiento depende de ello",
+    "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first. No keys: the whole motion follows from it":
+        "Con 0 arranca despacio, con 1 enseguida, por encima de 1 se pasa, por debajo de 0 toma impulso antes. Sin claves: todo el movimiento depende de ello",
     "Delay": "Retraso",
-    "How much later it follows": "Cuánto más tarde sigue",
+    "How much later it follows. No keys: the whole motion follows from it":
+        "Cuánto más tarde sigue. Sin claves: todo el movimiento depende de ello",
     "Delay per Bone": "Retraso por hueso",
     "How much later each bone of a chain follows than the one above it":
         "Cuánto más tarde sigue cada hueso de una cadena que el que está por encima",
     "From the animation (0) to what follows it (1)": "De la animación (0) a lo que la sigue (1)",
-    "Let the motion close without a seam over a range of frames":
-        "Hace que el movimiento se cierre sin costura en un intervalo de fotogramas",
-    "First frame of the loop": "Primer fotograma del bucle",
-    "Frame on which the loop begins again, which looks like its first one":
-        "Fotograma en el que el bucle vuelve a empezar, igual que el primero",
+    "Let the motion close without a seam over a range of frames. No keys: the whole motion follows from it":
+        "Hace que el movimiento se cierre sin costura en un intervalo de fotogramas. Sin claves: todo el movimiento depende de ello",
+    "First frame of the loop. No keys: the whole motion follows from it":
+        "Primer fotograma del bucle. Sin claves: todo el movimiento depende de ello",
+    "Frame on which the loop begins again, which looks like its first one. No keys: the whole motion follows from it":
+        "Fotograma en el que el bucle vuelve a empezar, igual que el primero. Sin claves: todo el movimiento depende de ello",
     "Teleport": "Teletransporte",
-    "What moves farther than this in a frame has jumped there, and starts anew at rest; 0 never does":
-        "Lo que se mueve más que esto en un fotograma ha saltado allí, y empieza de nuevo en reposo; con 0 nunca",
-    "Bone that follows; empty is the object itself": "Hueso que sigue; vacío es el propio objeto",
+    "What moves farther than this in a frame has jumped there, and starts anew at rest; 0 never does. No keys: the whole motion follows from it":
+        "Lo que se mueve más que esto en un fotograma ha saltado allí, y empieza de nuevo en reposo; con 0 nunca. Sin claves: todo el movimiento depende de ello",
+    "Bone that follows; empty is the object itself, or a property": "Hueso que sigue; vacío es el propio objeto o una propiedad",
+    "Property": "Propiedad",
+    "Path of a single property from the object that follows; empty is the object itself, or its bone":
+        "Ruta desde el objeto de una sola propiedad que sigue; vacía es el propio objeto, o su hueso",
+    "Which number of an array property; -1 is all of them":
+        "Qué número de una propiedad múltiple; -1 son todos",
+    "Only Active": "Solo la activa",
+    "Take the entry that the object's list has marked, and no other one":
+        "Toma la entrada marcada en la lista del objeto, y ninguna otra",
     "Topmost bone of the chain that it was added with": "Hueso superior de la cadena con la que se añadió",
     "Mass": "Masa",
     "What hangs on the spring": "Lo que cuelga del muelle",
@@ -99,10 +110,11 @@ INTERFACE = {
     "Names of bones of the object, with commas between": "Nombres de huesos del objeto, separados por comas",
     "Names of bones of the object, with commas between; empty takes all that follows":
         "Nombres de huesos del objeto, separados por comas; vacío toma todo lo que sigue",
-    "Path of a single property from the object, which is followed by a driver":
-        "Ruta de una sola propiedad desde el objeto, que se sigue con un controlador",
+    "Path from the object of a single property, which follows in place of the object":
+        "Ruta desde el objeto de una sola propiedad, que sigue en lugar del objeto",
     "Index of a number in an array property; -1 for all of it": "Índice de un número en una propiedad múltiple; -1 para toda ella",
     "Input": "Entrada",
+    "Nothing moves here yet that could be followed": "Aquí aún no se mueve nada que se pueda seguir",
     "Exact at any frame": "Exacto en cualquier fotograma",
     "A sudden move, over {seconds} s": "Un movimiento repentino, durante {seconds} s",
     "Nothing here has dynamics": "Nada tiene dinámica aquí",
@@ -117,6 +129,26 @@ INTERFACE = {
         "{object} tiene esta dinámica de su biblioteca, así que no se puede quitar aquí: silénciala",
     "Some of what is followed is not known ahead: record it": "Parte de lo que se sigue no se conoce de antemano: grábalo",
     "A rotation does not come back to where its loop began": "Una rotación no vuelve adonde empezó su bucle",
+    "Some of what is followed is not known on other frames, and cannot be recorded":
+        "Parte de lo que se sigue no se conoce en otros fotogramas y no se puede grabar",
+    "What {thing} follows needs recording: {reason}": "Lo que sigue {thing} necesita grabarse: {reason}",
+    "What {thing} follows is not known on other frames: {reason}":
+        "Lo que sigue {thing} no se conoce en otros fotogramas: {reason}",
+    "A loop ends before it begins, and is none: set its end behind its start":
+        "Un bucle termina antes de empezar y no lo es: pon su final después de su inicio",
+    "The loop ends on frame {end}, before it begins on frame {start}":
+        "El bucle termina en el fotograma {end}, antes de empezar en el {start}",
+    "Some bones that follow are not there any more: remove them from the list":
+        "Algunos huesos que siguen ya no existen: quítalos de la lista",
+    "{object} has no bone {bone}: remove it from the list": "{object} no tiene el hueso {bone}: quítalo de la lista",
+    "Bones names none: give their names, with commas between":
+        "No se nombra ningún hueso: da sus nombres, separados por comas",
+    "{path} is a setting of the dynamics themselves": "{path} es un ajuste de la propia dinámica",
+    "Only the first {count} numbers of an array can follow: give an index below that":
+        "Solo pueden seguir los primeros {count} números de una propiedad múltiple: da un índice menor",
+    "{first} and {second} say the same in two ways: give one of them":
+        "{first} y {second} dicen lo mismo de dos maneras: da una de ellas",
+    "{name} does not go with a single property": "{name} no va con una sola propiedad",
     "Some numbers are none that a motion can be made of": "Con algunos números no se puede hacer un movimiento",
     "Where the motion loops, jumps of what it follows are swung through":
         "Donde el movimiento se repite, los saltos de lo que sigue se recorren oscilando",
@@ -130,6 +162,7 @@ INTERFACE = {
 
 OPERATORS = {
     "Add Dynamics": "Añadir dinámica",
+    "Add to Whole Chains": "Añadir a cadenas enteras",
     "Use Dynamics Preset": "Usar preajuste de dinámica",
     "Add Dynamics Preset": "Añadir preajuste de dinámica",
     "Loop over the Scene": "Bucle de la escena",

@@ -305,24 +305,24 @@ INTERFACE = {
         "{chains} cadenas alcanzan sus objetivos en todos los fotogramas {range}",
     "Muted chains are not checked": "Las cadenas silenciadas no se comprueban",
     "Reaches its target on all frames {range}": "Alcanza su objetivo en todos los fotogramas {range}",
-    "Not solved on frames {frames}: the panel says why (checked {range})":
-        "Sin resolver en los fotogramas {frames}: el panel dice por qué (comprobado {range})",
+    "Not solved on {frames}: the panel says why (checked {range})":
+        "Sin resolver en {frames}: el panel dice por qué (comprobado {range})",
     "The weights leave it to its animation on all frames {range}":
         "Los pesos la dejan a su animación en todos los fotogramas {range}",
-    "Out of reach on frames {frames}, at most {length} short (checked {range})":
-        "Fuera de alcance en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
-    "Too near on frames {frames}, at most {length} (checked {range})":
-        "Demasiado cerca en los fotogramas {frames}, como máximo {length} (comprobado {range})",
-    "Too far with the target's orientation on frames {frames}, at most {length} short (checked {range})":
-        "Demasiado lejos con la orientación del objetivo en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
+    "Out of reach on {frames}, at most {length} short (checked {range})":
+        "Fuera de alcance en {frames}, le faltan como máximo {length} (comprobado {range})",
+    "Too near on {frames}, at most {length} (checked {range})":
+        "Demasiado cerca en {frames}, como máximo {length} (comprobado {range})",
+    "Too far with the target's orientation on {frames}, at most {length} short (checked {range})":
+        "Demasiado lejos con la orientación del objetivo en {frames}, le faltan como máximo {length} (comprobado {range})",
     "Something has changed since the last check: check again":
         "Algo ha cambiado desde la última comprobación: comprueba de nuevo",
     "Turned as the target is, the last bone leaves the others too short":
         "Girado como el objetivo, el último hueso deja cortos a los demás",
-    "Held by joint limits on frames {frames}, at most {length} short (checked {range})":
-        "Retenida por límites de articulación en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
-    "Iterations used up on frames {frames}, at most {length} short (checked {range})":
-        "Iteraciones agotadas en los fotogramas {frames}, le faltan como máximo {length} (comprobado {range})",
+    "Held by joint limits on {frames}, at most {length} short (checked {range})":
+        "Retenida por límites de articulación en {frames}, le faltan como máximo {length} (comprobado {range})",
+    "Iterations used up on {frames}, at most {length} short (checked {range})":
+        "Iteraciones agotadas en {frames}, le faltan como máximo {length} (comprobado {range})",
     "Nothing": "Nada",
     "Every target is reached": "Se alcanzan todos los objetivos",
     "Too Far": "Demasiado lejos",

@@ -1,6 +1,7 @@
 """Spanish: pendulums."""
 
 INTERFACE = {
+    "Lower": "Inferior",
     "Wild": "Salvaje",
     "Tumbles over itself, and never the same way twice": "Da vueltas sobre sí mismo y nunca dos veces igual",
     "Clock": "Reloj",
@@ -13,6 +14,7 @@ INTERFACE = {
     "A sixth of the weight": "Un sexto del peso",
     "A copy of a rod, or one without its pivot: it hangs on another pendulum":
         "Una copia de una varilla, o una sin su pivote: depende de otro péndulo",
+    "A fan has 1 to 500 pendulums": "Un abanico tiene de 1 a 500 péndulos",
     "A fan has 1 to {count} pendulums": "Un abanico tiene de 1 a {count} péndulos",
     "A fan, beside it one pendulum alone, and a third one with quite other angles":
         "Un abanico, a su lado un péndulo solo, y un tercero con ángulos muy distintos",
@@ -34,12 +36,12 @@ INTERFACE = {
     "Bob": "Lenteja",
     "Bob Radius": "Radio de lenteja",
     "Bobs": "Lentejas",
-    "By how much the lower angle differs from one pendulum of the fan to the next":
-        "Cuánto difiere el ángulo inferior de un péndulo del abanico al siguiente",
-    "By how much the lower rod turns in a second, when the motion starts":
-        "Cuánto gira la varilla inferior en un segundo, al empezar el movimiento",
-    "By how much the upper rod turns in a second, when the motion starts":
-        "Cuánto gira la varilla superior en un segundo, al empezar el movimiento",
+    "By how much the lower angle differs from one pendulum of the fan to the next. No keys: the whole motion follows from it":
+        "Cuánto difiere el ángulo inferior de un péndulo del abanico al siguiente. Sin claves: todo el movimiento depende de ello",
+    "By how much the lower rod turns in a second, when the motion starts. No keys: the whole motion follows from it":
+        "Cuánto gira la varilla inferior en un segundo, al empezar el movimiento. Sin claves: todo el movimiento depende de ello",
+    "By how much the upper rod turns in a second, when the motion starts. No keys: the whole motion follows from it":
+        "Cuánto gira la varilla superior en un segundo, al empezar el movimiento. Sin claves: todo el movimiento depende de ello",
     "Count": "Número",
     "Demonstration": "Demostración",
     "Double": "Doble",
@@ -48,8 +50,8 @@ INTERFACE = {
     "Driven Pivot": "Pivote impulsor",
     "Fan": "Abanico",
     "Forces": "Fuerzas",
-    "Frame at which the motion starts; before it the pendulum waits":
-        "Fotograma en que empieza el movimiento; antes el péndulo espera",
+    "Frame at which the motion starts; before it the pendulum waits. No keys: the whole motion follows from it":
+        "Fotograma en que empieza el movimiento; antes el péndulo espera. Sin claves: todo el movimiento depende de ello",
     "From one pendulum of the fan to the next, across the plane of the swing":
         "De un péndulo del abanico al siguiente, a través del plano de la oscilación",
     "Hang a pendulum, a double pendulum or a fan of them on a pivot":
@@ -63,14 +65,16 @@ INTERFACE = {
     "Keep Objects": "Conservar objetos",
     "Keep the pivot, rods and bobs that were made, at rest":
         "Conserva el pivote, las varillas y las lentejas que se crearon, en reposo",
-    "Keep velocities and accelerations below limits that no real pendulum has":
-        "Mantiene velocidades y aceleraciones bajo límites que ningún péndulo real tiene",
+    "Keep velocities and accelerations below limits that no real pendulum has. No keys: the whole motion follows from it":
+        "Mantiene velocidades y aceleraciones bajo límites que ningún péndulo real tiene. Sin claves: todo el movimiento depende de ello",
     "Key whether the pendulum's time runs from the present frame on":
         "Pone una clave que dice si el tiempo del péndulo corre desde el fotograma actual",
-    "Largest change of the velocity in a second": "Mayor cambio de la velocidad en un segundo",
-    "Largest turn in a second": "Mayor giro en un segundo",
-    "Let the pivot's own motion swing the pendulum, rather than carry it along alone":
-        "Deja que el movimiento del pivote impulse el péndulo, en vez de solo llevarlo consigo",
+    "Largest change of the velocity in a second. No keys: the whole motion follows from it":
+        "Mayor cambio de la velocidad en un segundo. Sin claves: todo el movimiento depende de ello",
+    "Largest turn in a second. No keys: the whole motion follows from it":
+        "Mayor giro en un segundo. Sin claves: todo el movimiento depende de ello",
+    "Let the pivot's own motion swing the pendulum, rather than carry it along alone. No keys: the whole motion follows from it":
+        "Deja que el movimiento del pivote impulse el péndulo, en vez de solo llevarlo consigo. Sin claves: todo el movimiento depende de ello",
     "Let the time run from here on": "El tiempo corre desde aquí",
     "Let the time stand still from here on": "El tiempo se detiene desde aquí",
     "Look": "Aspecto",
@@ -143,7 +147,8 @@ INTERFACE = {
         "Lleva a otro lugar la lenteja del extremo de un péndulo en pausa; el movimiento parte de ahí, en reposo, y sustituye al anterior",
     "Take the pendulum off its pivot, with the rods and bobs that were made for it":
         "Quita el péndulo de su pivote, con las varillas y lentejas que se crearon para él",
-    "Take the strength of the scene's gravity": "Toma la intensidad de la gravedad de la escena",
+    "Take the strength of the scene's gravity. No keys: the whole motion follows from it":
+        "Toma la intensidad de la gravedad de la escena. Sin claves: todo el movimiento depende de ello",
     "The active object is the pivot and the other selected ones, one or two, are the bobs: lengths and angles are theirs":
         "El objeto activo es el pivote y los otros seleccionados, uno o dos, son las lentejas: de ellos son longitudes y ángulos",
     "The bob was there before, and is given back": "La lenteja existía antes, y se devuelve",

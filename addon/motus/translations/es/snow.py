@@ -24,9 +24,54 @@ INTERFACE = {
     "Mesh object that flakes land on": "Objeto de malla sobre el que caen los copos",
     "Name of a mesh object that flakes land on": "Nombre de un objeto de malla sobre el que caen los copos",
     "The collider is gone: flakes fall on without it": "El obstáculo ya no está: los copos siguen cayendo",
-    "The collider has no faces: flakes fall through it": "El obstáculo no tiene caras: los copos lo atraviesan",
-    "The collider moves: flakes land where it is on the present frame":
-        "El obstáculo se mueve: los copos caen donde está en el fotograma actual",
+    "What flakes are to land on has no faces: they fall through it":
+        "Aquello en que han de caer los copos no tiene caras: lo atraviesan",
+    "Flakes fall through colliders that may move, until Record Colliders keeps them as on one frame":
+        "Los copos atraviesan los obstáculos que pueden moverse hasta que Registrar obstáculos los guarde como en un fotograma",
+    "Colliders": "Obstáculos",
+    "Collection whose mesh objects flakes land on": "Colección sobre cuyos objetos de malla caen los copos",
+    "Name of a collection whose mesh objects flakes land on":
+        "Nombre de una colección sobre cuyos objetos de malla caen los copos",
+    "Recorded": "Registrado",
+    "What flakes land on, as it was on one frame": "Aquello en que caen los copos, como estaba en un fotograma",
+    "Recorded Frame": "Fotograma registrado",
+    "On which the colliders were as flakes land on them": "En el que los obstáculos estaban como los copos los encuentran",
+    "Keep what flakes land on as it is on this frame, in the file, whatever moves later":
+        "Guarda en el archivo aquello en que caen los copos como está en este fotograma, se mueva lo que se mueva después",
+    "Let flakes land on the colliders themselves again": "Los copos vuelven a caer sobre los propios obstáculos",
+    "There is nothing with faces that flakes land on": "No hay nada con caras en que caigan los copos",
+    "Nothing was recorded": "No hay nada registrado",
+    "As they were on frame {frame}": "Como estaban en el fotograma {frame}",
+    "Flakes appear as soon as it is known where they land": "Los copos aparecen en cuanto se sabe dónde caen",
+    "Landings Found": "Caídas halladas",
+    "Camera View": "Vista de cámara",
+    "Flakes come into being evenly in what a camera sees, and fall down":
+        "Los copos nacen por igual en lo que ve una cámara y caen hacia abajo",
+    "In whose view flakes come into being": "En cuya vista nacen los copos",
+    "Name of a camera in whose view flakes come into being": "Nombre de una cámara en cuya vista nacen los copos",
+    "Closest": "Más cerca",
+    "To the camera that flakes come into being, along its view": "De la cámara a que nacen copos, en la dirección en que mira",
+    "Farthest": "Más lejos",
+    "From the camera that flakes come into being, along its view":
+        "De la cámara hasta donde nacen copos, en la dirección en que mira",
+    "Choose a camera in whose view flakes come into being": "Elige una cámara en cuya vista nazcan los copos",
+    "The camera is in no collection any more: choose another one": "La cámara ya no está en ninguna colección: elige otra",
+    "Flakes come into being in the view of a perspective camera alone":
+        "Los copos solo nacen en la vista de una cámara en perspectiva",
+    "The scene has no camera": "La escena no tiene cámara",
+    "The wind is not known ahead, and blows on all frames as it does now: key it, or record it":
+        "El viento no se conoce de antemano y sopla en todos los fotogramas como ahora: anímalo con claves o regístralo",
+    "Set the size, the cone angle or the speed of an emitter by its handles":
+        "Ajusta el tamaño, el ángulo del cono o la velocidad de un emisor con sus asas",
+    "Half the width of the emitter": "La mitad del ancho del emisor",
+    "How far flakes lean outwards at the edge": "Cuánto se inclinan hacia fuera los copos en el borde",
+    "How fast flakes leave": "Con qué rapidez salen los copos",
+    "Setting": "Ajuste",
+    "Which handle": "Qué asa",
+    "Where the handle goes, in the world": "Adónde va el asa, en el mundo",
+    "The emitter has no such handle": "El emisor no tiene esa asa",
+    "Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels":
+        "Pulsa el botón izquierdo sobre un asa del emisor y arrástrala; Esc o el botón derecho cancela",
     "All Attributes": "Todos los atributos",
     "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, and bare points a turn":
         "Para nodos propios, los copos tienen también lo que Blender no necesita de ellos: las instancias velocidad y los "
@@ -194,7 +239,7 @@ INTERFACE = {
     "Vary the lifetime by up to 1 s": "Varía la vida hasta 1 s",
     "Vary the size by up to 10 %": "Varía el tamaño hasta un 10 %",
     "Vary the speed by up to 1 m/s": "Varía la velocidad hasta 1 m/s",
-    "Velocity of the air in world space": "Velocidad del aire en el espacio del mundo",
+    "Velocity of the air in world space; it may be keyed": "Velocidad del aire en el espacio global; se puede animar con claves",
     "Velocity of the eddies that carry flakes along": "Velocidad de los remolinos que llevan los copos",
     "Wet Snow": "Nieve húmeda",
     "What flakes look like": "Qué aspecto tienen los copos",
@@ -210,6 +255,10 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Record Colliders": "Registrar obstáculos",
+    "Clear Recorded Colliders": "Borrar obstáculos registrados",
+    "Snow in its View": "Nieve en su vista",
+    "Drag Emitter's Handle": "Arrastrar asa del emisor",
     "Add Color": "Añadir color",
     "Add Snow": "Añadir nieve",
     "Add Snow Preset": "Añadir ajuste de nieve",

@@ -38,13 +38,13 @@ INTERFACE = {
     "Convergence and interocular distance follow from the depths of the scene and the parallax that they may have":
         "La convergencia y la distancia interocular resultan de las profundidades de la escena y del paralaje que pueden tener",
     "Convergence mode that the camera had without the rig": "Modo de convergencia que la cámara tenía sin el montaje",
-    "Corners are higher in one eye than in the other by more than a pixel, {pixels} pixels, in frames {frames}":
-        "Las esquinas están más altas en un ojo que en el otro por más de un píxel, {pixels} píxeles, en los fotogramas {frames}",
+    "Corners are higher in one eye than in the other by more than a pixel, {pixels} pixels, in {frames}":
+        "Las esquinas están más altas en un ojo que en el otro por más de un píxel, {pixels} píxeles, en {frames}",
     "Depth Budget": "Presupuesto de profundidad",
     "Depth of the farthest thing that counts for the budget": "Profundidad de lo más lejano que cuenta para el presupuesto",
     "Depth of the nearest thing that counts for the budget": "Profundidad de lo más cercano que cuenta para el presupuesto",
-    "Diverges on a {width} m screen by {percent} % in frames {frames}":
-        "Diverge en una pantalla de {width} m por {percent} % en los fotogramas {frames}",
+    "Diverges on a {width} m screen by {percent} % in {frames}":
+        "Diverge en una pantalla de {width} m por {percent} % en {frames}",
     "Dome": "Cúpula",
     "Eye Separation": "Separación de los ojos",
     "Far": "Lejos",
@@ -64,10 +64,10 @@ INTERFACE = {
         "Como máximo delante de la pantalla, en porcentaje del ancho de la imagen",
     "Interlaced": "Entrelazado",
     "Interocular": "Interocular",
-    "Is too far behind a {width} m screen by {percent} % in frames {frames}":
-        "Queda demasiado detrás de una pantalla de {width} m por {percent} % en los fotogramas {frames}",
-    "Is too far in front of a {width} m screen by {percent} % in frames {frames}":
-        "Queda demasiado delante de una pantalla de {width} m por {percent} % en los fotogramas {frames}",
+    "Is too far behind a {width} m screen by {percent} % in {frames}":
+        "Queda demasiado detrás de una pantalla de {width} m por {percent} % en {frames}",
+    "Is too far in front of a {width} m screen by {percent} % in {frames}":
+        "Queda demasiado delante de una pantalla de {width} m por {percent} % en {frames}",
     "Left Out": "Excluido",
     "Let the camera see all around, where the render engine can":
         "Deja que la cámara vea todo alrededor, si el motor de procesamiento puede",
@@ -131,8 +131,8 @@ INTERFACE = {
     "Take the rig back: the camera is what it was before": "Retira el montaje: la cámara es la que era antes",
     "Television": "Televisor",
     "The camera sees nothing that has a depth": "La cámara no ve nada que tenga profundidad",
-    "The camera sees nothing that has a depth in frames {frames}":
-        "La cámara no ve nada que tenga profundidad en los fotogramas {frames}",
+    "The camera sees nothing that has a depth in {frames}":
+        "La cámara no ve nada que tenga profundidad en {frames}",
     "The camera's pivot is not the centre: one eye stands where the camera does":
         "El pivote de la cámara no es el centro: un ojo está donde la cámara",
     "The convergence distance must be greater than 0": "La distancia de convergencia debe ser mayor que 0",
@@ -151,10 +151,10 @@ INTERFACE = {
     "The rig needs a perspective camera: with this one the camera's own values count":
         "El montaje necesita una cámara en perspectiva: con esta cuentan los valores de la propia cámara",
     "The rows of one image, in turns": "Las filas de una imagen, por turnos",
-    "The window is violated on the left edge by {percent} % in frames {frames}":
-        "La ventana se viola en el borde izquierdo por {percent} % en los fotogramas {frames}",
-    "The window is violated on the right edge by {percent} % in frames {frames}":
-        "La ventana se viola en el borde derecho por {percent} % en los fotogramas {frames}",
+    "The window is violated on the left edge by {percent} % in {frames}":
+        "La ventana se viola en el borde izquierdo por {percent} % en {frames}",
+    "The window is violated on the right edge by {percent} % in {frames}":
+        "La ventana se viola en el borde derecho por {percent} % en {frames}",
     "Toe-In": "Convergente",
     "Top-Bottom": "Arriba y abajo",
     "Type Before": "Tipo anterior",

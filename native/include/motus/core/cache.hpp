@@ -79,6 +79,13 @@ class Cache {
         return made;
     }
 
+    /// The value of `key`, or null where it is not held.
+    [[nodiscard]] Pointer held(const Key& key) {
+        const std::size_t hash = Hash{}(key);
+        const std::scoped_lock lock(mutex_);
+        return find(hash, key);
+    }
+
     /// 0 switches the cache off.
     void set_capacity(std::size_t capacity) {
         const std::scoped_lock lock(mutex_);

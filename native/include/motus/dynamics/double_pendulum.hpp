@@ -41,8 +41,9 @@ struct DoublePendulumState {
 
 /// State at each time, s, whatever its sign and order, from the state at time 0. Each depends on its own time
 /// alone, bit for bit. Throws std::invalid_argument, naming the argument, where a number is not finite or
-/// outside its domain, or sizes differ; std::length_error for times beyond longest_time(); std::domain_error
-/// where velocities grow beyond all bounds (backwards in time with damping).
+/// outside its domain, or sizes differ; std::length_error for times beyond longest_time(), or of a motion so
+/// stiff that it takes too many steps; std::domain_error where velocities grow beyond all bounds (backwards
+/// in time with damping).
 void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
                      std::span<const double> times, std::span<DoublePendulumState> out);
 

@@ -25,7 +25,8 @@ struct PendulumState {
 /// State at each time, s, whatever its sign and order, from the state at time 0; in the closed form to some
 /// 1e-15 of the angle and as much for each period that has passed, else to some 1e-12.
 /// Throws std::invalid_argument, naming the argument, where a number is not finite or outside its domain, or
-/// sizes differ; std::length_error where a damped motion would need a table beyond longest_time().
+/// sizes differ; std::length_error where a damped motion would need a table of too many steps;
+/// std::domain_error where the angle is no number.
 void single_pendulum(const Pendulum& pendulum, const PendulumState& start, std::span<const double> times,
                      std::span<PendulumState> out);
 

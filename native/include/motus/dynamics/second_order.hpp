@@ -20,7 +20,7 @@ class SecondOrder {
     /// frequency f: Hz, > 0. damping zeta: >= 0; 0 rings for ever, 1 is critical. response r: 0 starts
     /// slowly, up to 1 responds at once, above 1 overshoots, below 0 anticipates. k1 = zeta / (pi f), k2 = 1
     /// / (2 pi f)^2, k3 = r zeta / (2 pi f). Throws std::invalid_argument, naming the argument, where one is
-    /// not finite or outside its domain.
+    /// not finite, above 1e100 in size, or outside its domain.
     SecondOrder(double frequency, double damping, double response);
 
     /// k1 >= 0, k2 > 0, any k3. Throws as above.

@@ -130,6 +130,8 @@ struct Touchdown {
     bool is_behind = false;      ///< it came from where the triangle's normal does not point to
 };
 
+struct LandingPage;  ///< where the flakes of a block of 256 numbers land; private to the library
+
 /// The flakes that live at a time.
 struct Living {
     double time = 0.0;
@@ -137,9 +139,10 @@ struct Living {
     std::uint64_t last = 0;             ///< number after the youngest
     std::size_t count = 0;              ///< that live
     std::vector<std::size_t> before{};  ///< that live before each block of 256 numbers; empty: all of them
+    std::vector<std::shared_ptr<const LandingPage>> pages{};  ///< of Snow::known(): null: left out
 };
 
-/// Immutable but for where flakes land, which is kept for the eight million looked up last (512 MB), so that
+/// Immutable but for where flakes land, which is kept for the 18 million looked up last (1 GB), so that
 /// several threads may ask at once.
 class Snow {
   public:
@@ -158,6 +161,13 @@ class Snow {
     /// Flakes with 0 <= age < lifetime that have not rested, or melted, for their time. Throws
     /// std::invalid_argument where the time is not finite.
     [[nodiscard]] Living living(double time, std::size_t threads = thread_count()) const;
+
+    /// Those of them of which it is known where they land. What flakes land on takes some 10 us each to find,
+    /// once: living() finds it for all.
+    [[nodiscard]] Living known(double time, std::size_t threads = thread_count()) const;
+    /// Finds where flakes land of up to `most` blocks of 256 of those that live at a time. Returns how many
+    /// blocks remain. Throws as living() does.
+    std::size_t find_landings(double time, std::size_t most, std::size_t threads = thread_count()) const;
 
     /// Fills the fields in the order of flake numbers. Throws std::invalid_argument where one that is not
     /// empty has another number of rows than there are living flakes. `threads` as in in_parts.

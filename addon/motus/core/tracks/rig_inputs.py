@@ -1,0 +1,143 @@
+"""What solvers of bones read of a rig at any times: bones' own transforms, the pose that they hang on, and goals."""
+
+import functools
+
+from .. import copies
+from ..lazy import numpy as np
+from . import keys, strips
+from .animation import Channel
+from .question import answered
+from .strips import together
+from .transforms import Own, World
+
+
+class RigInputs:
+    """Of a rig, original or evaluated. name: of what is solved from them, hashable.
+
+    bones: names of those whose own transforms are read. above: name of the bone that they hang on, "" for none. goals:
+    (object, bone or "") whose world matrices are read, None where there is none. settings(): data paths of numbers of the
+    rig, by any names, with an index for a number of an array: (path, index).
+    """
+
+    def __init__(self, rig, scene, name, bones, above, goals, settings):
+        self._rig, self._name, self._bones, self._above, self._paths = rig, name, bones, above, settings
+        self._hung = World(rig.pose.bones[above] if above else rig, scene)
+        self._world = World(rig, scene)
+        self._goals = [goal and World(goal[0].pose.bones[goal[1]] if goal[1] else goal[0], scene) for goal in goals]
+
+    @functools.cached_property
+    def own(self):
+        """{name: Own} of the bones."""
+        return {name: Own(self._rig.pose.bones[name]) for name in self._bones}
+
+    @functools.cached_property
+    def settings(self):
+        """{name: Channel} of the settings."""
+        return {name: Channel(self._rig, path, index) for name, (path, index) in self._paths().items()}
+
+    @property
+    def _others(self):
+        return [self._hung, *filter(None, self._goals)]
+
+    @property
+    def _parts(self):
+        return [*self.settings.values(), *self.own.values(), *self._others]
+
+    @functools.cached_property
+    def reason(self):
+        """As Channel.reason."""
+        mine = kept(self._rig, (*self._name, "reason"), lambda: _first_reason([*self.settings.values(), *self.own.values()]))
+        return mine or _first_reason(self._others)
+
+    def bounds(self, first, last):
+        """As Channel.bounds(): at each frame as well, since what is solved is smooth between keys alone where they are few."""
+        return keys.union([[first, *keys.whole(first, last), last], *(part.bounds(first, last) for part in self._parts)])
+
+    @property
+    def extent(self):
+        """As Channel.extent."""
+        return keys.united(part.extent for part in self._parts)
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together((stamp_of(self._rig), *(part.stamp for part in self._others)))
+
+    def numbers(self, times):
+        """{name: (n,)} of the settings."""
+        return {name: channel.values(times) for name, channel in self.settings.items()}
+
+    def worlds(self, times):
+        """(n, 16) of the rig, column by column."""
+        return columns(self._world.values(times), len(times))
+
+    def goals(self, times):
+        """For each goal (n, 16) world matrices, column by column, or None."""
+        return [goal and columns(goal.values(times), len(times)) for goal in self._goals]
+
+    def rows(self, times, names):
+        """Yields for each time (poses, basis) of all bones, (B, 16) float32 column by column, as core/rigs.py reads them.
+
+        Right for the bones that were named; the arrays are the same each time. names: of all bones, in the order of the pose.
+        """
+        places = {name: row for row, name in enumerate(names)}
+        basis = np.tile(np.eye(4, dtype=np.float32).ravel(), (len(names), 1))
+        poses = basis.copy()
+        rows = [places[name] for name in self.own]
+        moved = np.stack([columns(own.values(times).matrices, len(times)) for own in self.own.values()], axis=1)
+        hung = columns(self._hung.poses(times), len(times)) if self._above else None
+        for index in range(len(times)):
+            basis[rows] = moved[index]
+            if hung is not None:
+                poses[places[self._above]] = hung[index]
+            yield poses, basis
+
+
+class SolvedBone:
+    """What System.over_time gives of a bone that is solved from these inputs alone, but for `applied` and `stamp`."""
+
+    def __init__(self, inputs):
+        self._inputs = inputs
+        self.bounds = inputs.bounds
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        return self._inputs.reason
+
+    @property
+    def extent(self):
+        """As Channel.extent."""
+        return self._inputs.extent
+
+
+def columns(matrices, count):
+    """(count, 16) of matrices (count or 1, 4, 4) in rows, column by column."""
+    return np.broadcast_to(np.swapaxes(matrices, 1, 2), (count, 4, 4)).reshape(count, 16)
+
+
+def once(rig, name, times, make):
+    """What make() gives for a rig and times: bones that are solved together are asked for one by one."""
+    return answered((hash(rig), name, times.tobytes()), make)
+
+
+def stamp_of(rig):
+    """As Channel.stamp, of all that a rig and its bones themselves are, but for drivers: settings, keys and rest pose."""
+    copy = copies.of(rig) if rig.is_evaluated else None
+    return together((copy and copy.number, strips.stamp_of(rig.animation_data), copies.number_of(rig.data) or None))
+
+
+def kept(rig, name, make):
+    """What make() gives of these, no references to Blender's data, until they change; made anew where nobody can tell."""
+    stamp = stamp_of(rig)
+    if stamp is None:
+        return make()
+    known = copies.of(rig).found
+    found = known.get(name)
+    if found is None or found[0] != stamp:
+        found = known[name] = stamp, make()
+    return found[1]
+
+
+def _first_reason(parts):
+    return next((part.reason for part in parts if part.reason), None)

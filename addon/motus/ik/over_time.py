@@ -1,0 +1,152 @@
+"""Where the bones of a chain are at any times, for systems that need their past: the solver is asked for each time."""
+
+from mathutils import Matrix
+
+from ..core import deleted, entry_keys, rigs
+from ..core.lazy import numpy as np
+from ..core.tracks import rotations
+from ..core.tracks.question import answered
+from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
+from ..core.tracks.strips import together
+from . import groups, reading
+from .goals import places as goal_places
+from .wired import Wired
+
+NUMBERS = (*reading.ANIMATED, "chain_length", "bend", "target_blend", "is_muted")
+
+
+def over_time(owner, thing, scene):
+    """System.over_time; None for what is no bone of a chain, or keeps its scale while others are stretched."""
+    surveyed = kept(owner, ("ik", "survey"), lambda: _survey(owner))
+    index, *found = next((one for one in surveyed if thing.name in one[1].driven), (-1,))
+    if index < 0 or (found[1] and thing.name not in found[0].bones):
+        return None
+    entry = owner.motus.ik.entries[index]
+    solved = answered((hash(owner), "ik", index, hash(scene)), lambda: _Chain(owner, groups.Found(entry, *found), index, scene))
+    return OverTime(solved, thing.name)
+
+
+def _survey(owner):
+    """(index of the entry, chain, stretches, guards) of all that are solved."""
+    entries = owner.motus.ik.entries
+    return [(entries.find(found.entry.name), *found[1:]) for found in groups.survey(owner)]
+
+
+class OverTime(SolvedBone):
+    """A bone of a chain; see core/tracks/solved.py. Original or evaluated."""
+
+    def __init__(self, chain, bone):
+        super().__init__(chain.inputs)
+        self._chain, self._bone = chain, bone
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together((self._bone, self._chain.stamp))
+
+    def applied(self, times, transforms):
+        """See core/tracks/solved.py."""
+        place, turns, factors = self._chain.solved(times)
+        row = place[self._bone]
+        return transforms._replace(
+            rotations=rotations.product(transforms.rotations, turns[:, row]), scales=transforms.scales * factors[:, row])
+
+
+class _Chain:
+    """What is solved of an entry: all its bones at once."""
+
+    def __init__(self, owner, found, index, scene):
+        self._owner, self._found, self._index = owner, found, index
+        entry, chain = found.entry, found.chain
+        parent = owner.data.bones[chain.bones[0]].parent
+        goals = [(entry.pole, entry.pole_bone), (entry.target, entry.target_bone),
+                 *((extra.object, extra.bone) for extra in entry.extra_targets)]
+        self._goals = list(map(_goal, goals))
+        self.inputs = RigInputs(
+            owner, scene, ("ik", index), chain.driven, parent.name if parent else "", self._goals, self._paths)
+
+    def _paths(self):
+        prefix = entry_keys.animated_prefix(self._owner, "motus.ik.entries", self._owner.motus.ik.entries, self._index)
+        paths = {name: (prefix + name, -1) for name in NUMBERS}
+        paths |= {axis: (f"{prefix}rotation_offset", axis) for axis in range(3)}
+        return paths | {"influence": ("motus.ik.influence", -1)}
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together((tuple(goal is not None for goal in self._goals), self.inputs.stamp))
+
+    def solved(self, times):
+        """({bone: row}, rotations (n, rows, 4), scales (n, rows, 3)) of the chain's bones."""
+        return once(self._owner, ("ik", self._index), times, lambda: self._solved(times))
+
+    def _solved(self, times):
+        wired, names = self._wired
+        place = {names[row]: index for index, row in enumerate(wired.plan.rows)}
+        count, inputs = len(times), self.inputs
+        turns, factors = np.zeros((count, len(place), 4)), np.ones((count, len(place), 3))
+        turns[:, :, 0] = 1.0
+        numbers = inputs.numbers(times)
+        pole, *goals = inputs.goals(times)
+        targets, is_there = _blended(goals, numbers["target_blend"], count)
+        settings = self._settings(wired, numbers, is_there)
+        goal_places.turn(targets, np.stack([numbers[axis] for axis in range(3)], axis=1), numbers["rotation_weight"])
+        poles = np.full((count, 3), np.nan) if pole is None else pole[:, 12:15]
+        limits = reading.limits(self._owner, wired) if numbers["use_limits"].any() else None
+        worlds = inputs.worlds(times)
+        for index, (poses, basis) in enumerate(inputs.rows(times, names)):
+            if settings[index, wired.columns["is_on"]]:
+                wired.plan.solve(
+                    wired.bones_of(basis), poses, worlds[index], settings[index:index + 1], targets[index:index + 1],
+                    poles[index:index + 1], limits=limits, rotations=turns[index], scales=factors[index])
+        return place, turns, factors
+
+    @property
+    def _wired(self):
+        """(Wired of the entry alone, names of the rig's bones)."""
+        owner = self._owner
+        text = groups.plan_of(owner, [self._found])
+        wired = rigs.plan(owner, text, lambda rig, rows: Wired(rig, rows, text))
+        return wired, rigs.names_of(owner)
+
+    def _settings(self, wired, numbers, is_there):
+        """(n, len(IkPlan.SETTINGS))"""
+        found = np.repeat(wired.settings, len(is_there), axis=0)
+        for name in reading.ANIMATED:
+            found[:, wired.columns[name]] = numbers[name]
+        for name in ("position_weight", "rotation_weight"):
+            found[:, wired.columns[name]] *= numbers["influence"]
+        lengths, most = numbers["chain_length"], wired.most[0]
+        lengths = np.where(lengths > 0, np.minimum(lengths, most), most)
+        found[:, wired.columns["left_out"]] = np.maximum(wired.counts[0] - lengths, 0)
+        if wired.poles.are_any:
+            found[:, wired.columns["bend"]] = np.where(numbers["bend"] == _AWAY, -1.0, 1.0)
+        found[:, wired.columns["stretch"]] *= wired.stretches[0]
+        found[:, wired.columns["is_on"]] = is_there & (numbers["is_muted"] == 0.0)
+        return found
+
+
+_AWAY = 1.0
+"""Index of 'AWAY' among the items of Bend."""
+
+
+def _goal(pair):
+    """(object, bone or "") of a target or pole; None where it is not there."""
+    obj, bone = pair
+    if obj is None or deleted.is_deleted(obj) or obj.pose and bone and bone not in obj.pose.bones:
+        return None
+    return obj, bone if obj.pose else ""
+
+
+def _blended(goals, blends, count):
+    """(targets (n, 16), whether there is one (n,)) of a target and further ones, mixed by the Blend at each time."""
+    first = goals[0]
+    found = np.tile(np.eye(4).ravel(), (count, 1)) if first is None else first.copy()
+    are_there = np.full(count, first is not None)
+    if len(goals) > 1:
+        for index in np.flatnonzero(blends > 0.0):
+            places = [goal if goal is None else Matrix(goal[index].reshape(4, 4).T) for goal in goals]
+            mixed, _ = goal_places.mixed(blends[index], places)
+            if mixed is not None:
+                found[index], are_there[index] = rigs.columns(mixed), True
+    return found, are_there

@@ -1,0 +1,103 @@
+"""Where the bones of a head that looks are at any times, for systems that need their past: the solver is asked for each time."""
+
+from ..core import deleted, entry_keys, rigs
+from ..core.lazy import numpy as np
+from ..core.tracks import rotations
+from ..core.tracks.question import answered
+from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
+from ..core.tracks.strips import together
+from . import groups, solve
+
+
+def over_time(owner, thing, scene):
+    """System.over_time; None for what no head turns."""
+    surveyed = kept(owner, ("look_at", "survey"), lambda: _survey(owner))
+    index, bones = next((one for one in surveyed if thing.name in one[1]), (-1, ()))
+    if index < 0:
+        return None
+    solved = answered((hash(owner), "look_at", index, hash(scene)), lambda: _Head(owner, index, bones, scene))
+    return OverTime(solved, bones.index(thing.name))
+
+
+def _survey(owner):
+    """(index of the entry, bones) of all heads that look."""
+    entries = owner.motus.look_at.entries
+    return [(entries.find(entry.name), bones) for entry, bones in groups.present(owner)]
+
+
+class OverTime(SolvedBone):
+    """A bone of a head, its spine or eyes; see core/tracks/solved.py. Original or evaluated."""
+
+    def __init__(self, head, row):
+        super().__init__(head.inputs)
+        self._head, self._row = head, row
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together((self._row, self._head.stamp))
+
+    def applied(self, times, transforms):
+        """See core/tracks/solved.py."""
+        return transforms._replace(
+            rotations=rotations.product(transforms.rotations, self._head.turns(times)[:, self._row]))
+
+
+class _Head:
+    """What is solved of an entry: all its bones at once."""
+
+    def __init__(self, owner, index, bones, scene):
+        self._owner, self._index, self._bones = owner, index, bones
+        self._entry = entry = owner.motus.look_at.entries[index]
+        lowest = owner.data.bones[bones[0]].parent
+        self._target = _target(entry)
+        self.inputs = RigInputs(
+            owner, scene, ("look_at", index), dict.fromkeys(groups.read_bones(owner, entry, bones)),
+            lowest.name if lowest else "", [self._target], self._paths)
+
+    def _paths(self):
+        entries = self._owner.motus.look_at.entries
+        prefix = entry_keys.animated_prefix(self._owner, "motus.look_at.entries", entries, self._index)
+        paths = {name: (prefix + name, -1) for name in (*solve.NUMBERS, "is_muted")}
+        return paths | {"influence": ("motus.look_at.influence", -1)}
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together((self._target is not None, self.inputs.stamp))
+
+    def turns(self, times):
+        """(n, bones, 4)"""
+        return once(self._owner, ("look_at", self._index), times, lambda: self._solved(times))
+
+    def _solved(self, times):
+        found = np.zeros((len(times), len(self._bones), 4))
+        found[:, :, 0] = 1.0
+        target, = self.inputs.goals(times)
+        if target is None:
+            return found
+        owner, text = self._owner, groups.plan_of(self._owner, [(self._entry, self._bones)])
+        wired = rigs.plan(owner, text, lambda rig, rows: solve.Wired(rig, rows, text))
+        settings, worlds, still = self._settings(wired, times), self.inputs.worlds(times), wired.still
+        for index, (poses, basis) in enumerate(self.inputs.rows(times, rigs.names_of(owner))):
+            wired.plan.solve(
+                still.rest, poses, basis, still.inheritance, worlds[index], settings[index:index + 1],
+                target[index:index + 1, 12:15], wired.head_forward, wired.eyes_forward, rotations=found[index])
+        return found
+
+    def _settings(self, wired, times):
+        numbers = self.inputs.numbers(times)
+        found = np.zeros((len(times), len(wired.columns)))
+        for name in solve.NUMBERS:
+            found[:, wired.columns[name]] = numbers[name]
+        found[:, wired.columns["weight"]] *= numbers["influence"]
+        found[:, wired.columns["is_on"]] = numbers["is_muted"] == 0.0
+        return found
+
+
+def _target(entry):
+    """(object, bone or "") of what a head looks at; None where it is not there."""
+    target, bone = entry.target, entry.target_bone
+    if target is None or deleted.is_deleted(target) or target.pose and bone and bone not in target.pose.bones:
+        return None
+    return target, bone if target.pose else ""

@@ -1,0 +1,109 @@
+"""Where the rods of a pendulum are at any times, for systems that need their past."""
+
+import functools
+
+from ..core import deleted
+from ..core.lazy import numpy as np
+from ..core.refusals import INFINITE
+from ..core.system import Problem
+from ..core.tracks import own_track, rotations
+from ..core.tracks.animation import Channel
+from ..core.tracks.keys import united, union, whole
+from ..core.tracks.solved import turned
+from ..core.tracks.strips import together
+from . import clock, parts, pivot_motion, solve
+
+
+def over_time(owner, thing, scene):
+    """System.over_time; None for what is no rod of the owner."""
+    entry = next((entry for entry in parts.own_rods(owner) if entry.object == thing), None)
+    return OverTime(owner, thing, entry.number, scene) if entry else None
+
+
+class OverTime:
+    """A rod of an owner; see core/tracks/solved.py. Both original or both evaluated."""
+
+    def __init__(self, owner, rod, number, scene):
+        self._owner, self._rod, self._number, self._scene = owner, rod, number, scene
+        self._settings = owner.motus.pendulum
+        path = self._settings.path_from_id()
+        self._channels = {name: Channel(owner, f"{path}.{name}", -1) for name in ("is_playing", "speed", "influence")}
+
+    @functools.cached_property
+    def _pivot(self):
+        return pivot_motion.track(self._owner, self._scene) if self._settings.use_pivot_motion else None
+
+    @property
+    def reason(self):
+        """As Channel.reason."""
+        if self._pivot and not self._pivot.is_known:
+            return self._pivot.reason
+        return next((channel.reason for channel in self._channels.values() if channel.reason), None)
+
+    def applied(self, times, matrices):
+        """See core/tracks/solved.py."""
+        turns = np.zeros((len(times), 3))
+        turns[:, 1] = -self._channels["influence"].values(times) * self._angles(times)
+        scales = own_track(self._rod).values(times).scales
+        return turned(matrices, rotations.from_euler(turns, "Y"), scales)
+
+    def _angles(self, times):
+        """(n,) of the rod against the one above it."""
+        swing = solve.swing_of(self._settings, self._scene)
+        if isinstance(swing, Problem) or deleted.is_deleted(self._owner):
+            return np.zeros(len(times))
+        seconds, rate = self._clock(times)
+        felt = pivot_motion.felt(self._owner, self._scene, rate)[0] if self._pivot else {}
+        fan, rod = divmod(self._number, swing.each)
+
+        def states(at):
+            return swing.way(at, number=fan, **felt)
+
+        try:
+            found = states(seconds)
+        except ValueError:  # some are too far from the start, where the rods hang as they are placed
+            found = np.concatenate([_known(states, second, 2 * swing.each) for second in seconds])
+        return found[:, rod] - (found[:, 0] if rod else 0.0)
+
+    def _clock(self, times):
+        """(seconds (n,), rate) as clock.Clock has them."""
+        fps = self._scene.render.fps / self._scene.render.fps_base
+        if all(self._channels[name].is_constant for name in ("is_playing", "speed")):
+            start, rate = clock.steady(self._settings)
+            return np.where(times > start, (times - start) / fps * rate, 0.0), rate
+        return np.array([clock.read(self._owner, self._settings, time, fps).seconds for time in times.tolist()]), None
+
+    @property
+    def _is_running(self):
+        playing, speed = self._channels["is_playing"], self._channels["speed"]
+        return not (playing.is_constant and speed.is_constant) or clock.steady(self._settings)[1] != 0.0
+
+    def bounds(self, first, last):
+        """As Channel.bounds(): at the start, and at each frame."""
+        start = self._settings.start_frame
+        found = [channel.bounds(first, last) for channel in self._channels.values()]
+        return union([[first, *([start] if first < start < last else []), *whole(first, last), last], *found])
+
+    @property
+    def extent(self):
+        """As Channel.extent: it waits before its start, and swings on for ever."""
+        moving = (self._settings.start_frame, np.inf) if self._is_running else None
+        return united([moving, self._channels["influence"].extent])
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        settings, scene = self._settings, self._scene
+        return together((
+            self._number, settings.kind, settings.use_limits, settings.count, solve.gravity_of(settings, scene),
+            *(getattr(settings, name) for name in solve.NUMBERS if name not in self._channels), scene.render.fps, scene.render.fps_base,
+            *(channel.stamp for channel in self._channels.values()), own_track(self._rod).stamp,
+            *((self._pivot.stamp, scene.frame_end) if self._pivot else ())))
+
+
+def _known(states, second, count):
+    """(1, count): the states at a time, those of a pendulum that hangs down where nobody knows them."""
+    try:
+        return states(np.array([second])) if abs(second) < INFINITE else np.zeros((1, count))
+    except ValueError:
+        return np.zeros((1, count))

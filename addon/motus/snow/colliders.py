@@ -1,0 +1,124 @@
+"""What flakes land on: meshes that stand still, or how they were recorded on one frame.
+
+Where a flake lands is found once, for all frames. What moves or is deformed is therefore no collider as it is: on each frame all
+flakes that ever landed would lie elsewhere.
+"""
+
+import bpy
+from mathutils import Matrix
+
+from ..core import deleted, gathered, wiring
+from ..core.lazy import numpy as np
+from ..core.system import Problem
+from . import flakes, stillness
+from .placing import joined, placed
+
+GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)
+NO_FACES = Problem("What flakes are to land on has no faces: they fall through it", blocking=False)
+MOVING = Problem("Flakes fall through colliders that may move, until Record Colliders keeps them as on one frame", blocking=False)
+PROBLEMS = GONE, NO_FACES, MOVING
+
+NAME = "Motus Colliders"
+
+
+def are_any(settings):
+    """Whether there is anything to land on, but for the ground."""
+    return settings.collider is not None or settings.colliders is not None or settings.recorded is not None
+
+
+def objects(settings):
+    """What has to be evaluated before flakes can land: the meshes, and empties by which those of collections are seen."""
+    if settings.recorded is not None:
+        return [settings.recorded]
+    found = [settings.collider] if settings.collider is not None else []
+    return found + [one for each in _members(settings) for one in (each.object, *each.instancers)]
+
+
+def barrier(context):
+    """(the native SnowCollider or None, Problem or None)."""
+    settings, scene = context.settings, context.depsgraph.scene
+    found, fault = _found(settings)
+    if settings.recorded is None:
+        still = [one for one in found if not any(stillness.moves(obj, scene) for obj in one.objects)]
+        fault = fault or (MOVING if len(still) < len(found) else None)
+        found = still
+    parts = tuple(filter(None, (placed(one.objects[0], one.matrix) for one in found)))
+    return (flakes.collider(parts) if parts else None), fault or (None if parts else NO_FACES)
+
+
+def record(emitter, depsgraph):
+    """Let flakes land on the colliders as they are now, whatever these do later. Returns whether there were any faces."""
+    parts = [placed(one.objects[0], one.matrix) for one in _found(emitter.evaluated_get(depsgraph).motus.snow)[0]]
+    parts = list(filter(None, parts))
+    if not parts:
+        return False
+    positions, triangles = joined(parts)
+    mesh = bpy.data.meshes.new(NAME)
+    mesh.vertices.add(len(positions))
+    mesh.vertices.foreach_set("co", positions.ravel())
+    mesh.loops.add(triangles.size)
+    mesh.loops.foreach_set("vertex_index", triangles.ravel())
+    mesh.polygons.add(len(triangles))
+    mesh.polygons.foreach_set("loop_start", np.arange(0, triangles.size, 3, dtype=np.int32))
+    mesh.polygons.foreach_set("loop_total", np.full(len(triangles), 3, np.int32))
+    mesh.update(calc_edges=True)
+    forget(emitter)
+    emitter.motus.snow.recorded = bpy.data.objects.new(NAME, mesh)
+    return True
+
+
+def forget(emitter):
+    """Let flakes land on the colliders themselves again. What was recorded goes with the last emitter that has it."""
+    settings = emitter.motus.snow
+    kept = settings.recorded
+    if kept is None:
+        return
+    settings.recorded = None
+    if kept.library is None and kept.users == 0:
+        mesh = kept.data
+        bpy.data.objects.remove(kept)
+        if mesh is not None and mesh.users == 0:
+            bpy.data.meshes.remove(mesh)
+
+
+class _Found:
+    """An evaluated mesh that flakes land on, where it is seen. objects: it, and the empties that instance it."""
+
+    def __init__(self, matrix, *objects):
+        self.matrix, self.objects = matrix, objects
+
+
+def _found(settings):
+    """([_Found], Problem or None) of evaluated settings."""
+    if settings.recorded is not None:
+        return [_Found(settings.recorded.matrix_world, settings.recorded)], None
+    # What has come into the collection since the owner was wired may not be evaluated.
+    ready = wiring.waited_for(settings)
+    found, fault = [], None
+    for each in _members(settings):
+        if all(one in ready for one in (each.object, *each.instancers)):
+            found.append(_Found(_seen_at(each, ready), *(ready[one] for one in (each.object, *each.instancers))))
+    if settings.collider is not None:
+        collider = ready.get(settings.collider.original)
+        if collider is None or deleted.is_deleted(collider):
+            fault = GONE
+        else:
+            found.append(_Found(collider.matrix_world, collider))
+    return found, fault
+
+
+def _seen_at(each, ready):
+    matrix = ready[each.object].matrix_world
+    for instancer in reversed(each.instancers):
+        matrix = ready[instancer].matrix_world @ Matrix.Translation(-instancer.instance_collection.instance_offset) @ matrix
+    return matrix
+
+
+def _members(settings):
+    collection = settings.colliders
+    return [] if collection is None else list(gathered.meshes(collection.original, _snows))
+
+
+def _snows(obj):
+    """Whether it is an emitter, whose geometry waits for that of the colliders."""
+    return obj.is_property_set("motus") and obj.motus.snow.is_active

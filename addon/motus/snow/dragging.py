@@ -1,0 +1,132 @@
+"""motus.snow_drag: the handle of an emitter is taken elsewhere, and what it stands for is set."""
+
+import bpy
+from mathutils import Vector
+
+from ..core import drawing
+from ..core.drag import PointDrag
+from ..core.lazy import numpy as np
+from ..core.operators import Operator, object_keyword
+from ..core.refusals import Refused, check_finite, check_local
+from ..core.rows import Row, Rows, is_given
+from ..core.translations import tr
+from . import handles
+from .build import is_emitter
+
+SETTINGS = (
+    (handles.RADIUS, "Radius", "Half the width of the emitter"),
+    (handles.ANGLE, "Cone Angle", "How far flakes lean outwards at the edge"),
+    (handles.SPEED, "Speed", "How fast flakes leave"),
+)
+
+
+class Held:
+    """A handle that sets what it stands for."""
+
+    def __init__(self, emitter, setting):
+        self._emitter, self.setting = emitter, setting
+        self._before = getattr(emitter.motus.snow, setting)
+
+    def pull(self, place):
+        """Take it to a place in the world."""
+        settings = self._emitter.motus.snow
+        setattr(settings, self.setting, handles.value(settings, self.setting, self._inverse() @ Vector(place)))
+
+    def restore(self):
+        """All is as it was."""
+        setattr(self._emitter.motus.snow, self.setting, self._before)
+
+    def _inverse(self):
+        matrix = self._emitter.matrix_world
+        if matrix.determinant() == 0.0:
+            raise Refused(tr("{object} is scaled to nothing in a direction").format(object=self._emitter.name))
+        return matrix.inverted()
+
+
+def places(emitter):
+    """(settings that handles stand for, their places in the world (n, 3))."""
+    found = handles.of(emitter.motus.snow)
+    matrix = np.array(emitter.matrix_world)
+    points = np.array([one.place for one in found], float).reshape(-1, 3)
+    return [one.setting for one in found], points @ matrix[:3, :3].T + matrix[:3, 3]
+
+
+def pick(emitter, region, matrix, mouse, near):
+    """(setting, place in the world, place in the region) of the handle nearest to a place of the region, `near` pixels at most; or
+    None. matrix: the view's perspective matrix."""
+    settings, points = places(emitter)
+    best = None
+    for setting, point in zip(settings, points):
+        seen = drawing.project(matrix, point[None])
+        if seen is None:
+            continue
+        place = (seen[0] + 1.0) * (region.width / 2.0, region.height / 2.0)
+        away = float(np.hypot(*(place - np.array(mouse[:2]))))
+        if away <= near and (best is None or away < best[0]):
+            best = away, setting, Vector(point), Vector(place)
+    return best and best[1:]
+
+
+class MOTUS_OT_snow_drag(PointDrag, Operator, bpy.types.Operator):
+    bl_idname = "motus.snow_drag"
+    bl_label = "Drag Emitter's Handle"
+    bl_description = "Set the size, the cone angle or the speed of an emitter by its handles"
+    bl_options = {'REGISTER', 'UNDO'}
+
+    object: object_keyword("Name of the emitter; empty takes the active object")
+    setting: bpy.props.EnumProperty(name="Setting", description="Which handle", items=SETTINGS, options={'SKIP_SAVE'})
+    location: bpy.props.FloatVectorProperty(
+        name="Location", description="Where the handle goes, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        options={'SKIP_SAVE'})
+    redo = (Rows(("setting", Row("location", when=is_given("location")))),)
+
+    @classmethod
+    def check_offer(cls, context):
+        _emitter(context, "")
+
+    def run(self, context):
+        emitter = _emitter(context, self.object)
+        if not self.is_given("location"):
+            raise Refused(tr("Say where to: location is missing"))
+        check_finite(self, ("location",))
+        if self.setting not in [one.setting for one in handles.of(emitter.motus.snow)]:
+            raise Refused(tr("The emitter has no such handle"))
+        context.view_layer.update()
+        Held(emitter, self.setting).pull(self.location)
+
+    def invoke(self, context, event):
+        if context.window is None or self.is_given("location"):
+            return self.execute(context)
+        try:
+            self.object = _emitter(context, self.object).name
+            return self._begin(context, event)
+        except Refused as refusal:
+            return self.refuse(refusal)
+
+    def _show_keys(self, context):
+        context.workspace.status_text_set(
+            tr("Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels"))
+
+    def _hold(self, context, region, view, mouse):
+        emitter = bpy.data.objects[self.object]
+        found = pick(emitter, region, view.perspective_matrix, mouse, handles.NEAR * context.preferences.system.ui_scale)
+        if found is None:
+            return None
+        self.setting, point, seen = found
+        self._held = Held(emitter, self.setting)
+        return point, seen
+
+    def _move(self, place):
+        self.location = place
+        self._held.pull(place)
+
+
+def _emitter(context, name):
+    found = bpy.data.objects.get(name) if name else context.object
+    if found is None or not is_emitter(found):
+        raise Refused(tr("Nothing here snows"))
+    check_local(found)
+    return found
+
+
+classes = (MOTUS_OT_snow_drag,)

@@ -1,0 +1,92 @@
+"""Where flakes land, found bit by bit in the viewport, so that Blender goes on answering.
+
+It takes some 10 microseconds a flake, once. A solver finds a part of it at each evaluation; a timer goes on with the rest, and has
+Blender evaluate again. Renders, and Blenders without a window, find all at once.
+"""
+
+import time
+
+import bpy
+
+from ..core import viewports, wiring
+from ..core.system import registered
+
+AT_ONCE = 48
+"""Blocks of 256 flakes that an evaluation, or a call of the timer, looks at."""
+PAUSE = 0.01
+"""Seconds that Blender has to itself between calls of the timer."""
+SHOWN = 0.3
+"""Seconds from one time to the next that what has been found is shown."""
+
+_searches = {}
+"""Name of an emitter -> its Search, which the solver leaves here."""
+
+
+class Search:
+    """Which blocks of a native Snow are looked for: those of a time, of which `left` are left."""
+
+    def __init__(self, snow, seconds, left):
+        self._snow, self._seconds, self._first, self._left = snow, seconds, left, left
+        self._shown = time.monotonic()
+
+    def is_for(self, snow, seconds):
+        """Whether it looks for just that."""
+        return self._snow is snow and self._seconds == seconds
+
+    @property
+    def done(self):
+        """From 0 to 1."""
+        return 1.0 - self._left / self._first
+
+    def go_on(self):
+        """Look at some more. Returns (whether to go on, whether to show what there is)."""
+        before, self._left = self._left, self._snow.find_landings(self._seconds, AT_ONCE)
+        # Where nothing came in, there is no room to keep more.
+        is_over = self._left in {0, before}
+        is_shown = is_over or time.monotonic() - self._shown > SHOWN
+        if is_shown:
+            self._shown = time.monotonic()
+        return not is_over, is_shown
+
+
+def are_left(context, snow, seconds):
+    """Whether there are flakes of which it is not known where they land. If so, they are looked for after the evaluation."""
+    if bpy.app.background:
+        return False
+    name = context.owner.name
+    left = snow.find_landings(seconds, AT_ONCE)
+    if left == 0:
+        _searches.pop(name, None)
+        return False
+    search = _searches.get(name)
+    if search is None or not search.is_for(snow, seconds):
+        _searches[name] = Search(snow, seconds, left)
+        context.wants_to_settle = True
+    return True
+
+
+def done(emitter):
+    """How much of an emitter's search is done, from 0 to 1; None where nothing is looked for."""
+    search = _searches.get(emitter.name)
+    return search and search.done
+
+
+def settle(_emitter):
+    """Go on with what a solver has left."""
+    if not bpy.app.timers.is_registered(_go_on):
+        bpy.app.timers.register(_go_on, first_interval=PAUSE)
+
+
+def _go_on():
+    for name, search in list(_searches.items()):
+        emitter = bpy.data.objects.get((name, None))
+        if emitter is None or not emitter.is_property_set("motus") or not emitter.motus.snow.is_active:
+            _searches.pop(name, None)
+            continue
+        goes_on, is_shown = search.go_on()
+        if not goes_on:
+            _searches.pop(name, None)
+        if is_shown:
+            wiring.touch(registered["snow"], emitter)
+            viewports.redraw()
+    return PAUSE if _searches else None

@@ -1,0 +1,113 @@
+"""Whether an object may be another one on another frame: where it stands, and what shape it has.
+
+What Blender does not tell counts as moving: constraints, drivers, physics, modifiers that look at the time.
+"""
+
+import bpy
+
+from ..core import actions, node_groups
+from . import births
+
+_OVER_TIME = {'BUILD', 'CLOTH', 'DYNAMIC_PAINT', 'EXPLODE', 'FLUID', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN',
+              'PARTICLE_INSTANCE', 'PARTICLE_SYSTEM', 'SOFT_BODY', 'WAVE'}
+"""Modifiers that look at the time."""
+_TIME_NODES = "GeometryNodeInputSceneTime", "GeometryNodeSimulation"
+"""Beginnings of the names of nodes that do."""
+_DEEPEST = 16
+"""Objects that read each other. What lies deeper counts as moving."""
+
+
+def moves(obj, scene, depth=0):
+    """Whether an evaluated object may stand elsewhere, or have another shape, on another frame."""
+    if depth > _DEEPEST:
+        return True
+    return _goes(obj, scene) or _is_animated(obj.data) or _is_deformed(obj, scene, depth)
+
+
+def _goes(obj, scene):
+    if obj.animation_data is None and obj.parent is None and not obj.constraints and obj.rigid_body is None:
+        return False
+    track = births.track(obj, scene)
+    # A single key moves nothing.
+    return not track.is_known or track.extent is not None and track.extent[0] != track.extent[1]
+
+
+def _is_animated(data):
+    """Whether anything animates a datablock, or its shape keys or nodes."""
+    if data is None:
+        return False
+    animation = getattr(data, "animation_data", None)
+    if animation is not None and (animation.action or animation.nla_tracks or animation.drivers):
+        return True
+    return _is_animated(getattr(data, "shape_keys", None))
+
+
+def _is_deformed(obj, scene, depth):
+    if obj.parent is not None and obj.parent_type in {'ARMATURE', 'LATTICE', 'CURVE'} and _deforms(obj.parent, scene, depth):
+        return True
+    modifiers = obj.modifiers
+    if not modifiers:
+        return False
+    # Keys of a modifier's own are keys of the object.
+    return _has_keys_of_modifiers(obj) or any(_changes(one, obj, scene, depth) for one in modifiers)
+
+
+def _has_keys_of_modifiers(obj):
+    animation = obj.animation_data
+    if animation is None:
+        return False
+    if animation.nla_tracks:
+        return True
+    paths = [curve.data_path for curve in animation.drivers]
+    if animation.action:
+        paths += [curve.data_path for group in actions.all_fcurves(animation.action) for curve in group]
+    return any(path.startswith("modifiers[") for path in paths)
+
+
+def _changes(modifier, owner, scene, depth):
+    if modifier.type in _OVER_TIME:
+        return True
+    if modifier.type == 'NODES' and _nodes_change(modifier.node_group, scene, depth, set()):
+        return True
+    return any(_deforms(one, scene, depth) for one in _read(modifier) if one != owner)
+
+
+def _read(modifier):
+    """Objects that a modifier reads."""
+    found = [getattr(modifier, prop.identifier) for prop in modifier.bl_rna.properties
+             if prop.type == 'POINTER' and prop.fixed_type.identifier == "Object"]
+    if modifier.type == 'NODES' and modifier.node_group is not None:
+        for value in node_groups.inputs_of(modifier):
+            found += _objects_of(value)
+    return [one for one in found if one is not None]
+
+
+def _objects_of(value):
+    if isinstance(value, bpy.types.Object):
+        return [value]
+    return list(value.all_objects) if isinstance(value, bpy.types.Collection) else []
+
+
+def _deforms(obj, scene, depth):
+    """Whether what reads an object may be another one on another frame."""
+    if obj.type == 'ARMATURE' and (_is_animated(obj) or any(len(bone.constraints) for bone in obj.pose.bones)):
+        return True
+    return moves(obj, scene, depth + 1)
+
+
+def _nodes_change(group, scene, depth, seen):
+    if group is None or group in seen:
+        return False
+    seen.add(group)
+    if _is_animated(group):
+        return True
+    for node in group.nodes:
+        if node.bl_idname.startswith(_TIME_NODES):
+            return True
+        if node.bl_idname == "GeometryNodeGroup" and _nodes_change(node.node_tree, scene, depth, seen):
+            return True
+        for socket in node.inputs:
+            value = getattr(socket, "default_value", None) if socket.type in {'OBJECT', 'COLLECTION'} else None
+            if any(_deforms(one, scene, depth) for one in _objects_of(value)):
+                return True
+    return False
