@@ -2,6 +2,9 @@
 
 from . import hand
 
+MATERIAL_PREVIEW = 989, 760
+"""The button in the viewport's header, from the lower left of the window."""
+
 
 def steps(strip):
     """Generator: the five steps of the Snow page."""
@@ -27,4 +30,7 @@ def steps(strip):
     yield from hand.over_view()
     yield from hand.key('A', alt=True)
     yield from hand.key('NUMPAD_0')
+    yield from hand.click_at(MATERIAL_PREVIEW)
+    yield from hand.over_view()
+    yield 6.0
     yield from strip.shot(150, 150, has_mouse=False)
