@@ -167,7 +167,8 @@ class Snow {
     [[nodiscard]] Living known(double time, std::size_t threads = thread_count()) const;
     /// Finds where flakes land of up to `most` blocks of 256 of those that live at a time. Returns how many
     /// blocks remain. Throws as living() does.
-    std::size_t find_landings(double time, std::size_t most, std::size_t threads = thread_count()) const;
+    [[nodiscard]] std::size_t find_landings(double time, std::size_t most,
+                                            std::size_t threads = thread_count()) const;
 
     /// Fills the fields in the order of flake numbers. Throws std::invalid_argument where one that is not
     /// empty has another number of rows than there are living flakes. `threads` as in in_parts.
