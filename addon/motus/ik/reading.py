@@ -81,7 +81,7 @@ class _Settings(NamedTuple):
 def _bones(rig, wired):
     """Read once for each copy of the rig, where nothing animates these bones."""
     copy = copies.of(rig)
-    if copy is None or copy.has_animated_poses(rig, wired.moved):
+    if copy is None or copy.has_animated_poses(wired.moved):
         return wired.bones(rig)
     return wired.bones_of_copy(rig, copy.number)
 
@@ -133,7 +133,7 @@ def _settings_of(rig, wired):
     copy = copies.of(rig)
     if copy is None:
         return _read_settings(rig, wired, copies.has_animation(rig), 0)
-    if copy.has_animated_settings(rig):
+    if copy.has_animated_settings:
         return _read_settings(rig, wired, True, 0)
     key = "ik", wired.key
     if key not in copy.found:
