@@ -20,7 +20,7 @@ _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE":
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 _INHERITED = {"inherit_scale": "i4", "use_inherit_rotation": "?", "use_local_location": "?"}
 LARGEST_CACHE = 64
-LARGE_SCENE = 16  # objects for each target
+LARGE_SCENE = 4  # objects for each target
 
 # How many objects a view layer had when they were last counted: only for the faster of two ways to the same answer.
 _layer_sizes = {}
@@ -103,7 +103,7 @@ def read(rig, known=None):
         columns(rig.matrix_world))
 
 
-FEW = 14
+FEW = 5
 """A bone's pose that is asked for by itself takes as long as so many that are read by one call."""
 
 
