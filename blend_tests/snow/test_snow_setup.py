@@ -38,11 +38,14 @@ class Setup(SnowTestCase):
                         np.testing.assert_allclose(found, value, rtol=1e-6, err_msg=name)
                 go_to(1)
                 self.assertEqual(self.sentence(emitter), "")
+                kind = next(label for name, label, *_ in presets.KINDS if name == identifier)
+                self.assertEqual(presets.kind_of(emitter.motus.snow), kind)
                 if identifier != presets.PLAIN:
                     self.assertGreater(len(flakes(emitter)["id"]), 0.6 * settings.rate * settings.lifetime)
         self.assertEqual(bpy.ops.motus.snow_preset(object=emitter.name, preset='PLAIN'), {'FINISHED'})
         self.assertEqual(emitter.motus.snow.rate, 5.0)
-        self.assertEqual(self.add(preset='GENTLE', rate=7.0).motus.snow.rate, 7.0)
+        own = self.add(preset='GENTLE', rate=7.0).motus.snow
+        self.assertEqual((own.rate, presets.kind_of(own)), (7.0, ""))
 
     def test_flakes_are_instances(self):
         emitter = self.add(random_size=True, location=(0.0, 0.0, 9.0), **MANY)
@@ -193,19 +196,22 @@ class BadInput(SnowTestCase):
         self.assertEqual(counts()["objects"], before["objects"])
 
     def test_a_file_of_a_newer_version(self):
-        """Flakes have an attribute there, and emitters a shape, that this version does not know."""
+        """Flakes have other attributes there."""
         emitter = self.add(**MANY)
         go_to(30)
-        emitter.motus.snow.hub.data.attributes.new("later", 'FLOAT', 'POINT')
-        emitter.motus.snow["shape"] = 99
-        emitter.motus.snow.hub.data.update_tag()
+        hub = emitter.motus.snow.hub.data
+        hub.attributes.new("later", 'FLOAT', 'POINT')
+        hub.update_tag()
         go_to(31)
+        self.assertEqual(len(flakes(emitter)["id"]), 250)
+        hub.attributes.remove(hub.attributes["tint"])
+        hub.update_tag()
+        go_to(32)
         self.assertIn("Refresh", self.sentence(emitter))
         self.assertEqual(len(hub_mesh(emitter).vertices), 0)
-        emitter.motus.snow.shape = 'SQUARE'
         self.assertEqual(bpy.ops.motus.snow_refresh(object=emitter.name), {'FINISHED'})
         self.assertEqual(self.sentence(emitter), "")
-        self.assertEqual(len(flakes(emitter)["id"]), 250)
+        self.assertEqual(len(flakes(emitter)["id"]), 258)
 
     def test_refusals(self):
         self.assertRefused(bpy.ops.motus.snow_add, "There is no object Nobody", surface="Nobody")

@@ -7,7 +7,7 @@ flakes that ever landed would lie elsewhere.
 import bpy
 from mathutils import Matrix
 
-from ..core import deleted, gathered, wiring
+from ..core import datablocks, deleted, gathered, wiring
 from ..core.lazy import numpy as np
 from ..core.system import Problem
 from . import flakes, stillness
@@ -80,10 +80,7 @@ def forget(emitter):
         return
     settings.recorded = None
     if kept.library is None and kept.users == 0:
-        mesh = kept.data
-        bpy.data.objects.remove(kept)
-        if mesh is not None and mesh.users == 0:
-            bpy.data.meshes.remove(mesh)
+        datablocks.remove_objects([kept])
 
 
 class _Found:
