@@ -164,6 +164,22 @@ class Collection(LandingCase):
         bpy.context.view_layer.update()
         self.assertGreater(self.lying(emitter, 0.75), 60)
 
+    def test_a_linked_collection(self):
+        board = self.board("Board", (0.0, 0.0, 1.0))
+        scenery = self.gathered(board)
+        file = os.path.join(self.folder, "scenery.blend")
+        bpy.data.libraries.write(file, {scenery})
+        bpy.data.objects.remove(board)
+        bpy.data.collections.remove(scenery)
+        with bpy.data.libraries.load(file, link=True) as (_, wanted):
+            wanted.collections = ["Scenery"]
+        bpy.context.scene.collection.children.link(wanted.collections[0])
+        emitter = self.add(colliders="Scenery")
+        for frame in (100, 3, 100):
+            go_to(frame)
+        self.assertGreater(self.lying(emitter, 1.0), 60)
+        self.assertEqual(self.sentence(emitter), "")
+
     def test_edits_of_a_mesh(self):
         board = self.board("Board", (0.0, 0.0, 0.0))
         self.gathered(board)

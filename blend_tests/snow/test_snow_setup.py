@@ -196,19 +196,22 @@ class BadInput(SnowTestCase):
         self.assertEqual(counts()["objects"], before["objects"])
 
     def test_a_file_of_a_newer_version(self):
-        """Flakes have an attribute there, and emitters a shape, that this version does not know."""
+        """Flakes have other attributes there."""
         emitter = self.add(**MANY)
         go_to(30)
-        emitter.motus.snow.hub.data.attributes.new("later", 'FLOAT', 'POINT')
-        emitter.motus.snow["shape"] = 99
-        emitter.motus.snow.hub.data.update_tag()
+        hub = emitter.motus.snow.hub.data
+        hub.attributes.new("later", 'FLOAT', 'POINT')
+        hub.update_tag()
         go_to(31)
+        self.assertEqual(len(flakes(emitter)["id"]), 250)
+        hub.attributes.remove(hub.attributes["tint"])
+        hub.update_tag()
+        go_to(32)
         self.assertIn("Refresh", self.sentence(emitter))
         self.assertEqual(len(hub_mesh(emitter).vertices), 0)
-        emitter.motus.snow.shape = 'SQUARE'
         self.assertEqual(bpy.ops.motus.snow_refresh(object=emitter.name), {'FINISHED'})
         self.assertEqual(self.sentence(emitter), "")
-        self.assertEqual(len(flakes(emitter)["id"]), 250)
+        self.assertEqual(len(flakes(emitter)["id"]), 258)
 
     def test_refusals(self):
         self.assertRefused(bpy.ops.motus.snow_add, "There is no object Nobody", surface="Nobody")

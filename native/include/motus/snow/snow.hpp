@@ -142,8 +142,8 @@ struct Living {
     std::vector<std::shared_ptr<const LandingPage>> pages{};  ///< of Snow::known(): null: left out
 };
 
-/// Immutable but for where flakes land, which is kept for the 18 million looked up last (1 GB), so that
-/// several threads may ask at once.
+/// Immutable but for where flakes land, which is kept for the 18 million of all snows looked up last (1 GB),
+/// so that several threads may ask at once.
 class Snow {
   public:
     static constexpr double most_flakes = 1e8;      ///< living at once
@@ -167,7 +167,8 @@ class Snow {
     [[nodiscard]] Living known(double time, std::size_t threads = thread_count()) const;
     /// Finds where flakes land of up to `most` blocks of 256 of those that live at a time. Returns how many
     /// blocks remain. Throws as living() does.
-    std::size_t find_landings(double time, std::size_t most, std::size_t threads = thread_count()) const;
+    [[nodiscard]] std::size_t find_landings(double time, std::size_t most,
+                                            std::size_t threads = thread_count()) const;
 
     /// Fills the fields in the order of flake numbers. Throws std::invalid_argument where one that is not
     /// empty has another number of rows than there are living flakes. `threads` as in in_parts.
