@@ -116,6 +116,14 @@ def _snow():
         cloud.location.x = place
         cloud.keyframe_insert("location", frame=frame)
     cloud.select_set(False)
+    meadow = _link("Meadow", bpy.data.meshes.new("Meadow"), (0.0, 8.0, 4.0))
+    meadow.data.from_pydata([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [], [(0, 1, 2, 3)])
+    bpy.ops.motus.snow_cover_add(surfaces=meadow.name, emitters=cloud.name, lump=0.2, resolution=0.3)
+    cover = bpy.context.object
+    for frame, influence in ((1, 1.0), (40, 0.5)):
+        cover.motus.snow_cover.influence = influence
+        cover.keyframe_insert("motus.snow_cover.influence", frame=frame)
+    cover.select_set(False)
 
 
 def _stereo():

@@ -12,6 +12,7 @@ SYSTEMS = (
     pendulum.SYSTEM,
     pendulum.TRAILS,
     snow.SYSTEM,
+    snow.COVER,
     stereo.SYSTEM,
     chroma.FEATURE,
     drivers.FEATURE,

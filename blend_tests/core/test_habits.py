@@ -328,6 +328,32 @@ class Menus(support.SceneTestCase):
         self.assertTrue(is_possible or (said and said[0].strip()), cls.bl_idname)
         return is_possible
 
+    def test_a_button_that_adds_leaves_a_redo_panel(self):
+        """Blender asks a pressed operator once more, though it would refuse what it has made; until buttons are drawn again."""
+        class Adding(core.Operator):
+            is_there = False
+
+            @classmethod
+            def poll_message_set(cls, _sentence):
+                pass
+
+            @classmethod
+            def check_offer(cls, _context):
+                if cls.is_there:
+                    raise core.Refused("is there already")
+
+            def run(self, _context):
+                type(self).is_there = True
+        context, other = _Offering(bpy.context), bpy.context
+        core.offer(Layout(), other)
+        self.assertTrue(Adding.poll(context))
+        self.assertEqual(Adding().execute(context), {'FINISHED'})
+        self.assertTrue(Adding.poll(context))
+        core.offer(Layout(), other)
+        self.assertFalse(Adding.poll(context))
+        Adding().execute(other)  # by a script
+        self.assertFalse(Adding.poll(context))
+
     def test_scripts_name_what_they_mean(self):
         """Outside of menus nothing that is selected counts."""
         bpy.context.view_layer.objects.active = None

@@ -185,3 +185,15 @@ class DynamicsSettingsTest(support.SceneTestCase):
         cases.add(ball)
         self.assertIn("record", cases.problem(ball).sentence)
         self.assertAlmostEqual(cases.place(ball, 22)[0], 2.2, places=5)
+
+    def test_drivers_of_what_does_not_follow_do_not_matter(self):
+        ball = cases.moved()
+        ball.driver_add("rotation_euler", 0).driver.expression = "frame / 100"
+        entry = cases.add(ball, style='BOUNCY', channels={'LOCATION'})[0]
+        self.assertIsNone(cases.problem(ball))
+        places = support.addon("core.tracks").own_track(ball, {"location"}).values
+        wanted = cases.filtered(lambda frames: places(frames).locations, (2.0, 0.3, 0.0), 22)
+        np.testing.assert_allclose(cases.place(ball, 22), wanted, atol=3e-4)
+        entry.channels = {'LOCATION', 'ROTATION'}
+        bpy.context.view_layer.update()
+        self.assertIn("record", cases.problem(ball).sentence)

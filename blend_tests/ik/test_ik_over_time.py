@@ -109,7 +109,7 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
         dynamics = support.addon("dynamics").SYSTEM
 
         def tail(frame):
-            return np.array(self.tail("Rig" and self.arm_rig, "Hand", frame))
+            return np.array(self.tail(self.arm_rig, "Hand", frame))
 
         alone = tail(24)
         self.assertIsNone(self.wiring.problem(dynamics, self.arm_rig, bpy.context.evaluated_depsgraph_get()))
@@ -117,4 +117,11 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
             tail(frame)
         np.testing.assert_array_equal(tail(24), alone)
         solved_cases.key(target, "location", {20: (0.5, 0.6, 1.3)})
-        self.assertGreater(np.abs(tail(24) - alone).max(), 0.01)
+        moved = tail(24)
+        self.assertGreater(np.abs(moved - alone).max(), 0.01)
+        self.arm_rig.motus.ik.entries["Bone 1"].position_weight = 0.3
+        weighted = tail(24)
+        self.assertGreater(np.abs(weighted - moved).max(), 0.01)
+        solved_cases.key(self.bone("Bone 0"), "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 24: (0.8, 0.0, 0.0, 0.6)})
+        self.assertGreater(np.abs(tail(24) - weighted).max(), 0.01)
+        self.assertSolved(self.bone("Bone 1"))

@@ -50,8 +50,8 @@ class Sharing(SharedTestCase):
     def test_one_call_a_frame(self):
         self.cars()
         self.at(bpy.data.objects["Car 0"], 3)
-        solver = support.addon("core.wiring.solver")
-        with mock.patch.object(solver, "_solve_rows", wraps=solver._solve_rows) as solve:
+        kind = support.addon("core.wiring.solving").RowsSolver
+        with mock.patch.object(kind, "solve", autospec=True, side_effect=kind.solve) as solve:
             bpy.context.scene.frame_set(5)
         self.assertEqual(solve.call_count, 1)
 

@@ -38,11 +38,14 @@ class Setup(SnowTestCase):
                         np.testing.assert_allclose(found, value, rtol=1e-6, err_msg=name)
                 go_to(1)
                 self.assertEqual(self.sentence(emitter), "")
+                kind = next(label for name, label, *_ in presets.KINDS if name == identifier)
+                self.assertEqual(presets.kind_of(emitter.motus.snow), kind)
                 if identifier != presets.PLAIN:
                     self.assertGreater(len(flakes(emitter)["id"]), 0.6 * settings.rate * settings.lifetime)
         self.assertEqual(bpy.ops.motus.snow_preset(object=emitter.name, preset='PLAIN'), {'FINISHED'})
         self.assertEqual(emitter.motus.snow.rate, 5.0)
-        self.assertEqual(self.add(preset='GENTLE', rate=7.0).motus.snow.rate, 7.0)
+        own = self.add(preset='GENTLE', rate=7.0).motus.snow
+        self.assertEqual((own.rate, presets.kind_of(own)), (7.0, ""))
 
     def test_flakes_are_instances(self):
         emitter = self.add(random_size=True, location=(0.0, 0.0, 9.0), **MANY)

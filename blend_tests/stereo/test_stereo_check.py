@@ -46,6 +46,12 @@ class Check(StereoTestCase):
         self.assertAlmostEqual(result.highest, native().parallax(10.0, 0.02, 35.0, 36.0, 8.0), 6)
         self.assertAlmostEqual(result.shares.sum(), 1.0, 9)
 
+    def test_eyes_that_are_turned_away_from_corners(self):
+        self.add(mode='TOE', interocular=3.0, distance=0.3)
+        found = self.check(range='CURRENT')
+        width = bpy.context.scene.render.resolution_x
+        self.assertIn(f"{width - 1} pixels", next(one for one in found if "Corners" in one))
+
     def test_the_window_on_the_frames_where_it_is_violated(self):
         self.add(interocular=0.065, distance=8.0, screen='PHONE')
         pillar = square("Pillar", (0.0, 4.0, 0.0), 0.6)

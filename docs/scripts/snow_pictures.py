@@ -19,7 +19,8 @@ CELL = 3.4
 def render_all(folder):
     """Render every picture into `folder`; returns the files."""
     folder.mkdir(exist_ok=True)
-    return [_render_presets(folder / "snow_presets.png"), _render_emitters(folder / "snow_emitters.png")]
+    return [_render_presets(folder / "snow_presets.png"), _render_emitters(folder / "snow_emitters.png"),
+            _render_cover(folder / "snow_cover.png")]
 
 
 def _scene():
@@ -70,3 +71,49 @@ def _render_emitters(file):
         stage.add_text(label, Vector((x, -1.6, -2.0)), 0.34, LABEL)
     stage.add_camera(scene, (0.0, -15.0, 3.2), (0.0, 0.0, 0.0), width=6.1 * CELL)
     return stage.render(scene, file, (1280, 340), samples=48)
+
+
+def _render_cover(file):
+    """The same roof, fence and tree after some, more, and much snow."""
+    scene = _scene()
+    materials = [stage.glossy_material(name, color, 0.8) for name, color in (
+        ("Roof", (0.16, 0.05, 0.035, 1.0)), ("Wood", (0.10, 0.06, 0.035, 1.0)), ("Needles", (0.02, 0.07, 0.04, 1.0)),
+        ("Grass", (0.06, 0.07, 0.03, 1.0)))]
+    for column, seconds in enumerate((2.0, 5.0, 10.0)):
+        x = (column - 1) * 7.2
+        surfaces = _yard(x, *materials)
+        bpy.ops.motus.snow_add(
+            preset='GENTLE', location=(x, 0.0, 6.0), rate=2500.0, cone_radius=3.4, lifetime=8.0, seed=column,
+            start_frame=1.0 - (6.0 + seconds) * scene.render.fps, preview=6.0)
+        emitter = bpy.context.object
+        emitter.motus.snow.influence = 0.0
+        bpy.ops.motus.snow_cover_add(
+            surfaces=",".join(surfaces), emitters=emitter.name, lump=0.042 * 2.0, resolution=0.07, smoothing=0.14)
+        stage.add_text(f"{seconds:g} s", Vector((x, -3.7, 0.05)), 0.36, LABEL)
+    stage.add_camera(scene, (0.0, -19.0, 8.5), (0.0, 0.0, 0.95), width=22.5)
+    return stage.render(scene, file, (1280, 440), samples=64)
+
+
+def _yard(x, roof, wood, needles, grass):
+    """A hut, a fence and a fir on a meadow; returns the names of what snow lies on."""
+    found = []
+
+    def add(kind, material, place, scale, turn=(0.0, 0.0, 0.0), **more):
+        getattr(bpy.ops.mesh, f"primitive_{kind}_add")(location=(x + place[0], place[1], place[2]), rotation=turn, **more)
+        obj = bpy.context.object
+        obj.scale = scale
+        obj.data.materials.append(material)
+        found.append(obj.name)
+        return obj
+
+    add('plane', grass, (0.0, 0.0, 0.0), (3.3, 3.3, 1.0))
+    add('cube', wood, (-0.9, 0.6, 0.8), (0.95, 0.8, 0.8))
+    for side in (-1.0, 1.0):
+        add('cube', roof, (-0.9, 0.6 + 0.55 * side, 1.95), (1.3, 0.8, 0.05), (math.radians(-38.0) * side, 0.0, 0.0))
+    for post in range(5):
+        add('cube', wood, (-2.4 + 1.2 * post, -1.9, 0.35), (0.06, 0.06, 0.35))
+    add('cube', wood, (0.0, -1.9, 0.5), (2.4, 0.04, 0.06))
+    for level in range(4):
+        add('cone', needles, (1.9, 0.7, 0.75 + 0.55 * level), (1.0, 1.0, 1.0), vertices=24, radius1=1.0 - 0.2 * level,
+            radius2=0.0, depth=0.9)
+    return found

@@ -22,11 +22,13 @@ PYBIND11_MODULE(motus_native, m) {
     bind_look_at(m);
     bind_rig_ik(m);
     bind_picker(m);  // before pull(): Picker
+    bind_refine(m);
     bind_pull(m);
     bind_lattice(m);
     bind_noise(m);
     bind_colour(m);
     bind_snow(m);
+    bind_snow_layer(m);
     bind_stereo(m);
     bind_pendulum(m);
     bind_second_order(m);

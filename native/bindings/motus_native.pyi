@@ -452,6 +452,11 @@ _Floats = NDArray[np.float32]
 _Indices = NDArray[np.int32]
 _Reach = tuple[_Indices, _Floats]
 
+# All edges longer than longest_edge are halved: (positions (v, 3) float32, triangles (t, 3) int32).
+def refine(
+    positions: ArrayLike, triangles: ArrayLike, longest_edge: float, most_vertices: int = 4194304
+) -> tuple[NDArray[np.float32], NDArray[np.int32]]: ...
+
 class Picker:
     """A mesh to pick from, as of the last refit."""
 
@@ -650,6 +655,19 @@ class SnowCover:
     ) -> None: ...
     def heights(self, time: float, out: NDArray[np.float32] | None = None) -> NDArray[np.float32]: ...  # (v,)
     def volume(self, time: float) -> float: ...
+
+class SnowLayer:
+    """The mesh of snow that lies on triangles. Immutable."""
+
+    vertex_count: int
+
+    def __init__(
+        self, layer_positions: ArrayLike, layer_triangles: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0)
+    ) -> None: ...
+    # float32 position (n, 3), depth (n,); int32 triangle (m, 3), edge (e, 2), side (m, 3).
+    def mesh(
+        self, depths: ArrayLike, thinnest: float = 0.0, steepest: float | None = None
+    ) -> dict[str, NDArray]: ...
 
 # --- Stereo --------------------------------------------------------------------------------------------------------------
 

@@ -8,7 +8,7 @@ _COMPOSITOR = "shading.use_compositor"
 
 def _values(scene):
     """Settings of a viewport that shows the key, by their paths."""
-    found = {"shading.type": 'MATERIAL'}
+    found = {"shading.type": 'MATERIAL', "overlay.show_overlays": False}
     if scene.camera is not None:
         found["region_3d.view_perspective"] = 'CAMERA'
     if capabilities.has_compositor_in_viewport():
@@ -34,5 +34,5 @@ def show(context):
 
 def hide(context):
     """Let the viewport look as it did before."""
-    otherwise = {"shading.type": 'SOLID', "region_3d.view_perspective": 'PERSP', _COMPOSITOR: 'DISABLED'}
+    otherwise = {"shading.type": 'SOLID', "overlay.show_overlays": True, "region_3d.view_perspective": 'PERSP', _COMPOSITOR: 'DISABLED'}
     viewports.restore(viewports.space_for(context), {path: otherwise[path] for path in _values(context.scene)})

@@ -51,22 +51,32 @@ class Copy:
         self.number = number
         self.found = {}
         animation = evaluated.animation_data
-        self._driven = _reach(animation.drivers) if animation and animation.drivers else _NOTHING
+        self.drivers = drivers_on(evaluated)
+        self._driven = _reach(animation.drivers) if self.drivers else _NOTHING
+        self._action = animation and animation.action
+        self._has_strips = animation is not None and bool(animation.nla_tracks)
 
-    def has_animated_settings(self, evaluated):
+    @property
+    def _acting(self):
+        """Reach of the action, all slots of it, or of the NLA. An evaluated action, edited without its users, is looked through
+        once for each copy."""
+        if self._has_strips:
+            return _ANYTHING
+        return _NOTHING if self._action is None else _reach_of_action(self._action)
+
+    @property
+    def has_animated_settings(self):
         """Whether an action or driver sets any of the owner's Motus settings."""
-        animation = evaluated.animation_data
-        return animation is not None and (self._driven.settings or _acting(animation).settings)
+        return self._driven.settings or self._acting.settings
 
-    def has_animated_splines(self, evaluated):
+    @property
+    def has_animated_splines(self):
         """Whether one sets what the splines of a curve are made of."""
-        animation = evaluated.animation_data
-        return animation is not None and (self._driven.splines or _acting(animation).splines)
+        return self._driven.splines or self._acting.splines
 
-    def has_animated_poses(self, evaluated, names):
+    def has_animated_poses(self, names):
         """Whether one sets the own transform of a bone of these names, a frozenset; None for all."""
-        animation = evaluated.animation_data
-        return animation is not None and (self._driven.poses(names) or _acting(animation).poses(names))
+        return self._driven.poses(names) or self._acting.poses(names)
 
 
 def prepare(owner):
@@ -102,7 +112,11 @@ def release(owner):
 
 def of(evaluated):
     """The Copy of an evaluated object; None where it was not prepared, as in a file of an older version."""
-    number = number_of(evaluated)
+    mark = evaluated.get(KEY)
+    try:  # without a look at what lies there, of which none but a given number is known
+        return _copies[mark[0]]
+    except (KeyError, TypeError, IndexError):
+        number = number_of(evaluated)
     found = _copies.get(number)
     if number and found is None:
         found = _copies[number] = Copy(evaluated, number)
@@ -114,7 +128,7 @@ def of(evaluated):
 def number_of(evaluated):
     """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
     mark = _mark(evaluated)
-    if mark is None:
+    if mark is None or not evaluated.is_evaluated:  # an original handed its number on to all its copies
         return 0
     if not _is_given(mark[0]):
         mark[0] = _new_number()
@@ -158,7 +172,7 @@ def _new_number():
 def has_moving_settings(evaluated):
     """Whether an action, the NLA or a driver sets a Motus setting of an evaluated object, as far as can be told."""
     copy = of(evaluated)
-    return has_animation(evaluated) if copy is None else copy.has_animated_settings(evaluated)
+    return has_animation(evaluated) if copy is None else copy.has_animated_settings
 
 
 def has_animated_settings(owner):
@@ -176,19 +190,19 @@ def has_driven_settings(owner):
     return animation is not None and _reach(animation.drivers).settings
 
 
+def drivers_on(datablock):
+    """How many drivers it has."""
+    animation = datablock.animation_data
+    return len(animation.drivers) if animation else 0
+
+
 def has_animation(evaluated):
     """Whether anything animates an object: what nothing does is as it was when Blender copied it."""
     animation = evaluated.animation_data
     return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
 
 
-def _acting(animation):
-    """Reach of the action, all slots of it, or of the NLA. An evaluated action is looked through once for each copy."""
-    action = animation.action
-    if animation.nla_tracks:
-        return _ANYTHING
-    if action is None:
-        return _NOTHING
+def _reach_of_action(action):
     number = number_of_action(action)
     known = _actions.get(number)
     if known is None:

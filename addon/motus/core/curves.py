@@ -57,8 +57,8 @@ def read(curve_object, splines, depsgraph, index, matrix):
     """
     data = curve_object.data
     is_deformed = bool(curve_object.modifiers or data.shape_keys)
-    copy = None if is_deformed else copies.of(data)
-    if copy is None or copy.has_animated_splines(data):
+    copy = None if is_deformed else copies.of(splines.id_data)  # that of a hidden object is its original one
+    if copy is None or copy.has_animated_splines:
         return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)
     local = copy.found.get(index)
     if local is None:

@@ -17,7 +17,7 @@ def animated_prefix(owner, path, entries, index):
     """That of the two by which an entry of an owner, original or evaluated, is animated: the index, if nobody has used the name."""
     by_index, by_name = prefixes(path, entries, index)
     copy = copies.of(owner) if owner.is_evaluated else None
-    if entries.find(entries[index].name) != index or (copy and not copy.has_animated_settings(owner)):
+    if entries.find(entries[index].name) != index or (copy and not copy.has_animated_settings):
         return by_index
     animation = owner.animation_data
     curves = itertools.chain(animation.drivers if animation else (), *map(actions.curves_of, actions.players(owner)))

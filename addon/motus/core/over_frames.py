@@ -1,4 +1,4 @@
-"""Operators that go through a range of frames: with progress, cancelled by Esc, and tidied up whatever happens."""
+"""Operators that take their time, most of them through a range of frames: with progress, cancelled by Esc, and tidied up whatever happens."""
 
 import math
 import time
@@ -45,47 +45,20 @@ def span(operator, scene):
     return given.get("frame_start", scene.frame_start), given.get("frame_end", scene.frame_end)
 
 
-class OverFrames(Operator):
-    """Mixin of an operator that goes through frames.
+class Job(Operator):
+    """Mixin of an operator that does its work in steps, in the window between redraws.
 
-    steps(context, frames): a generator of how many of self.total steps are done (as many as frames, unless it says
-    otherwise), which puts everything back where it is closed before its end. result(context) reports what came of them.
-    In the window it asks for the range first, unless the caller has given it.
+    begin(context): how many steps there are, and a generator of how many are done, which puts everything back where it is
+    closed before its end. result(context) reports what came of them.
     """
 
-    range: bpy.props.EnumProperty(
-        name="Frames", description="Which frames", items=RANGES, default='GIVEN', options={'SKIP_SAVE'})
-    frame_start: bpy.props.IntProperty(
-        name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
-    frame_end: bpy.props.IntProperty(
-        name="End", description="Last frame; the scene's where it is not given", options={'SKIP_SAVE'})
-    step: bpy.props.FloatProperty(
-        name="Step", description="Frames from one to the next, less than one for sub-frames", default=1.0, min=0.001,
-        soft_min=0.1, soft_max=10.0)
-    redo = (Rows((
-        "range", Row("frame_start", when=is_one_of("range", 'GIVEN')), Row("frame_end", when=is_one_of("range", 'GIVEN')),
-        Row("step", when=is_not("range", 'CURRENT')))),)
-
     _steps = _timer = None
-    _is_asked = False
 
     def execute(self, context):
-        is_asked, self._is_asked = self._is_asked, False
-        return self._guarded(context, self._run_in_window if is_asked else self._run)
+        return self._guarded(context, self._run)
 
     def invoke(self, context, _event):
-        if context.window is None:
-            return self.execute(context)
-        if any(self.is_given(name) for name in ("range", "frame_start", "frame_end", *self.for_scripts)):
-            return self._guarded(context, self._run_in_window)
-        self._suggest(context.scene)
-        self._is_asked = True
-        return context.window_manager.invoke_props_dialog(self)
-
-    def draw_below(self, context):
-        first, last = span(self, context.scene)
-        text = bpy.app.translations.pgettext_iface("Frames {first}-{last}")
-        self.layout.label(text=text.format(first=f"{first:g}", last=f"{last:g}"), icon='TIME', translate=False)
+        return self._guarded(context, self._run if context.window is None else self._run_in_window)
 
     def modal(self, context, event):
         if event.type == 'ESC':
@@ -140,10 +113,65 @@ class OverFrames(Operator):
 
     def _start(self, context):
         self._timer = self._steps = None
+        self.total, self._steps = self.begin(context)
+        context.window_manager.progress_begin(0, self.total)
+
+    def _show(self, context, done):
+        context.window_manager.progress_update(done)
+        context.workspace.status_text_set(
+            tr("Step {done} of {all} (Esc cancels)").format(done=done, all=self.total))
+
+    def _finish(self, context):
+        self.cancel(context)
+        self.result(context)
+        return {'FINISHED'}
+
+
+class OverFrames(Job):
+    """Mixin of an operator that goes through frames.
+
+    steps(context, frames): a generator of how many of self.total steps are done (as many as frames, unless it says
+    otherwise), which puts everything back where it is closed before its end. result(context) reports what came of them.
+    In the window it asks for the range first, unless the caller has given it.
+    """
+
+    range: bpy.props.EnumProperty(
+        name="Frames", description="Which frames", items=RANGES, default='GIVEN', options={'SKIP_SAVE'})
+    frame_start: bpy.props.IntProperty(
+        name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
+    frame_end: bpy.props.IntProperty(
+        name="End", description="Last frame; the scene's where it is not given", options={'SKIP_SAVE'})
+    step: bpy.props.FloatProperty(
+        name="Step", description="Frames from one to the next, less than one for sub-frames", default=1.0, min=0.001,
+        soft_min=0.1, soft_max=10.0)
+    redo = (Rows((
+        "range", Row("frame_start", when=is_one_of("range", 'GIVEN')), Row("frame_end", when=is_one_of("range", 'GIVEN')),
+        Row("step", when=is_not("range", 'CURRENT')))),)
+
+    _is_asked = False
+
+    def execute(self, context):
+        is_asked, self._is_asked = self._is_asked, False
+        return self._guarded(context, self._run_in_window if is_asked else self._run)
+
+    def invoke(self, context, _event):
+        if context.window is None:
+            return self.execute(context)
+        if any(self.is_given(name) for name in ("range", "frame_start", "frame_end", *self.for_scripts)):
+            return self._guarded(context, self._run_in_window)
+        self._suggest(context.scene)
+        self._is_asked = True
+        return context.window_manager.invoke_props_dialog(self)
+
+    def draw_below(self, context):
+        first, last = span(self, context.scene)
+        text = bpy.app.translations.pgettext_iface("Frames {first}-{last}")
+        self.layout.label(text=text.format(first=f"{first:g}", last=f"{last:g}"), icon='TIME', translate=False)
+
+    def begin(self, context):
         frames = self.frames(context.scene)
         self.total = len(frames)
-        self._steps = self.steps(context, frames)
-        context.window_manager.progress_begin(0, self.total)
+        return self.total, self.steps(context, frames)
 
     def frames(self, scene):
         """The frames to go through, in their order. Raises Refused."""
@@ -157,13 +185,3 @@ class OverFrames(Operator):
     def _suggest(self, scene):
         self.range = 'PREVIEW' if scene.use_preview_range else 'SCENE'
         self.frame_start, self.frame_end = span(self, scene)
-
-    def _show(self, context, done):
-        context.window_manager.progress_update(done)
-        context.workspace.status_text_set(
-            tr("Step {done} of {all} (Esc cancels)").format(done=done, all=self.total))
-
-    def _finish(self, context):
-        self.cancel(context)
-        self.result(context)
-        return {'FINISHED'}

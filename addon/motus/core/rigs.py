@@ -20,7 +20,7 @@ _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE":
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 _INHERITED = {"inherit_scale": "i4", "use_inherit_rotation": "?", "use_local_location": "?"}
 LARGEST_CACHE = 64
-LARGE_SCENE = 8  # objects for each target
+LARGE_SCENE = 4  # objects for each target
 
 # How many objects a view layer had when they were last counted: only for the faster of two ways to the same answer.
 _layer_sizes = {}
@@ -103,7 +103,7 @@ def read(rig, known=None):
         columns(rig.matrix_world))
 
 
-FEW = 14
+FEW = 5
 """A bone's pose that is asked for by itself takes as long as so many that are read by one call."""
 
 
@@ -129,6 +129,14 @@ def columns(matrix):
         return np.frombuffer(memoryview(matrix).tobytes('A'), np.float32).astype(float)
     x, y, z, place = matrix.copy().col  # a copy, since each look into an object's own matrix asks the object
     return np.array((*x, *y, *z, *place))
+
+
+def standing(objects):
+    """World matrices of evaluated objects, (n, 16) column by column."""
+    if _LENDS_MEMORY:
+        matrices = (memoryview(one.matrix_world).tobytes('A') for one in objects)
+        return np.frombuffer(b"".join(matrices), np.float32).reshape(-1, 16)
+    return np.array([columns(one.matrix_world) for one in objects])
 
 
 def parents(rig, names):
@@ -175,53 +183,61 @@ def plan(rig, key, make):
     return found
 
 
+def source(rig, key, make, read):
+    """What `read(rig, plan)` makes of an evaluated rig and of plan(rig, key, make): kept for as long as Blender keeps these copies
+    of the rig and of its armature."""
+    copy, armature = copies.of(rig), rig.data and copies.of(rig.data)
+    place = "source", key
+    found = None if copy is None else copy.found.get(place)
+    if found is None or armature is None or found[0] is not armature:
+        found = armature, read(rig, plan(rig, key, make))
+        if copy is not None:
+            copy.found[place] = found
+    return found[1]
+
+
 class Standing:
-    """Where some objects stand, all of them read by one call."""
+    """Where evaluated objects stand that an evaluated copy names, all of them read by one call."""
 
-    def __init__(self):
-        self._every = self._wanted = self._rows = self._room = None
-        self._state = ()
+    def __init__(self, objects):
+        self._objects = objects
+        self._every = self._rows = self._room = self._scene = None
 
-    def matrices(self, depsgraph, objects, copy=0):
-        """World matrices of evaluated objects, (n, 16) float32 column by column; None: they are to be asked one by one.
+    def matrices(self, depsgraph):
+        """World matrices, (n, 16) float32 column by column; None: they are to be asked one by one.
 
-        So it is where one of them is None or not in the evaluated view layer, and where that has a great many others.
-        objects(): the list of them. copy: number of the owner's copy (core/copies.py) that names them, and goes on to name the
-        same; 0 where they may be others each time.
+        So it is where one of the objects is not in the evaluated view layer, and where that has a great many others.
         """
         # Which objects stand in a view layer is part of the scene's own copy.
-        state = copy, copies.number_of(depsgraph.scene_eval)
-        view_layer = depsgraph.view_layer_eval
-        if not all(state) or state != self._state:
-            self._look(view_layer, objects)
-            self._state = state
+        scene, view_layer = copies.of(depsgraph.scene_eval), depsgraph.view_layer_eval
+        if scene is None or scene is not self._scene:
+            self._look(view_layer)
+            self._scene = scene
         if self._rows is None:
             return None
         view_layer.objects.foreach_get("matrix_world", self._room)
         return self._room.reshape(-1, 16).take(self._rows, axis=0)
 
-    def _look(self, view_layer, objects):
+    def _look(self, view_layer):
         layer = view_layer.id_data.name, view_layer.name
-        listed = objects()
-        deleted.which([one for one in listed if one])  # from now on it is known when one of them is deleted
-        wanted = list(map(hash, listed))
-        most = LARGE_SCENE * len(wanted)
+        deleted.which(self._objects)  # from now on it is known when one of them is deleted
+        most = LARGE_SCENE * len(self._objects)
         if _layer_sizes.get(layer, 0) <= most:
-            # Of evaluated data no references are kept; what is compared is where it lies in memory.
+            # What is compared is where evaluated data lies in memory.
             every = list(map(hash, view_layer.objects.values()))
             _layer_sizes[layer] = len(every)
             if len(every) <= most:
-                if every != self._every or wanted != self._wanted:
-                    self._find(every, wanted)
+                if every != self._every:
+                    self._find(every)
                 return
         self._every = self._rows = None
 
-    def _find(self, every, wanted):
-        rows = {mark: row for row, mark in enumerate(every)}
+    def _find(self, every):
+        rows, wanted = {mark: row for row, mark in enumerate(every)}, list(map(hash, self._objects))
         is_there = all(mark in rows for mark in wanted)
         self._rows = np.array([rows[mark] for mark in wanted]) if is_there else None
         self._room = np.empty(16 * len(every), np.float32)
-        self._every, self._wanted = every, wanted
+        self._every = every
 
 
 def _matrices(name, collection, attribute, count):

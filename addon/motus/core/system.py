@@ -1,6 +1,5 @@
 """What a system declares: its settings, inputs, outputs and solve function. The wiring does the rest."""
 
-import functools
 from dataclasses import dataclass, field
 from typing import Any, Callable, Iterable, Optional
 
@@ -362,10 +361,10 @@ class Context:
 
     settings: Any
     owner: Any
-    frame: float
-    depsgraph: Any
-    locations: Any
-    rotations: Any
+    frame: float = 0.0
+    depsgraph: Any = None
+    locations: Any = None
+    rotations: Any = None
     scales: Any = None
     outputs: Any = field(default_factory=list)
     member_data: Any = None
@@ -377,6 +376,12 @@ class Context:
     memo: Any = None
     targets: Any = None
     common: dict = field(default_factory=dict)
+
+    def begin(self, frame, depsgraph, memo, common=None, targets=None):
+        """Go to a frame."""
+        self.frame, self.depsgraph, self.memo, self.targets = frame, depsgraph, memo, targets
+        self.common = {} if common is None else common
+        self.wants_to_settle = False
 
     def target(self, name):
         """The evaluated object that a pointer setting names."""
@@ -396,10 +401,14 @@ class Context:
             found = self.memo[name] = key, make()
         return found[1]
 
-    @functools.cached_property
+    @property
     def fps(self):
-        render = self.depsgraph.scene.render
-        return render.fps / render.fps_base
+        """Frames a second."""
+        found = self.common.get("fps")
+        if found is None:
+            render = self.depsgraph.scene.render
+            found = self.common["fps"] = render.fps / render.fps_base
+        return found
 
 
 registered = {}

@@ -1,11 +1,11 @@
-"""The scene "Motus Snow": a quiet evening at the edge of a wood, a cabin with lit windows, and snow that falls."""
+"""The scene "Motus Snow": a village at the edge of a wood at dusk, that turns white in the snow that falls."""
 
 import math
 
 import bpy
 from mathutils import Vector
 
-from . import evening_land, evening_props, lighting, shapes, staging
+from . import evening_houses, evening_land, evening_props, evening_trees, lighting, shapes, staging
 
 SCENE_NAME = "Motus Snow"
 FRAMES_PER_SECOND = 24
@@ -23,25 +23,30 @@ MOON_COLOR, MOON_STRENGTH, MOON_ROTATION = (0.55, 0.68, 1.0), 0.45, (0.75, 0.15,
 VIEWS = (("AgX", "AgX - Medium High Contrast", 0.9), ("Filmic", "Medium High Contrast", 0.6))
 # Name, place, half width, flakes a second, seed: over the whole place, and a few more before the camera.
 CLOUDS = (
-    ("Snowfall", (0.0, 12.0, 10.0), 15.0, 2600.0, 0),
+    ("Snowfall", (0.0, 11.5, 10.0), 17.0, 2600.0, 0),
     ("Near Snowfall", (0.0, -2.5, 6.0), 4.5, 220.0, 1),
 )
-CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.2, -8.6, 1.75)), Vector((-0.5, 12.0, 2.35)), 36.0
+AHEAD = 8.0  # s before the scene in which it begins to snow: at first there is little but on roofs
+LIFETIME = 14.0  # s, until flakes have come down
+COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0)}
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
 CAMERA_TRAVEL = 1.1  # m to the left, in the whole scene
 
 
 def build(context):
     """Build the scene, show it in the window and return it."""
     scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, SECONDS * FRAMES_PER_SECOND)
-    land, snow = (staging.new_collection(scene, name) for name in ("Evening", "Snowfall"))
+    land, covered, snow = (staging.new_collection(scene, name) for name in ("Evening", "Covered", "Snowfall"))
     scene.world = _world()
     lighting.set_color_management(scene, VIEWS)
     _add_moon(land)
-    lying = evening_land.snow_material()
-    evening_land.build(land, lying)
-    evening_props.build(land, lying)
+    white = evening_land.whitening(scene)
+    evening_land.build(land, covered, white)
+    evening_houses.build(land, covered)
+    evening_props.build(land, covered)
+    evening_trees.build(land, covered, evening_land.mottled("Wood Needles", (0.012, 0.034, 0.024), (0.022, 0.052, 0.038), 3.0, white))
     _add_camera(scene, land)
-    _add_snow(context, snow)
+    _add_snow(context, snow, covered)
     scene.frame_set(1)
     return scene
 
@@ -58,15 +63,19 @@ def _add_moon(collection):
     shapes.link_object(collection, "Moon", lamp).rotation_euler = MOON_ROTATION
 
 
-def _add_snow(context, collection):
-    """Gentle snow, by the public operator."""
+def _add_snow(context, collection, covered):
+    """Gentle snow, and what lies of it, by the public operators."""
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
     for name, place, radius, rate, seed in CLOUDS:
         if bpy.ops.motus.snow_add(
-                preset="GENTLE", location=place, cone_radius=radius, rate=rate, seed=seed) != {"FINISHED"}:
+                preset="GENTLE", location=place, cone_radius=radius, rate=rate, seed=seed, lifetime=LIFETIME,
+                start_frame=1.0 - AHEAD * FRAMES_PER_SECOND) != {"FINISHED"}:
             raise RuntimeError("The snow could not be added")
         context.object.name = name
+    if bpy.ops.motus.snow_cover_add(
+            collection=covered.name, emitters=",".join(cloud[0] for cloud in CLOUDS), lands=False, **COVER) != {"FINISHED"}:
+        raise RuntimeError("The snow that lies could not be added")
 
 
 def _add_camera(scene, collection):

@@ -1,20 +1,21 @@
-"""The land of the evening scene: snowy ground that rises to a wood of firs, with hills behind."""
+"""The land of the evening scene: meadows that rise to a wood, with hills behind, and materials that turn white."""
 
 import math
 
 import numpy as np
 
-from . import landscape, materials, shapes, woods
+from . import landscape, materials, shapes
 
 SEED = 77
-HALF = 90.0  # m, half the side of the ground
+HALF = 90.0  # m, half the side of the land
 GRID = 260
-CABIN = (3.6, 13.5)  # where the ground is level
-PATH = ((0.8, -12.0), (0.4, 0.0), (1.2, 6.0), (3.0, 10.5))  # trodden to the cabin
-WHITE, SHADE = (0.86, 0.90, 0.97), (0.62, 0.70, 0.86)
-TREES, CLEARING = 2600, 9.5
-# A fir of unit height: base, top and width of each skirt.
-SKIRTS = ((0.08, 0.42, 0.26), (0.24, 0.58, 0.22), (0.40, 0.74, 0.175), (0.56, 0.88, 0.13), (0.72, 1.0, 0.085))
+VILLAGE = (-17.0, 17.0), (-9.0, 32.0)  # m: snow that lies is computed here; beyond the material turns white
+STEP = 0.5  # m, of the ground there
+PLACES = ((4.6, 12.2), (-6.4, 13.6), (-0.9, 24.5), (10.6, 21.0), (-11.8, 22.5))  # where the ground is level
+PATH = ((0.8, -12.0), (0.4, 0.0), (0.6, 8.0), (-0.9, 15.0), (-0.9, 20.0))  # trodden through the village
+WHITE = (0.86, 0.90, 0.97)
+GRASS = (0.060, 0.050, 0.030), (0.125, 0.105, 0.062)
+BARE, SNOWY = 1.6, 0.35  # how far up what is white has to face, at the beginning and in the end
 
 
 def height(x, y):
@@ -22,8 +23,8 @@ def height(x, y):
     rolling = 1.7 * (landscape.fractal_noise(x, y, 16.0, 4, SEED) - 0.5)
     rise = 7.0 * landscape.smoothstep(np.asarray(y, float), 20.0, 70.0) + 0.10 * np.maximum(np.abs(x) - 12.0, 0.0)
     hills = 16.0 * landscape.smoothstep(np.hypot(x, y), 60.0, 90.0) * landscape.fractal_noise(x, y, 45.0, 3, SEED + 9)
-    far = np.hypot(np.asarray(x) - CABIN[0], np.asarray(y) - CABIN[1])
-    level = landscape.smoothstep(far, 2.6, 7.0)
+    far = np.min([np.hypot(np.asarray(x, float) - at, np.asarray(y, float) - up) for at, up in PLACES], axis=0)
+    level = landscape.smoothstep(far, 3.2, 8.0)
     return level * rolling + rise + hills - 0.16 * _trodden(x, y)
 
 
@@ -36,81 +37,51 @@ def _trodden(x, y):
     return 1.0 - landscape.smoothstep(nearest, 0.25, 0.75)
 
 
-def build(collection, snow):
-    """Ground and firs. snow: the ground's material."""
+def build(collection, covered, white):
+    """The land, and the ground of the village, which stands in the collection of what snow lies on. white: see whitening()."""
     axis = np.linspace(-1.0, 1.0, GRID)
     warped = HALF * (0.25 * axis + 0.75 * axis ** 3)
     x, y = np.meshgrid(warped, warped + 8.0)
-    builder = shapes.MeshBuilder()
-    builder.add(shapes.loft(np.stack((x, y, height(x, y)), axis=-1), closed=False))
-    shapes.link_object(collection, "Snowy Ground", builder.build("Snowy Ground", [snow]))
-    woods.add_forest(collection, "Snowy Firs", _fir(collection), _places(), (3.5, 8.5), SEED + 30)
+    z = height(x, y)
+    (left, right), (front, back) = VILLAGE
+    # Under the ground of the village, which is finer.
+    inside = np.minimum(np.minimum(x - left, right - x), np.minimum(y - front, back - y))
+    land = shapes.MeshBuilder()
+    land.add(shapes.loft(np.stack((x, y, z - 0.6 * landscape.smoothstep(inside, 0.0, 2.0)), axis=-1), closed=False))
+    shapes.link_object(collection, "Land", land.build("Land", [mottled("Far Meadow", *GRASS, 0.8, white)]))
+    x, y = np.meshgrid(np.arange(left, right + 0.5 * STEP, STEP), np.arange(front, back + 0.5 * STEP, STEP))
+    ground = shapes.MeshBuilder()
+    ground.add(shapes.loft(np.stack((x, y, height(x, y)), axis=-1), closed=False))
+    shapes.link_object(covered, "Village Ground", ground.build("Village Ground", [mottled("Meadow", *GRASS, 0.8)]))
 
 
-def _places():
-    """Places (m, 3) of firs: dense behind, a few at the sides, none before the cabin or on the path."""
-    index = np.arange(TREES)
-    luck = [landscape.lattice(index, np.full(TREES, row), SEED + 20) for row in range(3)]
-    x, y = (luck[0] * 2.0 - 1.0) * 70.0, luck[1] * 85.0 - 6.0
-    from_middle = np.hypot(x / 1.25, (y - 9.0) / 1.35)
-    chance = landscape.smoothstep(from_middle, CLEARING, CLEARING + 12.0)
-    keep = (luck[2] < chance) & (np.abs(x - 0.6) > 2.5 + 0.16 * (y + 8.0) * (y < 8.0))
-    return np.column_stack((x, y, height(x, y) - 0.1))[keep]
+def whitening(scene):
+    """A node group whose output falls in the course of the scene: how far up what is white of the far land has to face."""
+    shader, _, result = materials.new_group("Evening Whitening", [], [("Least", "NodeSocketFloat")])
+    value = shader.add("ShaderNodeValue").outputs[0]
+    for frame, least in ((scene.frame_start, BARE), (scene.frame_end, SNOWY)):
+        value.default_value = least
+        value.keyframe_insert("default_value", frame=frame)
+    shader.feed(result.inputs[0], value)
+    return shader.tree
 
 
-def _fir(collection):
-    """A fir of unit height whose branches carry snow."""
-    builder = shapes.MeshBuilder()
-    builder.add(shapes.upright(shapes.lathe(((0.03, 0.2), (0.03, 0.0)), segments=7)), 1)
-    for base, top, width in SKIRTS:
-        middle = base + 0.45 * (top - base)
-        profile = ((0.001, top), (width * 0.42, middle), (width, base), (0.02, base + 0.05))
-        builder.add(shapes.upright(_ragged(shapes.lathe(profile, segments=18), width)))
-    mesh = builder.build("Snowy Fir", [_branch_material(), materials.principled("Evening Bark", color=(0.05, 0.035, 0.03))])
-    return shapes.link_object(collection, "Snowy Fir", mesh)
-
-
-def _ragged(part, width):
-    """A skirt whose edge goes in and out, branch by branch."""
-    vertices, faces = part
-    angle = np.arctan2(vertices[:, 2], vertices[:, 0])
-    far = np.hypot(vertices[:, 0], vertices[:, 2]) / width
-    out = 1.0 + 0.20 * far * np.sin(9.0 * angle + 3.0)
-    vertices = vertices * np.column_stack((out, np.ones_like(out), out))
-    vertices[:, 1] -= 0.05 * far * (np.sin(9.0 * angle + 3.0) + 1.0) * width
-    return vertices, faces
-
-
-def snow_material():
-    """Snow: white, a little blue where it is hollow, with fine grain."""
-    material, shader, output = materials.new_material("Evening Snow")
-    position = shader.add("ShaderNodeNewGeometry").outputs["Position"]
-    color = shader.ramp(shader.noise(position, 0.6, detail=6.0), ((0.35, SHADE), (0.65, WHITE)))
-    bump = shader.add("ShaderNodeBump", {"Height": shader.noise(position, 7.0, detail=8.0), "Strength": 0.35, "Distance": 0.05})
-    node = shader.add("ShaderNodeBsdfPrincipled")
-    materials.set_principled(shader, node, color=color, roughness=0.6, specular=0.35, normal=bump.outputs[0])
-    materials.finish(material, shader, output, node.outputs[0])
-    material.diffuse_color = (*WHITE, 1.0)
-    return material
-
-
-def covered(name, color, least=0.35, roughness=0.8):
-    """A material that carries snow wherever it faces up."""
+def mottled(name, dark, light, scale, white=None):
+    """A matt material of two colours in patches of about 1 / scale m, which turns white by whitening()."""
     material, shader, output = materials.new_material(name)
-    geometry = shader.add("ShaderNodeNewGeometry")
-    up = shader.add("ShaderNodeSeparateXYZ", {0: geometry.outputs["Normal"]}).outputs[2]
-    grain = shader.math("MULTIPLY", shader.math("SUBTRACT", shader.noise(geometry.outputs["Position"], 3.0), 0.5), 0.5)
-    lies = shader.math("MULTIPLY", shader.math("SUBTRACT", shader.math("ADD", up, grain), least), 6.0, clamp=True)
+    position = shader.add("ShaderNodeTexCoord").outputs["Object"]
+    color = shader.ramp(shader.noise(position, scale, detail=6.0), ((0.35, dark), (0.68, light)))
+    if white is not None:
+        geometry = shader.add("ShaderNodeNewGeometry")
+        up = shader.add("ShaderNodeSeparateXYZ", {0: geometry.outputs["Normal"]}).outputs[2]
+        grain = shader.math("MULTIPLY", shader.math("SUBTRACT", shader.noise(geometry.outputs["Position"], 1.5), 0.5), 1.2)
+        more = shader.math("SUBTRACT", shader.math("ADD", up, grain), shader.group(white, {}).outputs[0])
+        color = shader.mix(shader.math("MULTIPLY", more, 5.0, clamp=True), color, (*WHITE, 1.0))
     node = shader.add("ShaderNodeBsdfPrincipled")
-    materials.set_principled(
-        shader, node, color=shader.mix(lies, (*color, 1.0), (*WHITE, 1.0)), roughness=roughness, specular=0.2)
+    materials.set_principled(shader, node, color=color, roughness=0.85, specular=0.15)
     materials.finish(material, shader, output, node.outputs[0])
-    material.diffuse_color = (*color, 1.0)
+    material.diffuse_color = (*light, 1.0)
     return material
-
-
-def _branch_material():
-    return covered("Snowy Needles", (0.018, 0.045, 0.032), least=0.12)
 
 
 def ground_at(x, y):

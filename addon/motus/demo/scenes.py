@@ -57,9 +57,9 @@ SCENES = (
         ambience=0.6,
     ),
     DemoScene(
-        name="snow", identifier="SNOW", module="evening", label="Quiet Evening",
-        description="Snow that falls on a cabin at the edge of a wood, without a cache",
-        stills=(("Evening Camera", 4.0), ("Evening Camera", 1.0), ("Evening Camera", 8.0)),
+        name="snow", identifier="SNOW", module="evening", label="Winter Village",
+        description="Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache",
+        stills=(("Evening Camera", 9.0), ("Evening Camera", 3.0), ("Evening Camera", 0.4)),
         film=(0.0, 10.0),
         ambience=1.0,
     ),

@@ -107,7 +107,10 @@ class OwnInput(_Input):
         """[(track, keywords of motus.track_record)]."""
         thing = self._thing
         names = {"datablock": thing.id_data.name, "transform": 'OWN'}
-        return [(tracks.own_track(thing), names if thing == thing.id_data else names | {"bone": thing.name})]
+        parts = {name.lower() for name in self._entry.channels}
+        if "rotation" in parts:
+            parts.add("scale")  # what is mirrored turns otherwise
+        return [(tracks.own_track(thing, parts), names if thing == thing.id_data else names | {"bone": thing.name})]
 
     def samples(self, frames):
         """Samples at frames (n,)."""

@@ -40,7 +40,7 @@ class _OnProperty:
 class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.Operator):
     bl_idname = "motus.dynamics_add"
     bl_label = "Add Dynamics"
-    bl_description = "Let objects or bones follow their animation with weight, swing and overshoot"
+    bl_description = "Let objects, bones or a property follow their animation with weight, swing and overshoot"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
     modes = OBJECT_OR_POSE_MODE
     needs_native = True
@@ -178,7 +178,7 @@ def _what_to_follow(thing):
 class MOTUS_OT_dynamics_remove(Operator, _OnProperty, bpy.types.Operator):
     bl_idname = "motus.dynamics_remove"
     bl_label = "Remove Dynamics"
-    bl_description = "Leave objects or bones to their own animation again"
+    bl_description = "Leave objects, bones or properties to their own animation again"
     modes = OBJECT_OR_POSE_MODE
 
     object: object_keyword("Name of the object; empty takes the selected ones, in Pose Mode the selected bones")

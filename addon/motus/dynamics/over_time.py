@@ -120,7 +120,7 @@ class OverTime(_OverTime):
         entry = self._entry
         settings = (getattr(entry, name) for name in KEYWORDS)
         return together((
-            *self._time, self._owner.motus.dynamics.influence, entry.is_muted, tracks.own_track(self._owner).stamp,
+            *self._time, self._owner.motus.dynamics.influence, entry.is_muted, self._input.tracks[0].stamp,
             *(tuple(sorted(value)) if isinstance(value, set) else value for value in settings)))
 
 

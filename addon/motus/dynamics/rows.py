@@ -14,7 +14,8 @@ def _has_channels(settings):
     return _is_thing(settings) and (settings.follow == 'OWN' or not getattr(settings, "name", ""))
 
 
-FOLLOW = Rows((Row("follow", when=_is_thing), Row("channels", when=_has_channels, expand=True, stacks=True)), title="Follow")
+_CHANNELS = Row("channels", when=_has_channels, expand=True, stacks=True)
+FOLLOW = Rows((Row("follow", when=_is_thing), _CHANNELS), title="Follow")
 BY_FREQUENCY = Rows(("frequency", "damping", "response"), title="Motion")
 MOTION = Rows((
     Row("frequency", when=is_one_of("shape", 'FREQUENCY')), Row("damping", when=is_one_of("shape", 'FREQUENCY')),
@@ -29,7 +30,8 @@ JUMP = Rows(("jump",))
 ADDING = (
     Rows(("style",), title="Style"),
     Rows((*BY_FREQUENCY.rows,), title="Motion", when=lambda operator: operator.style == 'CUSTOM'),
-    FOLLOW,
+    # What nobody gives is chosen for each thing: the panel shows it.
+    Rows((Row("follow", when=lambda operator: _is_thing(operator) and operator.is_given("follow")), _CHANNELS), title="Follow"),
     Rows(("whole_chains", "chain_delay"), title="Bones", when=_is_thing),
     Rows((*AMOUNT.rows, "use_loop", *LOOP.rows, *JUMP.rows), title="Amount"),
 )

@@ -229,7 +229,7 @@ def _make(context, copy, scene):
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
     asked = Asked(tuple(dict.fromkeys(making.bones)), tuple(path for path, _, _ in properties))
-    is_still = copy is not None and not copy.has_animated_settings(owner)
+    is_still = copy is not None and not copy.has_animated_settings
     return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,
                 tuple(making.members), next(iter(making.problems), None), _weights(settings) if is_still else None)
 

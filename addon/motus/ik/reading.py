@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from ..core import copies, native, rigs
 from ..core.lazy import numpy as np
 from .goals import places as goal_places
+from .goals import stations
 from .groups import PLAN
 from .reasons import MUTED
 from .wired import RigChanged, Wired
@@ -46,77 +47,76 @@ class Gathered(NamedTuple):
 
 def gather(rig, text, depsgraph):
     """Read an evaluated rig. text: what groups.py noted of the group. Raises RigChanged."""
-    wired = _plan(rig, text)
-    return _gather(rig, wired, rigs.poses(rig, wired.still), depsgraph)
+    return _source(rig, text).gather(depsgraph, None)
 
 
 def gather_wired(rig, data, depsgraph):
     """The same for a group's data as the wiring has kept it; of the poses only what IkPlan.solve reads."""
-    wired = _plan(rig, data.get(PLAN))
-    return _gather(rig, wired, rigs.poses(rig, wired.still, wired.posed), depsgraph)
+    found = _source(rig, data.get(PLAN))
+    return found.gather(depsgraph, found.wired.posed)
 
 
-def _plan(rig, text):
-    return rigs.plan(rig, text, lambda rig, rows: Wired(rig, rows, text))
+def _source(rig, text):
+    return rigs.source(rig, text, lambda rig, rows: Wired(rig, rows, text), _Source)
 
 
 class _Settings(NamedTuple):
-    """What the entries say, group by group: read once for each copy of the rig where nothing animates them.
-
-    numbers: as in Gathered, settings. places: see _places. muted: rows. weights: of the rotation, None where no entry takes
-    one; offsets: (C, 3) with it. has_limits: whether an entry keeps its bones' limits. copy: number of the copy, 0 where the
-    next frame may say otherwise.
-    """
+    """What the entries say, group by group. numbers: as in Gathered, settings. muted: rows. weights: of the rotation, None where no
+    entry takes one; offsets: (C, 3) with it. has_limits: whether an entry keeps its bones' limits."""
 
     numbers: Any
-    places: Any
     muted: Any
     weights: Any
     offsets: Any
     has_limits: bool
     is_stiff: bool
-    copy: int
 
 
-def _bones(rig, wired):
-    """Read once for each copy of the rig, where nothing animates these bones."""
-    copy = copies.of(rig)
-    if copy is None or copy.has_animated_poses(rig, wired.moved):
-        return wired.bones(rig)
-    return wired.bones_of_copy(rig, copy.number)
+class _Source:
+    """An evaluated copy of a rig, as a group's entries need it. What nothing animates is read once."""
 
+    def __init__(self, rig, wired):
+        self._rig, self.wired, self._copy = rig, wired, copies.of(rig)
+        every = rig.motus.ik.entries
+        self._places = _places(every, wired.names)
+        self._entries = entries = list(every) if self._places is None else [every[place] for place in self._places]
+        self._targets = goal_places.Others(wired.targets, [entries[row].target for row in wired.targets.other_rows])
+        self._poles = goal_places.Others(wired.poles, [entries[row].pole for row in wired.poles.other_rows])
+        self._further = stations.Further(entries)
+        self._still_settings = self._still_bones = None
 
-def _gather(rig, wired, poses, depsgraph):
-    known = _settings_of(rig, wired)
-    posed = Posed(poses, rigs.columns(rig.matrix_world))
-    listed = _Listed(rig, known.places)
-    off = {}
-    targets = goal_places.read_targets(listed, wired, posed, known, depsgraph, off)
-    is_astray = wired.is_blended and goal_places.blend(targets, rig, listed, wired.further, off)
-    if known.weights is not None:
-        goal_places.turn(targets, known.offsets, known.weights)
-    if known.muted:
-        off.update(dict.fromkeys(known.muted, MUTED))
-    numbers = known.numbers
-    if off:
-        numbers = numbers.copy()
-        numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
-    poles = goal_places.read_poles(listed, wired, posed, known.copy, depsgraph)
-    bounds = limits(rig, wired) if known.has_limits else None
-    return Gathered(wired, _bones(rig, wired), posed, numbers, targets, poles, bounds, off, known.is_stiff, is_astray)
+    def gather(self, depsgraph, rows):
+        """The Gathered of the present frame. rows: as rigs.poses() takes them."""
+        rig, wired = self._rig, self.wired
+        known = self._settings()
+        posed = Posed(rigs.poses(rig, wired.still, rows), rigs.columns(rig.matrix_world))
+        off = {}
+        targets = goal_places.read_targets(wired, self._targets, posed, depsgraph, off)
+        is_astray = wired.is_blended and goal_places.blend(targets, self._entries, self._further, off)
+        if known.weights is not None:
+            goal_places.turn(targets, known.offsets, known.weights)
+        if known.muted:
+            off.update(dict.fromkeys(known.muted, MUTED))
+        numbers = known.numbers
+        if off:
+            numbers = numbers.copy()
+            numbers[list(off), native.module.IkPlan.SETTINGS.index("is_on")] = 0.0
+        poles = goal_places.read_poles(wired, self._poles, posed, depsgraph)
+        bounds = limits(rig, wired) if known.has_limits else None
+        return Gathered(wired, self._bones(), posed, numbers, targets, poles, bounds, off, known.is_stiff, is_astray)
 
+    def _settings(self):
+        is_still = self._copy is not None and not self._copy.has_animated_settings
+        if not is_still or self._still_settings is None:
+            is_animated = copies.has_animation(self._rig) if self._copy is None else not is_still
+            self._still_settings = _read_settings(self._rig.motus.ik, self._places, self.wired, is_animated)
+        return self._still_settings
 
-class _Listed:
-    """The group's entries, made into a list when somebody needs them."""
-
-    def __init__(self, rig, places):
-        self._rig, self._places, self._list = rig, places, None
-
-    def __call__(self):
-        if self._list is None:
-            every = list(self._rig.motus.ik.entries)
-            self._list = every if self._places is None else [every[place] for place in self._places]
-        return self._list
+    def _bones(self):
+        is_still = self._copy is not None and not self._copy.has_animated_poses(self.wired.moved)
+        if not is_still or self._still_bones is None:
+            self._still_bones = self.wired.bones(self._rig)
+        return self._still_bones
 
 
 def _places(entries, names):
@@ -129,29 +129,15 @@ def _places(entries, names):
     return [keys.index(name) for name in names]
 
 
-def _settings_of(rig, wired):
-    copy = copies.of(rig)
-    if copy is None:
-        return _read_settings(rig, wired, copies.has_animation(rig), 0)
-    if copy.has_animated_settings(rig):
-        return _read_settings(rig, wired, True, 0)
-    key = "ik", wired.key
-    if key not in copy.found:
-        copy.found[key] = _read_settings(rig, wired, False, copy.number)
-    return copy.found[key]
-
-
-def _read_settings(rig, wired, is_animated, copy):
-    settings = rig.motus.ik
-    places = _places(settings.entries, wired.names)
+def _read_settings(settings, places, wired, is_animated):
     numbers, is_stiff = _numbers(settings, places, wired, is_animated)
     muted = _column(settings.entries, "is_muted", places, dtype="?")
     weights = numbers[:, wired.columns["rotation_weight"]]
     is_turned = np.count_nonzero(weights) > 0
     return _Settings(
-        numbers, places, np.flatnonzero(muted).tolist(), weights if is_turned else None,
+        numbers, np.flatnonzero(muted).tolist(), weights if is_turned else None,
         _column(settings.entries, "rotation_offset", places, 3) if is_turned else None,
-        np.count_nonzero(numbers[:, wired.columns["use_limits"]]) > 0, is_stiff, copy)
+        np.count_nonzero(numbers[:, wired.columns["use_limits"]]) > 0, is_stiff)
 
 
 def _numbers(settings, places, wired, is_animated):

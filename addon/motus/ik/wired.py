@@ -2,7 +2,6 @@
 
 from ..core import native, rigs, stored
 from ..core.lazy import numpy as np
-from .goals.stations import Further
 from .groups import OUTPUTS
 
 
@@ -44,7 +43,6 @@ class Wired:
         self.columns = {name: column for column, name in enumerate(native.module.IkPlan.SETTINGS)}
         self.settings = self._settings_as_wired(chains)
         self.is_blended = any(chain["extras"] for chain in chains)
-        self.further = Further()
         self.all_bones = np.array([row for chain in bones for row in chain])
         self.targets = _Goals(rows, chains, "target")
         self.poles = _Goals(rows, chains, "pole")
@@ -65,7 +63,7 @@ class Wired:
         names = tuple(rows)
         self.moved = frozenset(names[row] for row in self.plan.rows)
 
-        self._known_rest, self._known_bones = (None, None), (0, None, None)
+        self._known_rest = None, None
 
     def bones(self, rig):
         """The plan's bones as an evaluated rig has them animated."""
@@ -74,13 +72,6 @@ class Wired:
     def bones_of(self, basis):
         """The same of bones' own transforms, as rigs.Arrays has them."""
         return self.plan.bones(self._at_rest(), basis)
-
-    def bones_of_copy(self, rig, number):
-        """The same for a copy of the rig, by its number, in which nothing animates them: read once."""
-        rest = self._at_rest()
-        if self._known_bones[:2] != (number, rest):
-            self._known_bones = number, rest, self.bones(rig)
-        return self._known_bones[2]
 
     def _settings_as_wired(self, chains):
         found = np.zeros((len(chains), len(self.columns)))
@@ -109,8 +100,6 @@ class _Goals:
         self.has_own = len(own) > 0
         mine = {index for index, _ in own}
         self.other_rows = [index for index, where, _ in found if where and index not in mine]
-        self.are_others = len(self.other_rows) == len(chains)
         self.other_bones = {index: bone for index, where, bone in found if bone and where and index not in mine}
         self.are_any = bool(self.has_own or self.other_rows)
         self.none = [index for index, where, _ in found if not where]
-        self.standing = rigs.Standing()

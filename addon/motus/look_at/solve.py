@@ -39,47 +39,59 @@ class Wired:
         self.told = [report.index(name) for name in OUTPUTS]
 
 
+class _Source:
+    """An evaluated copy of a rig, as a group's entries need it. Raises KeyError where an entry is gone."""
+
+    def __init__(self, rig, wired):
+        self.wired = wired
+        every = rig.motus.look_at.entries
+        self.places = [every.find(name) for name in wired.names]
+        if -1 in self.places:
+            raise KeyError
+        self.entries = [every[place] for place in self.places]
+
+
 def solve(context):
     """Turns of the group's bones at the context's frame. Never raises for a user's error."""
     text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     try:
-        wired = rigs.plan(context.owner, text, lambda rig, rows: Wired(rig, rows, text))
+        source = rigs.source(context.owner, text, lambda rig, rows: Wired(rig, rows, text), _Source)
     except (KeyError, ValueError):  # bones that are gone, or hang together otherwise
         return BONES_CHANGED
-    if wired.names:
-        problem = _solve(context, rigs.read(context.owner, wired.still), wired)
+    if source.entries:
+        problem = _solve(context, source)
         if problem:
             return problem
     return TARGET_LOOPS if looped else None
 
 
-def _solve(context, arrays, wired):
-    if (wired.members, len(wired.names) * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
+def _solve(context, source):
+    wired, count = source.wired, len(source.entries)
+    if (wired.members, count * len(OUTPUTS)) != (len(context.rotations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    entries = context.settings.entries
-    places = [entries.find(name) for name in wired.names]
-    if min(places) < 0:
-        return BONES_CHANGED
-    points, found = _targets(entries, places)
-    settings = _settings(entries, places, wired.columns)
-    settings[:, wired.columns["weight"]] *= context.settings.influence
+    points, found = _targets(source.entries)
+    settings = context.kept("heads", source, lambda: _settings(context.settings, source.places, wired.columns))
     muted = settings[:, wired.columns["is_on"]] == 0.0
-    settings[found != reasons.REACHED, wired.columns["is_on"]] = 0.0
+    is_off = found != reasons.REACHED
+    if is_off.any():
+        settings = settings.copy()
+        settings[is_off, wired.columns["is_on"]] = 0.0
+    arrays = rigs.read(context.owner, wired.still)
     report = wired.plan.solve(
         arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, settings, points, wired.head_forward,
         wired.eyes_forward, rotations=context.rotations)
-    told = context.outputs.reshape(len(places), len(OUTPUTS))
+    told = context.outputs.reshape(count, len(OUTPUTS))
     told[:] = report[:, wired.told]
     reason = told[:, OUTPUTS.index("reason")]
-    is_off = found != reasons.REACHED
     reason[is_off] = found[is_off]
     reason[muted] = reasons.MUTED
     told[reason < 0.0, OUTPUTS.index("angle")] = 0.0
     return SOME_ARE_OFF if ((reason < 0.0) & (reason != reasons.MUTED)).any() else None
 
 
-def _settings(entries, places, columns):
+def _settings(settings, places, columns):
     """(heads, columns) numbers, as the plan wants them."""
+    entries = settings.entries
     values = np.zeros((len(places), len(columns)))
     column = np.empty(len(entries), np.float32)
     for name in NUMBERS:
@@ -88,15 +100,15 @@ def _settings(entries, places, columns):
     muted = np.empty(len(entries), bool)
     entries.foreach_get("is_muted", muted)
     values[:, columns["is_on"]] = ~muted[places]
+    values[:, columns["weight"]] *= settings.influence
     return values
 
 
-def _targets(entries, places):
+def _targets(entries):
     """World places of what is looked at, (heads, 3), and for each head why there is none."""
-    points = np.zeros((len(places), 3))
-    found = np.full(len(places), reasons.REACHED)
-    for row, place in enumerate(places):
-        entry = entries[place]
+    points = np.zeros((len(entries), 3))
+    found = np.full(len(entries), reasons.REACHED)
+    for row, entry in enumerate(entries):
         target = entry.target
         if target is None:
             found[row] = reasons.NO_TARGET

@@ -1,7 +1,7 @@
 """Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
 
 from ..core.system import System
-from . import gizmo, landings, operators, overlay, panel, presets, properties, solve
+from . import cover, gizmo, landings, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow",
@@ -22,3 +22,5 @@ SYSTEM = System(
     add_menu=("motus.snow_add",),
     object_menu=("motus.snow_remove",),
 )
+
+COVER = cover.SYSTEM

@@ -32,7 +32,7 @@ class Poses(NamedTuple):
     matrices: Any
 
     def __eq__(self, other):
-        return self.stamp == other.stamp
+        return other is not None and self.stamp == other.stamp
 
     def __hash__(self):
         return hash(self.stamp)
@@ -71,6 +71,17 @@ def standing(matrix):
     """Poses of an emitter that has always been where it is."""
     rows = np.array(matrix, float)
     return Poses(rows.tobytes(), np.zeros(1), rows[None])
+
+
+def over_time(obj, scene, present, frame, longest, start_frame, fps):
+    """(Poses at which the flakes of a frame were born, whether the motion is known; else it counts as standing).
+
+    The Poses are None where they are not finite. present: the matrix of the object now. longest: as in moving().
+    """
+    moved = track(obj, scene)
+    if not moved.is_known or moved.extent is None:
+        return standing(present), moved.is_known
+    return moving(moved, frame, longest, start_frame, fps), True
 
 
 def moving(moved, frame, longest, start_frame, fps):

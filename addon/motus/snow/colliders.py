@@ -36,23 +36,28 @@ def objects(settings):
 
 def barrier(context):
     """(the native SnowCollider or None, Problem or None)."""
-    settings, scene = context.settings, context.depsgraph.scene
+    found, fault = parts(context.settings, context.depsgraph.scene)
+    return (flakes.collider(found) if found else None), fault or (None if found else NO_FACES)
+
+
+def parts(settings, scene, left_out=()):
+    """(those that stand still, as a tuple of Placed, Problem or None) of evaluated settings. left_out: originals."""
     found, fault = _found(settings)
+    found = [one for one in found if one.objects[0].original not in left_out]
     if settings.recorded is None:
         still = [one for one in found if not any(stillness.moves(obj, scene) for obj in one.objects)]
         fault = fault or (MOVING if len(still) < len(found) else None)
         found = still
-    parts = tuple(filter(None, (placed(one.objects[0], one.matrix) for one in found)))
-    return (flakes.collider(parts) if parts else None), fault or (None if parts else NO_FACES)
+    return tuple(filter(None, (placed(one.objects[0], one.matrix) for one in found))), fault
 
 
 def record(emitter, depsgraph):
     """Let flakes land on the colliders as they are now, whatever these do later. Returns whether there were any faces."""
-    parts = [placed(one.objects[0], one.matrix) for one in _found(emitter.evaluated_get(depsgraph).motus.snow)[0]]
-    parts = list(filter(None, parts))
-    if not parts:
+    found = [placed(one.objects[0], one.matrix) for one in _found(emitter.evaluated_get(depsgraph).motus.snow)[0]]
+    found = list(filter(None, found))
+    if not found:
         return False
-    positions, triangles = joined(parts)
+    positions, triangles = joined(found)
     mesh = bpy.data.meshes.new(NAME)
     mesh.vertices.add(len(positions))
     mesh.vertices.foreach_set("co", positions.ravel())
@@ -94,7 +99,7 @@ def _found(settings):
     found, fault = [], None
     for each in _members(settings):
         if all(one in ready for one in (each.object, *each.instancers)):
-            found.append(_Found(_seen_at(each, ready), *(ready[one] for one in (each.object, *each.instancers))))
+            found.append(_Found(seen_at(each, ready), *(ready[one] for one in (each.object, *each.instancers))))
     if settings.collider is not None:
         collider = ready.get(settings.collider.original)
         if collider is None or deleted.is_deleted(collider):
@@ -104,7 +109,8 @@ def _found(settings):
     return found, fault
 
 
-def _seen_at(each, ready):
+def seen_at(each, ready):
+    """Where what is Gathered stands. ready: {original: evaluated}."""
     matrix = ready[each.object].matrix_world
     for instancer in reversed(each.instancers):
         matrix = ready[instancer].matrix_world @ Matrix.Translation(-instancer.instance_collection.instance_offset) @ matrix

@@ -80,15 +80,11 @@ def source(owner):
 
 def _poses(context, present):
     """(Poses, Problem or None); None for poses that are not finite."""
-    obj, scene = source(context.owner), context.depsgraph.scene
-    moved = births.track(obj, scene)
-    if not moved.is_known:
-        return births.standing(present), UNKNOWN
-    if moved.extent is None:
-        return births.standing(present), None
     settings = context.settings
-    return births.moving(
-        moved, context.frame, flakes.longest_life(settings), settings.start_frame, context.fps), None
+    poses, is_known = births.over_time(
+        source(context.owner), context.depsgraph.scene, present, context.frame, flakes.longest_life(settings),
+        settings.start_frame, context.fps)
+    return poses, None if is_known else UNKNOWN
 
 
 def _faces(context, placed, surface):

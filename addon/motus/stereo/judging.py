@@ -27,12 +27,20 @@ def judge(eyes, lens, screen, pixels, x, depths):
     limit = call.divergence_limit(screen["width"], screen["eye_separation"])
     near, far = call.comfortable_parallax(**screen)
     left, right = call.window_violations(x, depths, **eyes, tolerance=HIDDEN_PIXELS / pixels)
-    vertical = call.vertical_parallax(float(np.min(depths)), lens.aspect, **eyes)
+    vertical = _vertical(float(np.min(depths)), lens, eyes)
     highest, lowest = float(np.max(parallax)), float(np.min(parallax))
     found = {
         'DIVERGES': highest - limit, 'FAR': highest - far if highest <= limit else 0.0, 'NEAR': -lowest - near,
         'LEFT': left, 'RIGHT': right, 'VERTICAL': vertical - HIDDEN_PIXELS / pixels}
     return Seen(parallax, {kind: value for kind, value in found.items() if value > 0.0})
+
+
+def _vertical(depth, lens, eyes):
+    """Vertical parallax of a corner at a depth; the whole width of the image where one eye is turned away from it."""
+    try:
+        return native.module.vertical_parallax(depth, lens.aspect, **eyes)
+    except ValueError:
+        return 1.0
 
 
 def sentence(kind, worst, frames, screen, pixels):

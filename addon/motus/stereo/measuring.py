@@ -25,8 +25,8 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
 
     left_out: bpy.props.FloatProperty(
         name="Left Out",
-        description="Share of the picture that does not count at either end: small things that are very near or very far", default=100.0 * LEFT_OUT,
-        min=0.0, max=49.0, subtype='PERCENTAGE')
+        description="Share of the picture that does not count at either end: small things that are very near or very far",
+        default=100.0 * LEFT_OUT, min=0.0, max=49.0, subtype='PERCENTAGE')
     ahead: bpy.props.IntProperty(
         name="Look Ahead", description="By how many samples at least near and far change before what makes them change", default=12, min=0,
         soft_max=100)

@@ -73,8 +73,8 @@ def _draw_strain(layout, settings, screen):
     limits = [100.0 * limit for limit in native.module.comfortable_parallax(**screen)]
     if any(mine > limit for mine, limit in zip((settings.near_parallax, settings.far_parallax), limits)):
         near, far = (f"{limit:.2f}" for limit in limits)
-        ui.draw_message(layout, tr("The budget strains the eyes: on this screen {near} % in front and {far} % behind are comfortable").format(
-            near=near, far=far), 'ERROR')
+        sentence = tr("The budget strains the eyes: on this screen {near} % in front and {far} % behind are comfortable")
+        ui.draw_message(layout, sentence.format(near=near, far=far), 'ERROR')
 
 
 def _rulers(context, owner, eyes):

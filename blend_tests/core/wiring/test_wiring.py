@@ -13,6 +13,7 @@ from core.wiring.wiring_cases import (
 
 wiring = support.addon("core.wiring")
 solver = support.addon("core.wiring.solver")
+solving = support.addon("core.wiring.solving")
 per_thread = support.addon("core.per_thread")
 capabilities = support.addon("core.capabilities")
 FRAMES = (10, 3, 55, 1, 248, 54.25, 7.5, 54)
@@ -215,7 +216,7 @@ class OutputTest(WiringTestCase):
     @each_kind
     def test_error_of_our_own(self, build):
         owner, things = build(toy_system.new_target())
-        with mock.patch.object(toy_system, "pose", side_effect=RuntimeError), self.assertLogs(solver.log, "ERROR"):
+        with mock.patch.object(toy_system, "pose", side_effect=RuntimeError), self.assertLogs(solving.log, "ERROR"):
             frame_set(6)
         problem = wiring.problem(toy_system.SYSTEM, owner, bpy.context.evaluated_depsgraph_get())
         self.assertTrue(problem.blocking)

@@ -11,7 +11,7 @@ from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
 outbox = support.addon("core.wiring.outbox")
-solver = support.addon("core.wiring.solver")
+solving = support.addon("core.wiring.solving")
 capabilities = support.addon("core.capabilities")
 SYSTEM, NOD = toy_bone_system.SYSTEM, toy_bone_system.NOD
 
@@ -81,7 +81,7 @@ class EvaluationTest(BoneTestCase):
         rig = build()
         frame_set(4)
         with mock.patch.object(toy_bone_system, "angle", side_effect=RuntimeError), \
-                self.assertLogs(solver.log, "ERROR"):
+                self.assertLogs(solving.log, "ERROR"):
             frame_set(6)
             problem = wiring.problem(SYSTEM, rig, bpy.context.evaluated_depsgraph_get())
             found = poses(rig)

@@ -23,7 +23,7 @@ print("KINDS", sorted({{one.object.type for one in bpy.context.evaluated_depsgra
 """
 FRESH = """
 import support, toy_points_system as toy
-support.register_systems(toy.SPARKS, toy.TRAILS)
+support.register_systems(toy.SPARKS, toy.TRAILS, toy.SHEET)
 import bpy
 bpy.ops.wm.open_mainfile(filepath={path!r}, use_scripts=False)
 from core.wiring.test_wiring_points import assert_sparks
@@ -89,8 +89,8 @@ def assert_sparks(owner, frame):
 class PointsTestCase(support.SceneTestCase):
     @classmethod
     def setUpClass(cls):
-        support.register_systems(toy.SPARKS, toy.TRAILS, toy.LINES)
-        cls.addClassCleanup(support.unregister_systems, toy.SPARKS, toy.TRAILS, toy.LINES)
+        support.register_systems(toy.SPARKS, toy.TRAILS, toy.LINES, toy.SHEET)
+        cls.addClassCleanup(support.unregister_systems, toy.SPARKS, toy.TRAILS, toy.LINES, toy.SHEET)
 
     def sparks(self, **values):
         owner = toy_system.new_object("Owner", (1.0, 2.0, 3.0), bpy.data.meshes.new("Owner"))

@@ -87,13 +87,13 @@ def test_undo_is_one_step():
     rig = build()
     bpy.ops.ed.undo_push(message="built")
     with window_support.override():
-        bpy.ops.motus.ik_remove('INVOKE_DEFAULT', True, object="Figure", bone="shin.L")  # True: as from a button
+        bpy.ops.motus.ik_remove('INVOKE_DEFAULT', True, object="Figure", bone="shin.L", remove_controls=True)  # True: as from a button
     yield
-    assert len(rig.motus.ik.entries) == 1
+    assert len(rig.motus.ik.entries) == 1 and "Figure shin.L Target" not in bpy.data.objects
     bpy.ops.ed.undo()
     yield
     rig = bpy.data.objects["Figure"]
-    assert len(rig.motus.ik.entries) == 2
+    assert len(rig.motus.ik.entries) == 2 and "Figure shin.L Target" in bpy.data.objects
     evaluated = rig.evaluated_get(bpy.context.evaluated_depsgraph_get())
     tip = evaluated.matrix_world @ evaluated.pose.bones["shin.R"].tail
     target = bpy.data.objects["Figure shin.R Target"].location

@@ -3,7 +3,7 @@
 import bpy
 import support
 from bpy_extras.view3d_utils import location_3d_to_region_2d
-from mathutils import Vector
+from mathutils import Quaternion, Vector
 from window import window_support
 
 KNOTS = ((-3.0, 0.0, 0.0), (2.0, 4.0, 1.0), (14.0, 1.0, 3.0))
@@ -109,7 +109,7 @@ def test_the_header_leads_back():
     assert len(draws) == 1
     assert run(view='LEAVE') == {'FINISHED'}
     yield
-    assert state() == before
+    assert state() == before, (state(), before)
 
 
 def test_beside_an_open_sidebar():
@@ -140,7 +140,7 @@ def test_the_way_back_from_a_maximised_area():
             assert views.is_on(bpy.context), is_maximised
     run(view='LEAVE')
     yield
-    assert state() == before
+    assert state() == before, (state(), before)
 
 
 def test_another_file_has_none():
@@ -153,6 +153,8 @@ def test_another_file_has_none():
     with window_support.override():
         assert not views.is_on(bpy.context)
     assert not views._before
+    # That of a new file is not quite of length 1 in Blender 3.4, and could not be put back to the bit.
+    space().region_3d.view_rotation = Quaternion()
 
 
 def test_a_quad_view_of_the_artists_own_stays():
@@ -187,7 +189,7 @@ def test_left_by_blenders_own_key():
     assert len(windows()) == 4, "what is left is no edit view any more"
     run()
     yield
-    assert state() == before
+    assert state() == before, (state(), before)
 
 
 def test_single_views():
@@ -201,4 +203,4 @@ def test_single_views():
     yield from window_support.picture("path_edit_view_top")
     run(view='LEAVE')
     yield
-    assert state() == before
+    assert state() == before, (state(), before)

@@ -10,7 +10,7 @@ def build():
     for obj in list(bpy.data.objects):
         bpy.data.objects.remove(obj)
     camera = cases.camera()
-    cases.square("Near", (0.3, 5.0, 0.0), 1.0)
+    cases.square("Near", (0.3, 5.0, 0.0), 1.0).color = (0.0, 0.0, 0.0, 1.0)
     cases.square("Wall", (0.0, 9.0, 0.0), 30.0)
     other = cases.square("Other", (50.0, 0.0, 0.0))
     bpy.context.view_layer.objects.active = other
@@ -32,6 +32,7 @@ def test_fits_what_is_seen():
 def test_anaglyph_view_and_back():
     camera = build()
     space = window_support.area().spaces.active
+    space.shading.color_type = 'OBJECT'
     with window_support.override():
         bpy.ops.view3d.view_axis(type='TOP')
     yield
@@ -43,9 +44,9 @@ def test_anaglyph_view_and_back():
     path = yield from window_support.picture("stereo_anaglyph")
     width, _, values = window_support.pixels(path)
     seen = np.array(values).reshape(-1, width, 4)
-    # Blender's own frames of both eyes are drawn in pure colours; the squares' edges are not.
-    reddish = (seen[..., 0] > seen[..., 2] + 0.1) & (seen[..., 0] < 0.9)
-    bluish = (seen[..., 2] > seen[..., 0] + 0.1) & (seen[..., 0] > 0.05)
+    # Beside the dark square each eye sees of the wall what the other one does not. Blender's frames of the eyes are red and green.
+    reddish = seen[..., 0] > seen[..., 2] + 0.2
+    bluish = seen[..., 2] > seen[..., 0] + 0.2
     view = window_support.region()
     rows = slice(view.y + view.height // 4, view.y + 3 * view.height // 4)
     columns = slice(view.x + view.width // 4, view.x + 3 * view.width // 4)
@@ -54,4 +55,5 @@ def test_anaglyph_view_and_back():
         bpy.ops.motus.stereo_view(object=camera.name)
     yield
     assert space.region_3d.view_perspective == where and space.overlay.show_overlays
+    space.shading.color_type = 'MATERIAL'
     assert space.region_3d.view_rotation.rotation_difference(turn).angle < 1e-4

@@ -19,7 +19,7 @@ PATH, FIRST, SECOND = (620, 752), (300, 692), (300, 670)
 
 def steps(strip):
     """Generator: the five steps of the Chroma Key page."""
-    with tempfile.TemporaryDirectory() as folder:
+    with tempfile.TemporaryDirectory(prefix="footage_") as folder:
         yield from _steps(strip, folder)
 
 
@@ -35,13 +35,13 @@ def _steps(strip, folder):
 
     yield 3.0
     yield from hand.over_view()
-    yield from strip.shot(600, 80, has_mouse=False)
+    yield from strip.shot(260, 190, has_mouse=False)
 
     yield from hand.click("View", hand.box('UI'), beside=90)
     yield 0.5
     yield from hand.click("Matte")
     yield 2.0
-    yield from strip.shot(350, 160)
+    yield from strip.shot(560, 80)
 
     yield from hand.click("View", hand.box('UI'), beside=90)
     yield 0.5

@@ -2,12 +2,15 @@
 
 from . import hand
 
+MATERIAL_PREVIEW = 989, 760
+"""The button in the viewport's header, from the lower left of the window."""
+
 
 def steps(strip):
     """Generator: the five steps of the Snow page."""
     yield from hand.fresh()
-    yield from hand.menu("Add", "Motus", "Add Snow", within=hand.box('HEADER'))
-    yield from strip.shot(240, 180)
+    yield from hand.on("Add Snow", hand.box('UI'))
+    yield from strip.shot(620, 120)
     yield from hand.click()
 
     yield from hand.over_view()
@@ -25,6 +28,9 @@ def steps(strip):
     yield from strip.shot(620, 300)
 
     yield from hand.over_view()
-    yield from hand.click_at((300, 150))
+    yield from hand.key('A', alt=True)
     yield from hand.key('NUMPAD_0')
+    yield from hand.click_at(MATERIAL_PREVIEW)
+    yield from hand.over_view()
+    yield 6.0
     yield from strip.shot(150, 150, has_mouse=False)

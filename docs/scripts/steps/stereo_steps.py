@@ -2,6 +2,9 @@
 
 from . import hand
 
+DIALOG = 600, 60, 1270, 450
+"""(left, bottom, right, top) in the window."""
+
 
 def steps(strip):
     """Generator: the five steps of the Stereo Cameras page."""
@@ -12,7 +15,7 @@ def steps(strip):
     yield from hand.click()
 
     yield from hand.over_view()
-    yield from strip.shot(190, 120, has_mouse=False)
+    yield from strip.shot(290, 120, has_mouse=False)
 
     yield from hand.click("Anaglyph View", hand.box('UI'))
     yield from hand.over_view()
@@ -28,9 +31,11 @@ def steps(strip):
 
     yield from hand.click("Check Stereo", hand.box('UI'))
     yield 0.5
-    yield from hand.click("Scene")
+    yield from hand.click("Scene", DIALOG)
     yield 0.5
     yield from hand.click("Current Frame")
-    yield from hand.click("OK")
+    yield from hand.click("OK", DIALOG)
     yield 1.0
-    yield from strip.shot(200, 330)
+    yield from hand.on("Parallax of what is seen", hand.box('UI'))
+    yield from hand.scroll(-6)
+    yield from strip.shot(200, 180)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <glm/mat3x3.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -11,6 +12,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -101,6 +103,20 @@ class IndexRows {
   private:
     IntArray array_{py::ssize_t{0}};
 };
+
+/// A new array of rows, (n, width), or of numbers, (n,).
+template <class Row>
+[[nodiscard]] py::array array_of(const std::vector<Row>& rows) {
+    const auto count = static_cast<py::ssize_t>(rows.size());
+    const auto filled = [&](auto array) {
+        if (!rows.empty()) std::memcpy(array.mutable_data(), rows.data(), sizeof(Row) * rows.size());
+        return array;
+    };
+    if constexpr (std::is_arithmetic_v<Row>)
+        return filled(py::array_t<Row>(count));
+    else
+        return filled(py::array_t<typename Row::value_type>({count, py::ssize_t{Row::length()}}));
+}
 
 /// Whether every position is finite. Calls no Python.
 [[nodiscard]] inline bool are_finite(std::span<const glm::vec3> positions) {

@@ -419,7 +419,7 @@ what it meets first after birth; a way between looks 1/32 s apart counts as stra
 as it was turned; 'slide', straight down the triangle and those beyond its edges, of a collider, as acceleration pulls it
 (with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
 'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its
-lifetime ends, as it does anyway. Where flakes land is found once and kept, for 18 million of them at most (1 GB).
+lifetime ends, as it does anyway. Where flakes land is found once and kept, for 18 million of all Snows at most (1 GB).
 seed: 0 to 2^32 - 1; random numbers belong to flake and seed.
 emitter_times (k,), rising, emitter_matrices (k, 4, 4): the emitter's poses; a flake is born at the pose of that moment.
 Raises ValueError or TypeError that names the argument, also where more than 1e8 flakes would live at once.)")

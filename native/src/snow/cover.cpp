@@ -36,8 +36,8 @@ constexpr double grip_range = 0.5;
                                                            const glm::dvec3& pull, double friction,
                                                            std::vector<Slide>& slides) {
     const glm::dvec3 down = unit_vector(pull);
-    constexpr int most_falls = 16;
-    for (int fall = 0; fall < most_falls; ++fall) {
+    constexpr int most_ways = 16;  // slides and falls
+    for (int way = 0; way < most_ways; ++way) {
         glm::dvec3 up = collider.normal(place.triangle);
         if (place.is_behind) up = -up;
         // What came to the lower side of something falls, too.
@@ -47,6 +47,8 @@ constexpr double grip_range = 0.5;
             const Collider::Rest rest = collider.slide(place, glm::dvec3(0.0), pull, friction, slides);
             place = rest.place;
             over = rest.over;
+            // A slide ends after so many triangles, wherever that is.
+            if (!over && slides.size() > Collider::most_slides) continue;
         }
         if (!over) return place;
         const std::optional<Collider::Place> next =

@@ -1,6 +1,7 @@
 #include "landings.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <span>
@@ -36,7 +37,16 @@ Landings::Landings(const Course& course, const Settings& settings)
       melt_time_(settings.melt_time),
       friction_(settings.friction),
       pull_(settings.acceleration),
-      pages_(most_pages, most_bytes) {}
+      number_([] {
+          static std::atomic<std::uint64_t> count{0};
+          return count++;
+      }()) {}
+
+Landings::Pages& Landings::pages() {
+    // Never destroyed: other threads may still use it when the process ends.
+    static auto& all = *new Pages(most_pages, most_bytes);
+    return all;
+}
 
 std::optional<Landings::Hit> Landings::first_hit(const glm::dvec3& start, const glm::dvec3& end) const {
     std::optional<Hit> first;
@@ -224,7 +234,7 @@ std::shared_ptr<const Landings::Page> Landings::find(std::uint64_t block) const 
 }
 
 std::shared_ptr<const Landings::Page> Landings::page(std::uint64_t block) const {
-    return pages_.get(block, [this](std::uint64_t missing) { return find(missing); });
+    return pages().get({number_, block}, [this](const PageKey& missing) { return find(missing.block); });
 }
 
 void Landings::land(const Page& page, double time, const std::uint32_t* lows, std::size_t count,

@@ -6,7 +6,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limits>
@@ -59,7 +58,9 @@ class Landings {
     /// Of the numbers from block_size * block on; looked for, or as they were kept.
     [[nodiscard]] std::shared_ptr<const Page> page(std::uint64_t block) const;
     /// null where it has not been looked for, or is no longer kept.
-    [[nodiscard]] std::shared_ptr<const Page> kept(std::uint64_t block) const { return pages_.held(block); }
+    [[nodiscard]] std::shared_ptr<const Page> kept(std::uint64_t block) const {
+        return pages().held({number_, block});
+    }
     [[nodiscard]] std::shared_ptr<const Page> find(std::uint64_t block) const;
 
     /// Puts flakes that have landed into the rows from `index` on.
@@ -71,12 +72,29 @@ class Landings {
     class March;
     [[nodiscard]] std::optional<Hit> first_hit(const glm::dvec3& start, const glm::dvec3& end) const;
 
+    struct PageKey {
+        std::uint64_t landings = 0;  ///< their number
+        std::uint64_t block = 0;
+
+        [[nodiscard]] friend bool operator==(const PageKey&, const PageKey&) = default;
+    };
+    struct PageHash {
+        [[nodiscard]] std::size_t operator()(const PageKey& key) const noexcept {
+            ContentHash hash;
+            hash.add(key.landings);
+            hash.add(key.block);
+            return hash.value();
+        }
+    };
     struct Bytes {
-        [[nodiscard]] std::size_t operator()(std::uint64_t /*block*/, const Page& page) const noexcept {
+        [[nodiscard]] std::size_t operator()(const PageKey& /*key*/, const Page& page) const noexcept {
             return sizeof page + bytes_of(page.slides);
         }
     };
-    using Pages = Cache<std::uint64_t, Page, std::hash<std::uint64_t>, Bytes>;
+    using Pages = Cache<PageKey, Page, PageHash, Bytes>;
+
+    /// Those of all snows, which together have so much room.
+    [[nodiscard]] static Pages& pages();
 
     const Course& course_;
     std::optional<double> ground_;
@@ -86,7 +104,7 @@ class Landings {
     double melt_time_;
     double friction_;
     glm::dvec3 pull_;
-    mutable Pages pages_;
+    std::uint64_t number_;  ///< no other's
 };
 
 }  // namespace motus::snow

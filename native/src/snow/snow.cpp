@@ -251,7 +251,7 @@ std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {
             of_blocks.size(), landing_grain,
             [&](std::size_t from, std::size_t to) {
                 for (std::size_t block = from; block < to; ++block) {
-                    const auto page = landings.find(block);
+                    const auto page = landings.page(block);
                     for (std::size_t slot = 0; slot < block_size; ++slot) {
                         const Landing& landing = page->landings.at(slot);
                         if (page->times.at(slot) <= end)

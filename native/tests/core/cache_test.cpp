@@ -1,6 +1,7 @@
 #include "motus/core/cache.hpp"
 
 #include <catch2/catch.hpp>
+#include <cstddef>
 #include <functional>
 #include <memory>
 #include <string>
@@ -94,6 +95,23 @@ TEST_CASE("a cache whose entries weigh too much drops what was used longest ago"
     CHECK(maker.made == 5);
     CHECK(*cache.get("longer than the cache", std::ref(maker)) == "longer than the cache!");
     CHECK(cache.size() == 0);
+}
+
+TEST_CASE("many entries are not all weighed for each that is added", "[cache]") {
+    static std::size_t asked = 0;
+    struct CountedBytes {
+        std::size_t operator()(std::size_t /*key*/, std::size_t /*value*/) const {
+            ++asked;
+            return 8;
+        }
+    };
+    constexpr std::size_t count = 4000, held = 2000;
+    Cache<std::size_t, std::size_t, std::hash<std::size_t>, CountedBytes> cache(2 * count, 8 * held);
+    for (std::size_t i = 0; i < count; ++i)
+        CHECK(*cache.get(i, [](std::size_t key) { return std::make_shared<const std::size_t>(key); }) == i);
+    CHECK(asked < 200 * count);
+    CHECK(cache.size() == held);
+    CHECK(cache.bytes() == 8 * held);
 }
 
 TEST_CASE("a cache that finds no memory is as it was", "[cache]") {

@@ -173,6 +173,36 @@ class SnowTest(unittest.TestCase):
             with self.subTest(name=name), self.assertRaisesRegex(TypeError, f"^{name}"):
                 call()
 
+    def test_layer(self):
+        corners, triangles = native.refine([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]], 0.3)
+        layer = native.SnowLayer(corners, triangles)
+        self.assertEqual(layer.vertex_count, len(corners))
+        depths = np.where(corners[:, 0] > 0.4, 0.1, 0.0).astype(np.float32)
+        found = layer.mesh(depths, 0.01)
+        self.assertEqual({name: array.dtype for name, array in found.items()}, {
+            "position": np.float32, "depth": np.float32, "triangle": np.int32, "edge": np.int32, "side": np.int32})
+        self.assertAlmostEqual(float(found["position"][:, 2].max()), 0.1, places=6)
+        self.assertEqual(found["position"].shape, (len(found["depth"]), 3))
+        self.assertEqual(found["side"].shape, found["triangle"].shape)
+        ends = np.sort(found["edge"], axis=1)[found["side"]]
+        np.testing.assert_array_equal(
+            ends, np.sort(np.stack((found["triangle"], np.roll(found["triangle"], -1, axis=1)), axis=2), axis=2))
+        self.assertEqual(len(layer.mesh(np.zeros(len(corners)))["position"]), 0)
+        nan = float("nan")
+        for call, name in (
+                (lambda: native.SnowLayer([[0, 0, nan]], []), "layer_positions"),
+                (lambda: native.SnowLayer([[0, 0, 0]], [[0, 0, 1]]), "layer_triangles"),
+                (lambda: native.SnowLayer(corners, triangles, (0, 0, 0)), "up"),
+                (lambda: layer.mesh([1.0]), "depths"), (lambda: layer.mesh(depths * nan), "depths"),
+                (lambda: layer.mesh(depths, -1.0), "thinnest"), (lambda: layer.mesh(depths, 0.0, 0.0), "steepest"),
+                (lambda: native.refine([[0, 0, nan]], [], 1), "positions"),
+                (lambda: native.refine([[0, 0, 0]], [[0, 0, 1]], 1), "triangles"),
+                (lambda: native.refine(corners, triangles, 0), "longest_edge"),
+                (lambda: native.refine(corners, triangles, 1e-3, 1000), "longest_edge"),
+                (lambda: native.refine(corners, triangles, 1, -1), "most_vertices")):
+            with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}"):
+                call()
+
     def test_errors_of_collisions_name_the_argument(self):
         nan = float("nan")
         for call, name in (

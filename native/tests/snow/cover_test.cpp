@@ -64,6 +64,16 @@ TEST_CASE("all that landed lies on the cover, at any time", "[snow]") {
     }
 }
 
+TEST_CASE("steep snow slides off, however finely the slope is divided", "[snow]") {
+    for (const int cells : {4, 150}) {
+        Settings settings = falling(2000.0);
+        settings.collider = sheet(2.0F, 0.0F, 2.5F, cells);
+        const Covered one(settings, {.end = 6.0, .flake_volume = 1e-3, .repose = 0.8});
+        CHECK(one.snow.touchdowns(6.0).size() > 1000);
+        CHECK(one.cover.volume(6.0) == 0.0);
+    }
+}
+
 TEST_CASE("the cover is even where snow falls evenly", "[snow]") {
     Settings settings = falling(40000.0);
     settings.collider = sheet(2.0F, 0.0F, 0.0F, 6);

@@ -155,3 +155,23 @@ TEST_CASE("only what is wanted is filled, and it is the same", "[snow]") {
     snow.evaluate(living, {.velocity = some.velocity, .age = some.age});
     CHECK(are_same(all, some));
 }
+
+TEST_CASE("what is kept of one snow's landings is no other's", "[snow]") {
+    Settings settings;
+    settings.rate = 300.0;
+    settings.gravity = true;
+    settings.emitter_times = {0.0};
+    settings.emitter_matrices = {glm::dmat4(-1.0)};
+    std::vector<Snow> snows;
+    for (const double height : {-1.0, -2.0, -3.0}) {
+        settings.ground = height;
+        snows.emplace_back(settings);
+    }
+    for (int round = 0; round < 2; ++round)
+        for (std::size_t i = 0; i < snows.size(); ++i) {
+            float lowest = 0.0F;
+            const Flakes flakes = flakes_at(snows[i], 2.0);
+            for (const glm::vec3& place : flakes.position) lowest = std::min(lowest, place.z);
+            CHECK(lowest == Approx(-1.0 - static_cast<double>(i)).margin(1e-4));
+        }
+}

@@ -10,7 +10,7 @@ from ..translations import tr
 from . import animation, recordings
 from .animation import Channel
 from .strips import keys_stamp
-from .transforms import Own, Transforms, World
+from .transforms import PARTS, Own, Transforms, World
 
 LARGEST_CACHE = 1024  # of what kept() keeps: the bones of some rigs, in a viewport and a render
 LARGEST_MEMORY = 1 << 30  # bytes of that
@@ -155,9 +155,12 @@ def _keyed_ranges(id_data, names):
     return {number.name: (number.least, number.most) for number in keyed}
 
 
-def own_track(thing):
-    """The Track of what the channels of an Object or PoseBone make, delta transforms included, as Transforms."""
-    return Track(Own(thing), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
+def own_track(thing, parts=PARTS):
+    """The Track of what the channels of an Object or PoseBone make, delta transforms included, as Transforms.
+
+    parts: those that count, of "location", "rotation" and "scale"; for the others the present value may stand at all times.
+    """
+    return Track(Own(thing, parts), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
 
 
 def world_track(thing, scene, beneath=None):

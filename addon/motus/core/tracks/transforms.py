@@ -42,11 +42,17 @@ class Transforms(NamedTuple):
         return found
 
 
-class Own:
-    """The transform that the channels of an Object or PoseBone make, delta transforms included: below parents and constraints."""
+PARTS = "location", "rotation", "scale"
 
-    def __init__(self, thing):
-        self._thing = thing
+
+class Own:
+    """The transform that the channels of an Object or PoseBone make, delta transforms included: below parents and constraints.
+
+    parts: those that count; for the others the present value may stand at all times.
+    """
+
+    def __init__(self, thing, parts=PARTS):
+        self._thing, self._counting = thing, frozenset(parts)
         self._id = thing.id_data
         self._prefix = "" if thing == self._id else f"{thing.path_from_id()}."
         self._mode = thing.rotation_mode
@@ -68,7 +74,12 @@ class Own:
             return Reason(Reason.MODE, thing=self._thing.name)
         if self._is_simple:
             return None
-        return next((one.reason for group in self.channels.values() for one in group if one.reason), None)
+        return next((one.reason for one in self._counted if one.reason), None)
+
+    @property
+    def _counted(self):
+        """The Channels that count."""
+        return [one for name, group in self.channels.items() if any(part in name for part in self._counting) for one in group]
 
     @property
     def stamp(self):
@@ -76,7 +87,7 @@ class Own:
         if not self._id.is_evaluated:
             return None
         if not self._is_simple:
-            return strips.together((self._mode, *(one.stamp for group in self.channels.values() for one in group)))
+            return strips.together((self._mode, *(one.stamp for one in self._counted)))
         return self._mode, self._prefix, self._action, *self._still_values()
 
     def values(self, times):
@@ -111,7 +122,7 @@ class Own:
         if self._is_simple:
             found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
             return keys.union([[first, last], *(keys.bounds(curve, first, last) for curve in found)])
-        return keys.union([one.bounds(first, last) for group in self.channels.values() for one in group])
+        return keys.union([[first, last], *(one.bounds(first, last) for one in self._counted)])
 
     @property
     def extent(self):
@@ -119,7 +130,7 @@ class Own:
         if self._is_simple:
             found = [curve for name, size in self._names().items() for curve in self._curves(name, size) if curve]
             return keys.united(map(keys.extent, found))
-        return keys.united(one.extent for group in self.channels.values() for one in group)
+        return keys.united(one.extent for one in self._counted)
 
     @property
     def present(self):

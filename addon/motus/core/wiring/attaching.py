@@ -45,6 +45,7 @@ def _wire(system, owner, group):
     elif system.has_modifier:
         geometry_sink.prepare(system, hub.data, of_owner(system, owner))
     outbox.create(system, hub.data, group, uses_attribute)
+    copies.mark(hub.data)
     if carriers.has_outlet(system, owner):
         outbox.create_outlet(system, owner, hub.data)
     solver_driver.add(system, owner, group, hub)

@@ -60,28 +60,24 @@ def note_use():
     _in_use[0] = True
 
 
-def check(system, owner, hub=None):
-    """Called with the evaluated owner: by its solver, which has a hub, or after the evaluation where owners share one."""
-    if hub is not None and property_sink.KEY in hub:
-        _keyed.add(_key(hub))
-        if property_sink.is_resting(hub):
-            _resting.add(_key(hub))
-    if owner.library:
-        return
-    animation = owner.animation_data
-    place = system.name, owner.name
-    # Whether settings are animated counts for outlets and driven properties alone.
-    counts = bool(system.outputs) or hub is not None and property_sink.KEY in hub
-    seen = len(animation.drivers) if animation else 0, counts and copies.has_moving_settings(owner)
-    if _seen.get(place) != seen:
-        _seen[place] = seen
+def note_state(place, state):
+    """Called with (system's name, owner's name) and (number of the owner's drivers, whether animation moves settings that
+    count): by the owner's solver, or after the evaluation where owners share one."""
+    if _seen.get(place) != state:
+        _seen[place] = state
         _asked.add(place)
 
 
-def watch_rows(system, hub, found):
-    """Called by the solver of a hub that owners share, with its evaluated mesh and the rows that it has."""
-    if not hub.library:
-        _rows[system.name, hub.name] = found
+def note_properties(hub):
+    """Called by the solver with an evaluated hub's mesh that drives properties."""
+    _keyed.add(_key(hub))
+    if property_sink.is_resting(hub):
+        _resting.add(_key(hub))
+
+
+def watch_rows(system, name, found):
+    """Called by the solver of a hub that owners share, with the name of its mesh and the rows that it has."""
+    _rows[system.name, name] = found
 
 
 def note_orphan(hub):
@@ -91,16 +87,14 @@ def note_orphan(hub):
         _object_count[0] = -1
 
 
-def watch(system, owner):
-    """Called by the solver with the evaluated owner whose points it moves; None where that was removed."""
-    if owner is not None and not owner.library:
-        _watched.add((system.name, owner.name))
+def watch(place):
+    """Called by the solver with the names of the system and the owner whose points it moves."""
+    _watched.add(place)
 
 
-def watch_collections(system, owner):
-    """Called by the solver with the evaluated owner for which it reads what a collection holds."""
-    if not owner.library:
-        _gathering.add((system.name, owner.name))
+def watch_collections(place):
+    """Called by the solver with the names of the system and the owner for which it reads what a collection holds."""
+    _gathering.add(place)
 
 
 def ask_to_settle(system, owner):
@@ -161,7 +155,9 @@ def _check_rows(depsgraph):
             animation, seen = owner.animation_data, _seen.get((name, owner_name))
             if animation and (
                     animation.action or animation.nla_tracks or seen is None or seen[0] != len(animation.drivers)):
-                check(registered[name], owner.evaluated_get(depsgraph))
+                evaluated = owner.evaluated_get(depsgraph)
+                moves = bool(registered[name].outputs) and copies.has_moving_settings(evaluated)
+                note_state((name, owner_name), (copies.drivers_on(evaluated), moves))
 
 
 def _heal_asked():

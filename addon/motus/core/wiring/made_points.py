@@ -35,12 +35,16 @@ class Room:
         self.is_full = False
         context.points = self._points
 
-    def _points(self, count):
+    def _points(self, count, edges=0, triangles=0):
         self.is_full = count > self._made.capacity
+        if self.is_full and self._made.shape == 'FACES':
+            count = edges = triangles = 0  # a part of a surface is another surface
         count = min(count, self._made.capacity)
         present = _resize(self._system, self._carrier, int(count), self._settings)
         self._staged = []
         self._found = {"position": self._positions(count)}
+        if self._made.shape == 'FACES':
+            self._found |= _faces(self._carrier, int(edges), int(triangles))
         for name, kind in present:
             self._found[name] = self._rotations(name, count) if _is_staged(kind) else attributes.memory(
                 self._carrier, name, _TYPES[kind])
@@ -68,7 +72,7 @@ class Room:
             return
         for write in self._staged:
             write()
-        if self._made.shape != 'POINTS':
+        if self._made.shape in {'CURVES', 'TUBES'}:
             _join(self._carrier, self._found["curve"])
 
 
@@ -90,12 +94,11 @@ def add_nodes(system, group, start, end):
     made = system.makes_points
     hub = node_groups.add_node(
         group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')
-    # As an instance it stands still in the world with all that its attributes say, whatever that is.
-    hub.inputs["As Instance"].default_value = made.space == 'WORLD'
+    # As an instance it stands still in the world with all that its attributes say, whatever that is. A surface says nothing
+    # but where it is, and modifiers behind, which do not look into instances, are to have it.
+    hub.inputs["As Instance"].default_value = made.space == 'WORLD' and made.shape != 'FACES'
     group.links.new(start.outputs["Hub"], hub.inputs["Object"])
-    found = (_as_points if made.shape == 'POINTS' else _as_curves)(made, group, hub.outputs["Geometry"])
-    if made.shape == 'TUBES':
-        found = _as_tubes(made, group, found)
+    found = _SHAPES[made.shape](made, group, hub.outputs["Geometry"])
     material = node_groups.add_node(group, "GeometryNodeSetMaterial")
     join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
     for source, target in (
@@ -118,7 +121,14 @@ def _as_curves(_made, group, mesh):
     return node.outputs["Curve"]
 
 
-def _as_tubes(made, group, curves):
+def _as_faces(_made, group, mesh):
+    node = node_groups.add_node(group, "GeometryNodeSetShadeSmooth")
+    group.links.new(mesh, node.inputs[0])
+    return node.outputs[0]
+
+
+def _as_tubes(made, group, mesh):
+    curves = _as_curves(made, group, mesh)
     circle = node_groups.add_node(group, "GeometryNodeCurvePrimitiveCircle")
     circle.inputs["Resolution"].default_value = TUBE_SIDES
     circle.inputs["Radius"].default_value = 1.0
@@ -129,6 +139,10 @@ def _as_tubes(made, group, curves):
         # Where there is no such input Blender takes the radius by itself.
         _link_radius(made, group, node, "Scale")
     return node.outputs["Mesh"]
+
+
+_SHAPES = {'POINTS': _as_points, 'CURVES': _as_curves, 'TUBES': _as_tubes, 'FACES': _as_faces}
+"""Points.shape -> what adds the nodes that make it of the hub's mesh."""
 
 
 def _link_radius(made, group, node, name):
@@ -184,14 +198,40 @@ def _clear(carrier):
     form.free()
 
 
+def _faces(carrier, edges, triangles):
+    """Room for edges and triangles in an evaluated mesh: which points they join, and which edges leave a triangle's corners."""
+    found = {"edges": _edges(carrier, edges)}
+    if triangles == 0:
+        return found | {"triangles": np.empty((0, 3), np.int32), "sides": np.empty((0, 3), np.int32)}
+    carrier.loops.add(3 * triangles)
+    carrier.polygons.add(triangles)
+    if ".corner_vert" in carrier.attributes:
+        starts = attributes.items(carrier.polygons, "<i4", ())
+        corners, sides = (attributes.memory(carrier, name, 'INT', 'CORNER') for name in (".corner_vert", ".corner_edge"))
+    else:
+        # Before Blender 3.6 a polygon is a record that begins with its first corner and how many it has, and a corner one
+        # of a vertex and an edge.
+        polygons, records = attributes.items(carrier.polygons, "<i4", (2,)), attributes.items(carrier.loops, "<i4", (2,))
+        polygons[:, 1] = 3
+        starts, corners, sides = polygons[:, 0], records[:, 0], records[:, 1]
+    starts[:] = np.arange(0, 3 * triangles, 3)
+    return found | {"triangles": corners.reshape(-1, 3), "sides": sides.reshape(-1, 3)}
+
+
+def _edges(carrier, count):
+    """Room for edges in an evaluated mesh: the points that each of them joins."""
+    carrier.edges.add(count)
+    if count == 0:
+        return np.empty((0, 2), np.int32)
+    if ".edge_verts" in carrier.attributes:
+        return attributes.memory(carrier, ".edge_verts", 'INT32_2D', 'EDGE')
+    # Before Blender 3.6 an edge is a record that begins with its ends.
+    return attributes.items(carrier.edges, "<i4", (2,))
+
+
 def _join(carrier, curves):
     """Join points that follow each other and are of the same curve by edges."""
     starts = np.flatnonzero(curves[1:] == curves[:-1])
-    carrier.edges.add(len(starts))
-    if ".edge_verts" in carrier.attributes:
-        ends = attributes.memory(carrier, ".edge_verts", 'INT32_2D', 'EDGE')
-    else:
-        # Before Blender 3.6 an edge is a record that begins with its ends.
-        ends = attributes.items(carrier.edges, "<i4", (2,))
+    ends = _edges(carrier, len(starts))
     ends[:, 0] = starts
     ends[:, 1] = starts + 1

@@ -259,12 +259,11 @@ def _size(value):
     return len(value) if hasattr(value, "typecode") else 0
 
 
-def let_out(system, owner, slots):
-    """Let an evaluated owner's outlet, where it has one, hold what was found: the slots of its own hub's outbox."""
-    outlet = owner.get(out_key(system)) if system.outputs else None
+def outlet(system, owner):
+    """Memory of an evaluated owner's outlet, which is to hold what its own hub's outbox begins with; None where it has none."""
+    found = owner.get(out_key(system)) if system.outputs else None
     count = FIRST_OUTPUT + len(system.outputs)
-    if _size(outlet) == count:
-        stored.doubles(outlet, count)[:] = slots[:count]
+    return stored.doubles(found, count) if _size(found) == count else None
 
 
 def remove(system, carrier):

@@ -72,15 +72,9 @@ def _plain(group):
     return [prop.identifier for prop in group.bl_rna.properties if prop.type in _FORMS or prop.type == 'ENUM']
 
 
-def read(system, mesh):
-    """The Row of each row of an evaluated hub's mesh, None where nobody has it, Damaged where it is not what pack() makes."""
-    copy = copies.of(mesh)
-    found = copy.found.get("rows") if copy else None
-    if found is None:
-        found = [_row(system, mesh.get(key(system, row))) for row in range(outbox.row_count(system, mesh))]
-        if copy:
-            copy.found["rows"] = found
-    return found
+def row(system, mesh, index):
+    """The Row of a hub's row, None where nobody has it, Damaged where it is not what pack() makes."""
+    return _row(system, mesh.get(key(system, index)))
 
 
 def _row(system, text):

@@ -13,47 +13,46 @@ from ..reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
 from . import stations
 
 
-def read_targets(entries, wired, posed, known, depsgraph, off):
+class Others:
+    """Targets or poles that are no bones of the rig itself, by the rows of the entries that go to them."""
+
+    def __init__(self, goals, objects):
+        """goals: as wired. objects: evaluated, one for each of the goals' other rows, or None."""
+        pairs = [(row, one) for row, one in zip(goals.other_rows, objects) if one is not None]
+        self.missing = [row for row, one in zip(goals.other_rows, objects) if one is None]
+        self.rows, self.objects = [row for row, _ in pairs], [one for _, one in pairs]
+        self._standing = rigs.Standing(self.objects)
+        self._bones = [(row, one, goals.other_bones[row]) for row, one in pairs if row in goals.other_bones]
+
+    def take(self, found, depsgraph, gone, lost):
+        """Fill in world matrices (C, 16). gone(row): called for objects that were deleted; lost(row): for bones that are not there."""
+        if not self.rows:
+            return
+        matrices = self._standing.matrices(depsgraph)
+        if matrices is None:
+            for index in deleted.which(self.objects):
+                gone(self.rows[index])
+            matrices = rigs.standing(self.objects)
+        found[self.rows] = matrices
+        for row, one, bone in self._bones:
+            matrix = world_matrix(one, bone)
+            if matrix is None:
+                lost(row)
+            else:
+                found[row] = rigs.columns(matrix)
+
+
+def read_targets(wired, others, posed, depsgraph, off):
     """(C, 16) world matrices."""
     found = wired.no_targets.copy()
     if wired.targets.has_own:
         _take_own(found, wired.targets, posed)
-    if wired.targets.other_rows:
-        _take_others(found, entries, wired.targets, known, depsgraph, off)
+    others.take(found, depsgraph, lambda row: off.update({row: TARGET_DELETED}), lambda row: off.setdefault(row, NO_TARGET_BONE))
+    for row in others.missing:
+        off[row] = NO_TARGET
     if wired.targets.none:
         off.update(dict.fromkeys(wired.targets.none, NO_TARGET))
     return found
-
-
-def _take_others(found, entries, goals, known, depsgraph, off):
-    """Fill in world matrices of targets that are no bones of the rig; where there is no weight, maybe places only."""
-    rows, bones = goals.other_rows, goals.other_bones
-
-    def listed():
-        return [entry.target for entry in (entries() if goals.are_others else [entries()[row] for row in rows])]
-
-    matrices = goals.standing.matrices(depsgraph, listed, known.copy)
-    targets = listed() if matrices is None or bones else ()
-    if matrices is not None:
-        found[slice(None) if goals.are_others else rows] = matrices
-    else:
-        if None in targets:
-            off.update((row, NO_TARGET) for row, target in zip(rows, targets) if target is None)
-            rows = [row for row, target in zip(rows, targets) if target]
-            targets = [target for target in targets if target]
-        off.update((rows[index], TARGET_DELETED) for index in deleted.which(targets))
-        for row, target in zip(rows, targets):
-            if known.weights is not None and known.weights[row]:
-                found[row] = rigs.columns(target.matrix_world)
-            else:
-                found[row, 12:15] = target.matrix_world.translation
-    for row, target in zip(rows, targets) if bones else ():
-        if row in bones:
-            matrix = world_matrix(target, bones[row])
-            if matrix is None:
-                off.setdefault(row, NO_TARGET_BONE)
-            else:
-                found[row] = rigs.columns(matrix)
 
 
 def _take_own(found, goals, posed):
@@ -75,15 +74,15 @@ def world_matrix(target, bone=""):
     return target.matrix_world @ posed.matrix if posed else None
 
 
-def blend(found, rig, entries, further, off):
+def blend(found, entries, further, off):
     """Replace targets by the mixture of two of them, where an entry's blend says so; one that is missing counts as the one
     before it.
 
     An entry whose own target is missing is off until its blend has left that. Returns whether another one is missing.
     """
     is_astray = False
-    for row, are_there in further.there(rig, entries).items():
-        entry = entries()[row]
+    for row, are_there in further.there().items():
+        entry = entries[row]
         if entry.target_blend <= 0.0:
             continue
         if not math.isfinite(entry.target_blend):
@@ -128,28 +127,19 @@ def turn(targets, offsets, weights):
         axes[:] = turn.T @ axes
 
 
-def read_poles(entries, wired, posed, copy, depsgraph):
+def read_poles(wired, others, posed, depsgraph):
     """(C, 3) places in the world; NaN where there is no pole."""
     goals = wired.poles
-    if not goals.has_own and not goals.other_rows:
+    if not goals.are_any:
         return wired.no_poles
     found = wired.no_poles.copy()
     if goals.has_own:
         rows, bones = goals.own
         heads = posed.poses[bones, 12:16] @ posed.world.reshape(4, 4)
         found[rows] = heads[:, :3]
-    if not goals.other_rows:
-        return found
-
-    def listed():
-        return [entries()[row].pole for row in goals.other_rows]
-
-    matrices = goals.standing.matrices(depsgraph, listed, copy)
-    if matrices is not None:
-        found[goals.other_rows] = matrices[:, 12:15]
-    for row, pole in zip(goals.other_rows, listed()) if matrices is None or goals.other_bones else ():
-        bone = goals.other_bones.get(row, "")
-        if pole and (bone or matrices is None) and not deleted.is_deleted(pole):
-            matrix = world_matrix(pole, bone)
-            found[row] = matrix.translation if matrix else np.nan
+    if others.rows:
+        matrices, none = np.empty((len(found), 16)), []
+        others.take(matrices, depsgraph, none.append, none.append)
+        matrices[none] = np.nan
+        found[others.rows] = matrices[others.rows, 12:15]
     return found

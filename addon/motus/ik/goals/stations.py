@@ -2,27 +2,27 @@
 
 import itertools
 
-from ...core import copies, deleted
+from ...core import deleted
 
 STANDS = 1e-4
 """A Blend this near to a whole number stands on one target."""
 
 
 class Further:
-    """Which further targets of a group's entries are there: looked up again only where that may be otherwise."""
+    """Which further targets of a group's evaluated entries are there: looked up again only where that may be otherwise."""
 
-    def __init__(self):
-        self._state, self._there = (), {}
+    def __init__(self, entries):
+        self._entries, self._changes, self._there = entries, None, {}
 
-    def there(self, rig, entries):
-        """{row: whether each further target is there} of those entries of an evaluated rig that have some.
+    def there(self):
+        """{row: whether each further target is there} of those entries that have some.
 
         It is asked before any Blend needs them: what was never seen in a collection would not count as deleted.
         """
         # Pointers are no settings that animation could set.
-        state = copies.number_of(rig), deleted.changes()
-        if not state[0] or state != self._state:
-            self._state, self._there = state, _there(entries())
+        changes = deleted.changes()
+        if changes != self._changes:
+            self._changes, self._there = changes, _there(self._entries)
         return self._there
 
 

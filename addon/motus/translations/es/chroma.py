@@ -3,10 +3,8 @@
 INTERFACE = {
     "Choose one file, or the pictures of one numbered sequence": "Elige un archivo, o las imágenes de una secuencia numerada",
     "Choose the clip or image that lies underneath": "Elige el clip o la imagen que queda debajo",
-    "Find Levels": "Buscar niveles",
     "Look at the key in the viewport, through the scene's camera; once more to look as before":
         "Mira el croma en la vista, por la cámara de la escena; otra vez para mirar como antes",
-    "Show in Viewport": "Mostrar en la vista",
     "A screen is green or blue: the colour has neither above its other channels":
         "Una pantalla es verde o azul: en este color ninguno de los dos supera a los demás canales",
     "Another clip or image": "Otro clip u otra imagen",
@@ -142,6 +140,8 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Find Levels": "Buscar niveles",
+    "Show in Viewport": "Mostrar en la vista",
     "Measure Screen": "Medir pantalla",
     "Remove Chroma Key": "Quitar croma",
     "Set Up Chroma Key": "Preparar croma",

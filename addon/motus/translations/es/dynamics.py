@@ -98,9 +98,10 @@ INTERFACE = {
     "Amount": "Cantidad",
     "Whole Chains": "Cadenas enteras",
     "Take all bones below along": "Incluir todos los huesos que están por debajo",
-    "Let objects or bones follow their animation with weight, swing and overshoot":
-        "Hace que objetos o huesos sigan su animación con peso y oscilación",
-    "Leave objects or bones to their own animation again": "Devuelve objetos o huesos a su propia animación",
+    "Let objects, bones or a property follow their animation with weight, swing and overshoot":
+        "Hace que objetos, huesos o una propiedad sigan su animación con peso y oscilación",
+    "Leave objects, bones or properties to their own animation again":
+        "Devuelve objetos, huesos o propiedades a su propia animación",
     "Let the motion close without a seam over the scene's frames, where the animation does":
         "Hace que el movimiento se cierre sin costura en los fotogramas de la escena, si la animación lo hace",
     "Wire the object again, after its bones or parents were changed":

@@ -196,7 +196,6 @@ INTERFACE = {
     "Points": "Puntos",
     "Preset": "Tipo",
     "Preview": "Vista previa",
-    "Quiet Evening": "Tarde tranquila",
     "Random": "Azar",
     "Random Color": "Color al azar",
     "Random Lifetime": "Vida al azar",
@@ -215,8 +214,9 @@ INTERFACE = {
     "Small flakes that gusts drive across": "Copos pequeños que las ráfagas arrastran",
     "Snow": "Nieve",
     "Snow Presets": "Ajustes de nieve",
-    "Snow that falls on a cabin at the edge of a wood, without a cache":
-        "Nieve que cae sobre una cabaña al borde de un bosque, sin caché",
+    "Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache":
+        "Nieve que cae al anochecer sobre una aldea cuyos tejados, árboles y prados se vuelven blancos, sin caché",
+    "Winter Village": "Aldea en invierno",
     "Spark": "Chispa",
     "Sparks": "Chispas",
     "Speck": "Mota",

@@ -1,9 +1,7 @@
 """Spanish: stereo cameras."""
 
 INTERFACE = {
-    "Anaglyph View": "Vista anaglifo",
     "Both eyes are written as: {format}": "Ambos ojos se escriben así: {format}",
-    "Fit to Screen": "Ajustar a la pantalla",
     "Look through both eyes of the camera in the viewport, with red and cyan glasses; once more to look as before":
         "Mira por ambos ojos de la cámara en la vista, con gafas rojas y cian; otra vez para mirar como antes",
     "Set the parallax of the budget to what is comfortable on this screen, and not deeper than it is round":
@@ -183,6 +181,8 @@ INTERFACE = {
 }
 
 OPERATORS = {
+    "Anaglyph View": "Vista anaglifo",
+    "Fit to Screen": "Ajustar a la pantalla",
     "Add Stereo Rig": "Añadir montaje estéreo",
     "Add Stereo Preset": "Añadir preajuste de estéreo",
     "Check Stereo": "Comprobar estéreo",

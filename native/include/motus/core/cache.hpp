@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <iterator>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -49,7 +50,7 @@ template <class T>
 /// it answers never depends on what it holds: a value is a function of its key.
 ///
 /// Bytes{}(key, value) says what an entry takes. It is asked anew whenever one is added, since a value may
-/// build a part of itself later.
+/// build a part of itself later; of more than 64 entries once for each 64th part of them that is added.
 template <class Key, class Value, class Hash, class Bytes>
 class Cache {
   public:
@@ -72,9 +73,11 @@ class Cache {
         if (Pointer held = find(hash, key)) return held;
         // What may throw comes before the splice, which cannot, and which keeps the iterator.
         Entries added;
-        added.push_front({hash, key, made});
+        added.push_front({hash, key, made, Bytes{}(key, *made)});
         index_.emplace(hash, added.begin());
         entries_.splice(entries_.begin(), added);
+        bytes_ += entries_.front().bytes;
+        if (++added_ > entries_.size() / 64) measure();
         shrink();
         return made;
     }
@@ -114,6 +117,7 @@ class Cache {
         std::size_t hash;
         Key key;
         Pointer value;
+        std::size_t bytes;  ///< when it was last asked
     };
     using Entries = std::list<Entry>;
 
@@ -128,27 +132,29 @@ class Cache {
         return nullptr;
     }
 
+    void measure() {
+        added_ = bytes_ = 0;
+        for (Entry& entry : entries_) bytes_ += entry.bytes = Bytes{}(entry.key, *entry.value);
+    }
+
     /// Drops what was used before the entries that fit.
     void shrink() {
-        auto end = entries_.begin();
-        std::size_t count = 0;
-        std::size_t bytes = 0;
-        for (; end != entries_.end(); ++end) {
-            bytes += Bytes{}(end->key, *end->value);
-            if (++count > capacity_ || bytes > byte_limit_) break;
-        }
-        while (end != entries_.end()) {
-            auto it = index_.find(end->hash);
-            while (it->second != end) ++it;
+        while (!entries_.empty() && (entries_.size() > capacity_ || bytes_ > byte_limit_)) {
+            const auto last = std::prev(entries_.end());
+            auto it = index_.find(last->hash);
+            while (it->second != last) ++it;
             index_.erase(it);
-            end = entries_.erase(end);
+            bytes_ -= last->bytes;
+            entries_.erase(last);
         }
     }
 
     mutable std::mutex mutex_;
     std::size_t capacity_;
     const std::size_t byte_limit_;
-    Entries entries_;  ///< used last first
+    Entries entries_;        ///< used last first
+    std::size_t bytes_ = 0;  ///< of all entries, when they were last asked
+    std::size_t added_ = 0;  ///< since all were asked
     std::unordered_multimap<std::size_t, typename Entries::iterator> index_;
 };
 

@@ -142,8 +142,8 @@ struct Living {
     std::vector<std::shared_ptr<const LandingPage>> pages{};  ///< of Snow::known(): null: left out
 };
 
-/// Immutable but for where flakes land, which is kept for the 18 million looked up last (1 GB), so that
-/// several threads may ask at once.
+/// Immutable but for where flakes land, which is kept for the 18 million of all snows looked up last (1 GB),
+/// so that several threads may ask at once.
 class Snow {
   public:
     static constexpr double most_flakes = 1e8;      ///< living at once

@@ -1,0 +1,23 @@
+"""Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
+
+from ...core.system import System
+from . import build, operators, panel, presets, properties, solve
+
+SYSTEM = System(
+    name="snow_cover",
+    label="Snow Cover",
+    settings=properties.MOTUS_PG_snow_cover,
+    classes=(
+        # The groups before the one that holds them.
+        properties.MOTUS_PG_snow_cover_entry, properties.MOTUS_PG_snow_cover,
+        *operators.classes, *presets.classes, *panel.classes,
+    ),
+    inputs=solve.INPUTS,
+    groups=build.groups,
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    makes_points=solve.POINTS,
+    settle=build.settle,
+    unbakeable=solve.UNBAKEABLE.sentence,
+    object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),
+)

@@ -1,0 +1,36 @@
+"""What snow lies on: the surfaces as one mesh in the world, refined, and what else flakes land on."""
+
+import functools
+from typing import Any, NamedTuple
+
+from ...core import native
+from ...core.lazy import numpy as np
+from .. import placing
+
+MOST = 1 << 21
+"""Vertices of the layer."""
+KEPT = 3
+
+
+class Ground(NamedTuple):
+    """collider: the native SnowCollider of the surfaces and what shelters them. layer: the SnowLayer of the surfaces alone,
+    whose vertices come first in the collider."""
+
+    collider: Any
+    layer: Any
+
+
+@functools.lru_cache(maxsize=KEPT)
+def made(lain_on, shelters, resolution, up):
+    """The Ground of what is Placed; None where it would have more than MOST vertices."""
+    positions, triangles = placing.joined(lain_on)
+    try:
+        positions, triangles = native.module.refine(positions, triangles, resolution, MOST)
+    except ValueError:
+        return None
+    layer = native.module.SnowLayer(positions, triangles, up)
+    joined = [(positions, triangles)]
+    if shelters:
+        more = placing.joined(shelters)
+        joined.append((more[0], more[1] + np.int32(len(positions))))
+    return Ground(native.module.SnowCollider(*map(np.concatenate, zip(*joined))), layer)

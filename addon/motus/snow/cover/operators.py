@@ -1,0 +1,282 @@
+"""Operators that let snow lie on surfaces, do its work with progress, and take it away."""
+
+import bpy
+
+from ...core import gathered, libraries, wiring
+from ...core.operators import OBJECT_MODE, Operator, object_keyword
+from ...core.over_frames import Job
+from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
+from ...core.rows import Rows
+from ...core.system import Problem
+from ...core.translations import tr
+from . import build, rows, sources, work
+from .properties import KEYWORDS, SnowCoverKeywords
+
+_COVER = "Name of the snow cover; empty takes the active object"
+
+
+def _names(name, description):
+    return bpy.props.StringProperty(name=name, description=description, options={'SKIP_SAVE'})
+
+
+def _listed(names):
+    """The objects of names between commas."""
+    return [named(name.strip()) for name in names.split(",") if name.strip()]
+
+
+class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
+    bl_idname = "motus.snow_cover_add"
+    bl_label = "Add Snow Cover"
+    bl_description = "Let the flakes that land on the selected meshes stay there, as a layer of snow that grows"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    surfaces: _names("Surfaces", "Names of the mesh objects that snow lies on, between commas; empty takes the selected ones")
+    collection: _names("Collection", "Name of a collection on whose meshes snow lies too")
+    emitters: _names("Emitters", "Names of the emitters of snow, between commas; empty takes the selected ones, or all of the scene")
+    lands: bpy.props.BoolProperty(
+        name="Flakes Land", description="The flakes of emitters that have no collider land on the surface, or the collection, if it is one",
+        default=True)
+
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (*rows.ALL, Rows(("lands",)))
+
+    @classmethod
+    def check_offer(cls, context):
+        _surfaces(context, "", "")
+        _emitters(context, "")
+
+    def run(self, context):
+        check_finite(self, KEYWORDS)
+        surfaces, collection = _surfaces(context, self.surfaces, self.collection)
+        emitters = _emitters(context, self.emitters)
+        keywords = self.given(KEYWORDS)
+        cover = build.new_cover(context)
+        settings = cover.motus.snow_cover
+        for name, value in keywords.items():
+            setattr(settings, name, value)
+        settings.collection = collection
+        for entries, objects in ((settings.surfaces, surfaces), (settings.emitters, emitters)):
+            for obj in objects:
+                entries.add().object = obj
+        if self.lands:
+            _let_land(emitters, surfaces, collection)
+        build.wire(cover)
+        for obj in context.selected_objects:
+            obj.select_set(False)
+        cover.select_set(True)
+        context.view_layer.objects.active = cover
+        _report(self, context, cover)
+
+
+def _surfaces(context, names, collection_name):
+    """(mesh objects, collection or None) that are named, or the selected ones."""
+    collection = None
+    if collection_name:
+        collection = bpy.data.collections.get(collection_name)
+        if collection is None:
+            raise Refused(tr("There is no collection {collection}").format(collection=collection_name))
+    if names:
+        found = _listed(names)
+        for obj in found:
+            _check_surface(obj)
+    else:
+        found = [] if collection else [obj for obj in context.selected_objects if _has_faces(obj)]
+    if not found and not (collection and any(_has_faces(one.object) for one in gathered.meshes(collection))):
+        raise Refused(tr("Select the meshes that snow is to lie on"))
+    return found, collection
+
+
+def _has_faces(obj):
+    return sources.is_surface(obj) and bool(obj.data.polygons or obj.modifiers)
+
+
+def _check_surface(obj):
+    if not sources.is_surface(obj):
+        raise Refused(tr("Snow cannot lie on {object}").format(object=obj.name))
+    if not _has_faces(obj):
+        raise Refused(tr("{object} has no faces").format(object=obj.name))
+
+
+def _emitters(context, names):
+    if names:
+        found = _listed(names)
+        for obj in found:
+            _check_emitter(obj)
+        return found
+    found = [obj for obj in context.selected_objects if sources.is_emitter(obj)] or [
+        obj for obj in context.scene.objects if sources.is_emitter(obj)]
+    if not found:
+        raise Refused(tr("It does not snow in this scene: add snow first"))
+    return found
+
+
+def _check_emitter(obj):
+    if not sources.is_emitter(obj):
+        raise Refused(tr("{object} is no emitter of snow").format(object=obj.name))
+
+
+def _let_land(emitters, surfaces, collection):
+    """Let flakes land that land on nothing as yet: an emitter has one mesh, or a collection of them."""
+    for emitter in emitters:
+        snow = emitter.motus.snow
+        if emitter.library or snow.collider or snow.colliders or snow.recorded:
+            continue
+        if collection and not surfaces:
+            snow.colliders = collection
+        elif len(surfaces) == 1 and not collection:
+            snow.collider = surfaces[0]
+
+
+def _report(operator, context, cover):
+    context.view_layer.update()
+    problem = wiring.problem(build.system(), cover, context.view_layer.depsgraph)
+    if problem:
+        operator.report({'WARNING'}, tr(problem.sentence))
+
+
+def cover_for(context, name):
+    """The cover of this name, or the active one; refuses what is none."""
+    found = named(name) if name else context.object
+    if found is None or not found.is_property_set("motus") or not found.motus.snow_cover.is_active:
+        raise Refused(tr("This is no snow cover"))
+    check_local(found)
+    check_unbaked(found, found.motus.snow_cover)
+    return found
+
+
+class MOTUS_OT_snow_cover_remove(Operator, bpy.types.Operator):
+    bl_idname = "motus.snow_cover_remove"
+    bl_label = "Remove Snow Cover"
+    bl_description = "Take lying snow away; surfaces and falling snow stay"
+
+    object: object_keyword("Name of the snow cover; empty takes the selected ones")
+
+    modes = OBJECT_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        cls._found(context, "")
+
+    def run(self, context):
+        found = self._found(context, self.object)
+        names = ", ".join(cover.name for cover in found)
+        for cover in found:
+            build.remove(cover)
+        self.report({'INFO'}, tr("Removed {objects}").format(objects=names))
+
+    @staticmethod
+    def _found(context, name):
+        if name:
+            return [cover_for(context, name)]
+        selected = context.selected_objects or [one for one in [context.object] if one]
+        found = [one for one in selected if one.is_property_set("motus") and one.motus.snow_cover.is_active]
+        if not found:
+            raise Refused(tr("This is no snow cover"))
+        return [cover_for(context, cover.name) for cover in found]
+
+
+class _OnCover(Operator):
+    """Operators on the cover that is named, or the active one."""
+
+    object: object_keyword(_COVER)
+
+    @classmethod
+    def check_offer(cls, context):
+        cover_for(context, "")
+
+
+class _InList(_OnCover):
+    """Operators on one of a cover's lists."""
+
+    what: bpy.props.EnumProperty(name="List", description="Which list", items=(
+        ('SURFACES', "Surfaces", "What snow lies on"), ('EMITTERS', "Snow", "What snow falls from")), options={'SKIP_SAVE'})
+    for_scripts = ("what",)
+
+    def entries(self, cover):
+        """The list."""
+        settings = cover.motus.snow_cover
+        return settings.surfaces if self.what == 'SURFACES' else settings.emitters
+
+
+class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
+    bl_idname = "motus.snow_cover_entry_add"
+    bl_label = "Add to Snow Cover"
+    bl_description = "Add the objects that are named, or the selected ones, to those that snow lies on or falls from"
+
+    objects: _names("Objects", "Names of objects, between commas; empty takes the selected ones")
+
+    def run(self, context):
+        cover = cover_for(context, self.object)
+        entries = self.entries(cover)
+        known = [entry.object for entry in entries]
+        is_wanted, check = (sources.is_surface, _check_surface) if self.what == 'SURFACES' else (
+            sources.is_emitter, _check_emitter)
+        if self.objects:
+            found = _listed(self.objects)
+            for obj in found:
+                check(obj)
+        else:
+            found = [obj for obj in context.selected_objects if is_wanted(obj)]
+        found = [obj for obj in found if obj not in known]
+        if not found:
+            raise Refused(tr("Nothing is selected that is not in the list"))
+        for obj in found:
+            entries.add().object = obj
+        build.settle(cover)
+
+
+class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
+    bl_idname = "motus.snow_cover_entry_remove"
+    bl_label = "Remove from Snow Cover"
+    bl_description = "Take an object off the list"
+
+    index: bpy.props.IntProperty(
+        name="Index", description="Of the object in the list; -1 for the last one", default=-1, min=-1, options={'SKIP_SAVE'})
+
+    def run(self, context):
+        cover = cover_for(context, self.object)
+        entries = self.entries(cover)
+        index = self.index if self.index >= 0 else len(entries) - 1
+        if not 0 <= index < len(entries):
+            raise Refused(tr("The list has no such object"))
+        path = "surfaces" if self.what == 'SURFACES' else "emitters"
+        if index < libraries.count_from_library(cover, f"motus.snow_cover.{path}"):
+            raise Refused(tr("The object is in the library's list, and cannot be removed"))
+        entries.remove(index)
+        wiring.touch(build.system(), cover)
+        build.settle(cover)
+
+
+class MOTUS_OT_snow_cover_work_out(Job, bpy.types.Operator):
+    bl_idname = "motus.snow_cover_work_out"
+    bl_label = "Work Out"
+    bl_description = "Find where all flakes land, which takes some time for so many; then any frame is there at once"
+
+    object: object_keyword(_COVER)
+
+    def begin(self, context):
+        self._cover = cover_for(context, self.object).name
+        self._plan = work.asked(self._cover)
+        if self._plan is None:
+            raise Refused(tr("There is nothing to work out"))
+        return work.part_count(self._plan), work.steps(self._cover, self._plan)
+
+    def result(self, context):
+        wiring.touch(build.system(), cover_for(context, self._cover))
+        found = work.known(self._cover, self._plan)
+        if isinstance(found, Problem):
+            raise Refused(tr(found.sentence))
+
+
+class MOTUS_OT_snow_cover_refresh(_OnCover, bpy.types.Operator):
+    bl_idname = "motus.snow_cover_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the snow cover again"
+
+    def run(self, context):
+        build.wire(cover_for(context, self.object))
+
+
+classes = (MOTUS_OT_snow_cover_add, MOTUS_OT_snow_cover_remove, MOTUS_OT_snow_cover_entry_add,
+           MOTUS_OT_snow_cover_entry_remove, MOTUS_OT_snow_cover_work_out, MOTUS_OT_snow_cover_refresh)

@@ -1,0 +1,87 @@
+"""The panel of lying snow: in the sidebar's tab and in the object's constraint properties, on the cover."""
+
+from ...core import panels, ui, wiring
+from . import rows, solve, sources
+from .build import system
+from .presets import PANEL as PRESETS
+
+
+def _is_cover(obj):
+    # To ask an object for its settings gives it some.
+    return obj.is_property_set("motus") and obj.motus.snow_cover.is_active
+
+
+def draw_main(layout, context):
+    """What is wrong, and how snow lies."""
+    cover = context.object
+    problem = ui.draw_problem(layout, context, system(), cover)
+    if problem == solve.WAITING:
+        layout.operator("motus.snow_cover_work_out", icon='PLAY').object = cover.name
+    rows.SNOW.draw(ui.split(layout), cover.motus.snow_cover)
+
+
+def draw_layer(layout, context):
+    """The mesh of the snow."""
+    settings = context.object.motus.snow_cover
+    column = ui.split(layout)
+    rows.LAYER.draw(column, settings)
+    column.prop(settings, "material")
+
+
+def draw_surfaces(layout, context):
+    """What snow lies on."""
+    _draw_list(layout, context.object, 'SURFACES')
+    ui.split(layout).prop(context.object.motus.snow_cover, "collection")
+
+
+def draw_emitters(layout, context):
+    """What snow falls from."""
+    _draw_list(layout, context.object, 'EMITTERS')
+
+
+def _draw_list(layout, cover, what):
+    settings = cover.motus.snow_cover
+    column = layout.column(align=True)
+    for index, entry in enumerate(settings.surfaces if what == 'SURFACES' else settings.emitters):
+        row = column.row(align=True)
+        row.prop(entry, "object", text="")
+        button = row.operator("motus.snow_cover_entry_remove", text="", icon='X')
+        button.object, button.what, button.index = cover.name, what, index
+    button = column.operator("motus.snow_cover_entry_add", text="Add Selected", icon='ADD')
+    button.object, button.what = cover.name, what
+
+
+def draw_readouts(layout, context):
+    """How much snow lies."""
+    depsgraph = context.view_layer.depsgraph
+    volume, deepest = (wiring.output(system(), context.object, name, depsgraph) for name in ("volume", "deepest"))
+    if volume is None or deepest is None:
+        return
+    ui.draw_readouts(layout, [
+        ui.Readout(text="Lying Snow", value=f"{volume:.4g} m³"),
+        ui.Readout(text="Deepest", value=ui.length(context, deepest))])
+
+
+def draw_actions(layout, context):
+    """Removing."""
+    layout.operator("motus.snow_cover_remove", text="Remove", icon='X').object = context.object.name
+
+
+def draw_add(layout, context):
+    """Snow on the selected meshes."""
+    layout.operator_context = 'INVOKE_DEFAULT'
+    layout.operator("motus.snow_cover_add", icon='ADD')
+
+
+PANEL = panels.SystemPanel(
+    name="snow_cover", prefix="MOTUS_PT_snow_cover", label="Snow Cover",
+    editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
+    suits=sources.is_surface_or_cover, is_used=_is_cover, draw=draw_main,
+    parts=(
+        panels.Part("surfaces", "Surfaces", draw_surfaces, is_open=True),
+        panels.Part("emitters", "Snow", draw_emitters, is_open=True),
+        panels.Part("layer", "Layer", draw_layer),
+    ),
+    readouts=draw_readouts, actions=draw_actions, refresh="motus.snow_cover_refresh", presets=PRESETS, draw_add=draw_add)
+
+classes = panels.classes(PANEL)

@@ -1,0 +1,31 @@
+"""Presets of a cover's settings."""
+
+import math
+
+from ...core import presets
+from ...core.presets import Preset
+from .properties import KEYWORDS
+
+# What belongs to one shot, or one surface, is not part of a style.
+OF_THE_SHOT = {"resolution", "influence"}
+
+BROUGHT = (
+    Preset('DUSTING', "Dusting", "A thin veil in which single flakes show, blown off slopes", {
+        "lump": 0.05, "repose": math.radians(35.0), "smoothing": 0.1, "thinnest": 0.002}),
+    Preset('POWDER', "Powder", "Loose snow, soft and even, that steep roofs shed", {
+        "lump": 0.1, "repose": math.radians(40.0), "smoothing": 0.35, "thinnest": 0.004}),
+    Preset('WET', "Wet Snow", "Sticks in heaps to all that is not quite upright", {
+        "lump": 0.12, "repose": math.radians(68.0), "smoothing": 0.15, "thinnest": 0.006}),
+    Preset('DEEP', "Deep Winter", "Grows fast into thick round cushions", {
+        "lump": 0.22, "repose": math.radians(50.0), "smoothing": 0.45, "thinnest": 0.006}),
+)
+SETTINGS = "bpy.context.object.motus.snow_cover"
+
+
+def _settings(context):
+    settings = context.object and context.object.motus.snow_cover
+    return settings if settings and settings.is_active else None
+
+
+classes = OPERATOR, PANEL, _ = presets.classes(
+    "snow_cover", "Snow Cover", (f"{SETTINGS}.{name}" for name in KEYWORDS if name not in OF_THE_SHOT), BROUGHT, _settings)

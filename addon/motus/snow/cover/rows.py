@@ -1,0 +1,7 @@
+"""The rows of a cover's settings: in the panel, and for the keywords in the redo panel."""
+
+from ...core.rows import Rows
+
+SNOW = Rows(("lump", "repose", "smoothing", "influence"), title="Snow")
+LAYER = Rows(("resolution", "thinnest"), title="Layer")
+ALL = (SNOW, LAYER)

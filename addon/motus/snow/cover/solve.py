@@ -1,0 +1,160 @@
+"""Snow that lies: what its solver reads, and how deep it is at a time."""
+
+import math
+
+from ...core import copies, wiring
+from ...core.lazy import numpy as np
+from ...core.refusals import INFINITE
+from ...core.system import Geometries, Points, Problem, Setting
+from .. import births, colliders, flakes, placing, stillness, view
+from . import ground, sources, work
+
+NO_SURFACE = Problem("Add a mesh that snow is to lie on")
+NO_FACES = Problem("None of the surfaces has faces")
+NO_SNOW = Problem("Add an emitter of snow that falls on the surfaces")
+NOT_FINITE = Problem("A setting of the cover is not a finite number")
+TOO_MANY = Problem("More than 10 million flakes fall until the end: let fewer fall, of larger lumps")
+WAITING = Problem("So many flakes, or faces, take some time: press Work Out")
+UNKNOWN = Problem(
+    "An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it", False)
+MOVES = Problem("A surface moves: flakes have landed where it is on the present frame", False)
+SOME_WITHOUT = Problem("A surface has no faces, or an emitter no mesh: they are left out", False)
+UNBAKEABLE = Problem("Lying snow is computed on each frame: there is nothing to bake")
+PROBLEMS = (*colliders.PROBLEMS, *view.PROBLEMS, NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT, work.TOO_FINE,
+            flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
+
+POINTS = Points(attributes=(("depth", 'FLOAT'),), shape='FACES', capacity=4 * ground.MOST)
+INPUTS = (Geometries("scenery", of=sources.scenery), Setting("influence"))
+DOWN = 0.0, 0.0, -9.81
+LEAST_SIDE = math.radians(15.0)
+"""Of heaps, whatever slopes snow slides from: without any there would be none at edges."""
+BEYOND = 250
+"""Frames. After the scene's last one flakes count up to a multiple of it, so that what is computed stays for a while."""
+
+# Of flakes, what does not change where they land.
+_OF_LOOKS = {"start_size", "start_color", "random_size", "random_color", "tumble", "collision", "melt_time", "friction"}
+
+
+def solve(context, scenery, influence):
+    """The layer in world space."""
+    settings = context.settings
+    if sources.signature(settings) != settings.reads:
+        context.wants_to_settle = True
+    numbers = settings.lump, settings.resolution, settings.repose, settings.smoothing, settings.thinnest, influence
+    if not all(abs(number) < INFINITE for number in numbers):
+        return NOT_FINITE
+    if influence <= 0.0:
+        return None
+    plan, times, fault = _plan(context, settings, wiring.waited_for(settings) if scenery else {})
+    if plan is None:
+        return fault
+    name = context.owner.name
+    found = work.known(name, plan)
+    if found is None and work.seconds(plan) > work.LONG and work.may_wait(context.depsgraph):
+        work.ask(name, plan)
+        return WAITING
+    found = found or work.do(name, plan)
+    if isinstance(found, Problem):
+        return found
+    _fill(context, found, times, influence)
+    return fault
+
+
+def _fill(context, found, times, influence):
+    depths = np.zeros(found.covers[0].vertex_count, np.float32)
+    for cover, time in zip(found.covers, times):
+        depths += cover.heights(time)
+    depths = depths[:found.ground.layer.vertex_count] * np.float32(influence)
+    mesh = found.ground.layer.mesh(
+        depths, context.settings.thinnest, math.tan(max(context.settings.repose, LEAST_SIDE)))
+    room = context.points(len(mesh["position"]), len(mesh["edge"]), len(mesh["triangle"]))
+    for name, own in (("position", "position"), ("depth", "depth"), ("edges", "edge"), ("triangles", "triangle"),
+                      ("sides", "side")):
+        room[name][...] = mesh[own][:len(room[name])]
+    context.outputs[0] = influence * sum(cover.volume(time) for cover, time in zip(found.covers, times))
+    context.outputs[1] = mesh["depth"].max(initial=0.0)
+
+
+def _plan(context, settings, scenery):
+    """(Plan, seconds of each emitter's time, Problem or None); (None, None, Problem) where there is none."""
+    scene = context.depsgraph.scene
+    # What has come into the collection since the cover was wired may not be evaluated.
+    surfaces = [one for one in sources.surfaces(settings) if all(obj in scenery for obj in (one.object, *one.instancers))]
+    if not surfaces:
+        return None, None, NO_SURFACE
+    found = {entry.object.original: entry.object for entry in settings.emitters if entry.object}
+    emitters = [found[obj] for obj in sources.emitters(settings)]
+    if not emitters:
+        return None, None, NO_SNOW
+    lain_on = [placing.placed(scenery[one.object], colliders.seen_at(one, scenery)) for one in surfaces]
+    fault = SOME_WITHOUT if any(one is None for one in lain_on) else None
+    lain_on = tuple(one for one in lain_on if one is not None)
+    if not lain_on:
+        return None, None, NO_FACES
+    if any(stillness.moves(scenery[obj], scene) for one in surfaces for obj in (one.object, *one.instancers)):
+        fault = fault or MOVES
+    pull = tuple(scene.gravity) if scene.use_gravity and any(scene.gravity) else DOWN
+    falls, times, shelters = [], [], {}
+    for emitter in emitters:
+        fall, problem = _fall(context, emitter, pull, scenery)
+        if fall is None:
+            return None, None, problem
+        sheltering, unsure = colliders.parts(emitter.motus.snow, scene, {one.object for one in surfaces})
+        shelters |= dict.fromkeys(sheltering)
+        fault = problem or unsure or fault
+        falls.append(fall)
+        times.append((context.frame - emitter.motus.snow.start_frame) / context.fps)
+    plan = work.Plan(
+        lain_on, tuple(shelters), settings.resolution, tuple(-part for part in pull), tuple(falls), settings.lump ** 3,
+        settings.repose, work.rounds(settings.smoothing, settings.resolution))
+    return plan, times, fault
+
+
+def _fall(context, emitter, pull, scenery):
+    """(work.Fall, Problem or None); (None, Problem) where its flakes cannot be."""
+    snow, scene = emitter.motus.snow, context.depsgraph.scene
+    numbers = flakes.numbers(snow)
+    if isinstance(numbers, Problem):
+        return None, numbers
+    given = {name: value for name, value in numbers if name not in _OF_LOOKS}
+    # What lies is pulled down even where nothing falls by gravity.
+    given["gravity"] = given["gravity"] and scene.use_gravity and any(scene.gravity)
+    last = max(scene.frame_end, BEYOND * math.ceil(context.frame / BEYOND) if context.frame > scene.frame_end else 0)
+    end = (last - snow.start_frame) / context.fps
+    count = births_until(snow, end)
+    if not count <= work.MOST_FLAKES:
+        return None, TOO_MANY
+    source, faces, angles = sources.source(emitter), None, None
+    if snow.shape == 'SURFACE':
+        source = scenery.get(source and source.original)
+        faces = source and births.faces(source.data)
+        if faces is None:
+            return None, NO_SNOW
+    elif snow.shape == 'CAMERA':
+        angles = view.angles(source, source and source.matrix_world, scene)
+        if isinstance(angles, Problem):
+            return None, angles
+    span = last, max(0.0, end), snow.start_frame, context.fps
+    poses, is_known = births.over_time(source, scene, source.matrix_world, *span)
+    winds, is_sure = _winds(emitter, span)
+    if poses is None or winds is flakes.NOT_FINITE:
+        return None, flakes.NOT_FINITE
+    return work.Fall(tuple(given.items()), pull, poses, winds, faces, angles, count, end), (
+        None if is_known and is_sure else UNKNOWN)
+
+
+def _winds(emitter, span):
+    """(Winds of a wind that is keyed, else None, or NOT_FINITE; whether it is known)."""
+    if emitter.motus.snow.drag == 0.0 or not copies.has_moving_settings(emitter):
+        return None, True
+    moved = births.wind_tracks(emitter)
+    is_known = all(one.is_known for one in moved)
+    if not is_known or all(one.extent is None for one in moved):
+        return None, is_known
+    return births.winds(moved, *span) or flakes.NOT_FINITE, True
+
+
+def births_until(snow, seconds):
+    """How many flakes an emitter lets fall until then, about."""
+    since = max(0.0, seconds - snow.delay)
+    return snow.rate * (since if snow.looping else min(since, snow.duration)) + snow.burst

@@ -1,0 +1,64 @@
+"""What a cover reads: the surfaces that snow lies on, the emitters whose flakes land there, and what shelters.
+
+The settings may be an evaluated object's; what is found are originals.
+"""
+
+from ...core import deleted, gathered
+from .. import colliders
+from ..solve import source
+
+
+def _has(obj, name):
+    # To ask an object for its settings gives it some.
+    return obj.is_property_set("motus") and getattr(obj.motus, name).is_active
+
+
+def is_surface(obj):
+    """Whether snow can lie on an object: not on snow."""
+    return obj.type == 'MESH' and not _has(obj, "snow_cover") and not _has(obj, "snow")
+
+
+def is_surface_or_cover(obj):
+    """Whether snow can lie on an object, or it is such snow."""
+    return obj.type == 'MESH' and not _has(obj, "snow")
+
+
+def is_emitter(obj):
+    """Whether flakes come from an object."""
+    return _has(obj, "snow")
+
+
+def surfaces(settings):
+    """What snow lies on, Gathered, but for what was deleted."""
+    listed = [entry.object.original for entry in settings.surfaces if entry.object]
+    found = [gathered.Gathered(obj, ()) for obj in listed]
+    if settings.collection:
+        found += gathered.meshes(settings.collection.original, lambda obj: not is_surface(obj))
+    return [one for one in dict.fromkeys(found) if is_surface(one.object) and not deleted.is_deleted(one.object)]
+
+
+def emitters(settings):
+    """The emitters, each once, but for those that were deleted."""
+    found = dict.fromkeys(entry.object.original for entry in settings.emitters if entry.object)
+    return [obj for obj in found if is_emitter(obj) and not deleted.is_deleted(obj)]
+
+
+def scenery(settings):
+    """The objects whose geometry is read, and empties by which it is seen."""
+    found = [one for each in surfaces(settings) for one in (each.object, *each.instancers)]
+    for emitter in emitters(settings):
+        found += colliders.objects(emitter.motus.snow)
+        if emitter.motus.snow.shape == 'SURFACE' and source(emitter):
+            found.append(source(emitter))
+    return list(dict.fromkeys(obj.original for obj in found))
+
+
+def placed(settings):
+    """The objects whose places are read."""
+    born_at = [source(emitter) for emitter in emitters(settings)]
+    return list(dict.fromkeys([*scenery(settings), *(obj.original for obj in (*emitters(settings), *born_at) if obj)]))
+
+
+def signature(settings):
+    """A text that tells which objects are read."""
+    return "\n".join(sorted(obj.name for obj in placed(settings)))

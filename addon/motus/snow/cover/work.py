@@ -1,0 +1,170 @@
+"""The work that is done once: where all flakes land, and how snow lies by that at any time.
+
+In the viewport what takes long is left to an operator with progress; renders and scripts do it at once.
+"""
+
+import threading
+from collections import OrderedDict
+from typing import Any, NamedTuple
+
+import bpy
+
+from ...core import native
+from ...core.system import Problem
+from .. import flakes
+from . import ground
+
+KEPT, MOST_KEPT = 2, 64
+"""Works of one cover, and of all."""
+MOST_FLAKES = 10_000_000
+"""That fall until the end."""
+FLAKE, FLIGHT, TRIANGLE = 4e-5, 4e-6, 2e-6
+"""Seconds, about, that one takes: a flake, each second that it flies, and a triangle."""
+LONG = 2.0
+"""Seconds of work from which on the viewport waits for the artist to ask for it."""
+PARTS = 24
+MOST_ROUNDS = 400
+
+TOO_FINE = Problem("The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces")
+
+
+class Fall(NamedTuple):
+    """What falls from one emitter. keywords: of flakes.made(). count: of flakes, about. end: seconds of its time up to which
+    flakes count."""
+
+    keywords: tuple
+    acceleration: tuple
+    poses: Any
+    winds: Any
+    faces: Any
+    angles: Any
+    count: float
+    end: float
+
+
+class Plan(NamedTuple):
+    """All that a cover follows from, hashable, but for the time."""
+
+    lain_on: tuple
+    shelters: tuple
+    resolution: float
+    up: tuple
+    falls: tuple
+    volume: float
+    repose: float
+    smoothing: int
+
+
+class Work(NamedTuple):
+    """ground: what snow lies on. covers: the native SnowCover of each fall."""
+
+    ground: Any
+    covers: tuple
+
+
+_done = OrderedDict()
+"""(name of a cover's object, Plan) -> its Work, or what is wrong with it."""
+_asked = {}
+"""Name of a cover's object -> the Plan that the viewport waits for."""
+_lock = threading.Lock()
+
+
+def may_wait(depsgraph):
+    """Whether somebody is there who can ask for the work."""
+    return depsgraph.mode == 'VIEWPORT' and not bpy.app.background
+
+
+def seconds(plan):
+    """How long the work takes, about."""
+    triangles = sum(len(one.faces.triangles) for one in (*plan.lain_on, *plan.shelters))
+    return sum(map(_seconds, plan.falls)) + TRIANGLE * triangles
+
+
+def _seconds(fall):
+    return fall.count * (FLAKE + FLIGHT * min(dict(fall.keywords)["lifetime"], max(0.0, fall.end)))
+
+
+def known(name, plan):
+    """The Work of a plan of the cover of a name, or what is wrong with it, if it was done before; else None."""
+    with _lock:
+        found = _done.get((name, plan))
+        if found is not None:
+            _done.move_to_end((name, plan))
+        return found
+
+
+def rounds(smoothing, resolution):
+    """Rounds of the library's smoothing by which snow spreads about so far, on a layer of a resolution.
+
+    In a round half of a vertex's snow goes to its neighbours, edges away that are some three quarters of the resolution long.
+    """
+    return min(MOST_ROUNDS, round((2.0 * smoothing / (0.75 * resolution)) ** 2))
+
+
+def ask(name, plan):
+    """Note that the cover of a name waits for a plan."""
+    _asked[name] = plan
+
+
+def asked(name):
+    """The plan that the cover of a name waits for; None where it waits for nothing."""
+    return _asked.get(name)
+
+
+def do(name, plan):
+    """The Work of a plan, or what is wrong with it."""
+    found = known(name, plan)
+    if found is None:
+        for _ in steps(name, plan):
+            pass
+        found = known(name, plan)
+    return found
+
+
+def steps(name, plan):
+    """Do the work of a plan in parts; yields how many of part_count() are done."""
+    found = yield from _steps(plan)
+    with _lock:
+        _done[name, plan] = found
+        for place in [place for place in _done if place[0] == name][:-KEPT]:
+            del _done[place]
+        if len(_done) > MOST_KEPT:
+            _done.popitem(last=False)
+        if _asked.get(name) == plan:
+            del _asked[name]
+
+
+def part_count(plan):
+    """How many parts the work has."""
+    return 1 + (PARTS + 1) * len(plan.falls)
+
+
+def _steps(plan):
+    place = ground.made(plan.lain_on, plan.shelters, plan.resolution, plan.up)
+    if place is None:
+        return TOO_FINE
+    done, covers = 1, []
+    yield done
+    for fall in plan.falls:
+        snow = flakes.made(
+            fall.keywords, fall.acceleration, fall.poses, fall.winds, fall.faces, fall.angles, place.collider)
+        if isinstance(snow, Problem):
+            return snow
+        try:
+            for part in _landed(snow, fall):
+                yield done + part
+            covers.append(native.module.SnowCover(
+                snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=plan.smoothing))
+        except ValueError:
+            return flakes.OUT_OF_RANGE
+        done += PARTS + 1
+        yield done
+    return Work(place, tuple(covers))
+
+
+def _landed(snow, fall):
+    """Have the snow find where its flakes land, which it keeps; yields after each of PARTS, where that takes long."""
+    start = dict(fall.keywords)["delay"]
+    for part in range(PARTS if _seconds(fall) > LONG else 0):
+        snow.landings(start + (fall.end - start) * (part + 1) / PARTS)
+        yield part + 1

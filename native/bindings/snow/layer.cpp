@@ -1,0 +1,67 @@
+// The mesh of snow that lies.
+#include "motus/snow/layer.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <limits>
+#include <vector>
+
+#include "areas.hpp"
+#include "core/arguments.hpp"
+#include "mesh/arrays.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+using snow::Layer;
+
+[[nodiscard]] Layer layer_of(const py::object& positions, const py::object& triangles, const py::object& up) {
+    const auto places = copied(Positions(positions, "layer_positions").values());
+    const auto corners = copied(IndexRows<glm::ivec3>(triangles, "layer_triangles").values());
+    const glm::dvec3 upwards = vector(up, "up");
+    if (upwards == glm::dvec3(0.0)) value_error("up", "must not be 0");
+    const py::gil_scoped_release released;
+    return {places, corners, upwards};
+}
+
+[[nodiscard]] py::dict mesh(const Layer& self, const py::object& given_depths, const py::object& thinnest,
+                            const py::object& steepest) {
+    const FloatArray array = floats(given_depths, "depths");
+    if (array.ndim() != 1) value_error("depths", "must have the shape (v,), not " + shape_of(array));
+    const std::vector<float> depths(array.data(), array.data() + array.size());
+    const float least = float_number(thinnest, "thinnest");
+    const float tangent =
+        steepest.is_none() ? std::numeric_limits<float>::infinity() : float_number(steepest, "steepest");
+    const Layer::Mesh found = [&] {
+        const py::gil_scoped_release released;
+        return self.at(depths, least, tangent);
+    }();
+    return py::dict("position"_a = array_of(found.positions), "depth"_a = array_of(found.depths),
+                    "triangle"_a = array_of(found.triangles), "edge"_a = array_of(found.edges),
+                    "side"_a = array_of(found.sides));
+}
+
+}  // namespace
+
+void bind_snow_layer(py::module_& m) {
+    py::class_<Layer>(m, "SnowLayer", py::module_local(), R"(
+The mesh of snow that lies on triangles, as far off each vertex as the snow there is deep. Immutable.
+
+layer_positions (v, 3); layer_triangles (t, 3): indices of vertices.  up (3,): away from what pulls snow down; the layer is
+on that side.
+Raises ValueError or TypeError that names the argument.)")
+        .def(py::init(&layer_of), "layer_positions"_a, "layer_triangles"_a,
+             "up"_a = py::make_tuple(0.0, 0.0, 1.0))
+        .def_property_readonly("vertex_count", &Layer::vertex_count, "How many vertices the triangles have.")
+        .def("mesh", &mesh, "depths"_a, "thinnest"_a = 0.0, "steepest"_a = py::none(), R"(
+The layer, as a dict: float32 position (n, 3) and depth (n,); int32 triangle (m, 3), edge (e, 2), which are all sides of the
+triangles, each once, and side (m, 3), the edges that leave each triangle's corners.
+
+depths (v,), m, across the surface.  thinnest, >= 0, m: snow that is not deeper is left out, or dips under the surface around
+what is shown.  steepest, > 0: from vertex to vertex depths differ by no more than this fraction of the way between them; what
+would be higher has fallen off. At loose edges walls close the layer.
+Raises ValueError or TypeError that names the argument.)");
+}
+
+}  // namespace motus::bindings

@@ -1,0 +1,57 @@
+// The mesh of snow that lies on a surface.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace motus::snow {
+
+/// What lies on triangles, in their space. Immutable, so that several threads may ask at once.
+///
+/// The layer is a surface above that of the triangles, as far off each vertex as the snow there is deep. It
+/// is left out where it is thin, dips under the surface around that, and is closed by a wall at loose edges.
+class Layer {
+  public:
+    /// `up`: away from what pulls snow down, of any length but 0. Throws std::invalid_argument, naming
+    /// layer_positions or layer_triangles, where a position is not finite, a triangle names a vertex that
+    /// there is not, or there are 2^29 triangles or more.
+    Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up);
+
+    struct Mesh {
+        std::vector<glm::vec3> positions;
+        std::vector<float> depths;  ///< of the snow at each vertex, 0 at the foot of walls
+        std::vector<glm::ivec3> triangles;
+        std::vector<glm::ivec2> edges;  ///< all sides of the triangles, each once
+        std::vector<glm::ivec3> sides;  ///< of each triangle the edges that leave its corners
+    };
+
+    [[nodiscard]] std::size_t vertex_count() const noexcept { return positions_.size(); }
+
+    /// `depths`, m: how deep the snow is on each vertex, across the surface. From one vertex to the next its
+    /// depth differs by no more than the fraction `steepest`, > 0, of the way between them: what would be
+    /// higher has fallen off. Snow that is not deeper than `thinnest`, >= 0, m, is hidden. Throws
+    /// std::invalid_argument where there is not a finite depth for each vertex, or another number is outside
+    /// its domain.
+    [[nodiscard]] Mesh at(std::span<const float> depths, float thinnest, float steepest) const;
+
+  private:
+    struct Loose {
+        std::uint32_t triangle = 0;
+        std::uint32_t side = 0;
+    };
+    class Builder;
+    void fall_off(std::vector<float>& depths, float steepest) const;
+
+    std::vector<glm::vec3> positions_, normals_;  ///< unit, upwards; zero where there is none
+    std::vector<std::uint8_t> is_upright_;        ///< whether the triangles' own normals point upwards there
+    std::vector<glm::ivec3> triangles_;
+    std::vector<glm::ivec2> edges_;
+    std::vector<float> lengths_;  ///< of the edges
+    std::vector<glm::ivec3> sides_;
+    std::vector<Loose> loose_;  ///< sides that no other triangle has
+};
+
+}  // namespace motus::snow

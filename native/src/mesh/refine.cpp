@@ -1,0 +1,134 @@
+#include "motus/mesh/refine.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "motus/core/numeric.hpp"
+
+namespace motus::mesh {
+namespace {
+
+constexpr int none = -1;
+
+[[nodiscard]] std::uint64_t key_of(int a, int b) {
+    const auto low = static_cast<std::uint64_t>(std::min(a, b));
+    return (low << 32U) | static_cast<std::uint64_t>(std::max(a, b));
+}
+
+/// One round, in which each long edge is halved once.
+class Round {
+  public:
+    Round(Refined& mesh, double longest) : mesh_(mesh), longest_(longest) {
+        for (const glm::ivec3& corners : mesh_.triangles)
+            for (int side = 0; side < 3; ++side)
+                if (is_long(corners[side], corners[(side + 1) % 3]))
+                    halved_.push_back(key_of(corners[side], corners[(side + 1) % 3]));
+        std::ranges::sort(halved_);
+        halved_.erase(std::unique(halved_.begin(), halved_.end()), halved_.end());
+    }
+
+    [[nodiscard]] std::size_t count() const { return halved_.size(); }
+
+    void split() {
+        first_ = static_cast<int>(mesh_.positions.size());
+        for (const std::uint64_t edge : halved_)
+            mesh_.positions.push_back(
+                0.5F * (mesh_.positions[edge >> 32U] + mesh_.positions[static_cast<std::uint32_t>(edge)]));
+        const std::vector<glm::ivec3> before = std::exchange(mesh_.triangles, {});
+        mesh_.triangles.reserve(before.size() + 2 * halved_.size());
+        for (const glm::ivec3& corners : before) split(corners);
+    }
+
+  private:
+    [[nodiscard]] double length(int a, int b) const {
+        // The same whichever of its ends is named first.
+        const auto [low, high] = std::minmax(a, b);
+        return length_of(glm::dvec3(mesh_.positions[static_cast<std::size_t>(high)]) -
+                         glm::dvec3(mesh_.positions[static_cast<std::size_t>(low)]));
+    }
+    [[nodiscard]] bool is_long(int a, int b) const { return length(a, b) > longest_; }
+
+    /// Vertex in the middle of an edge; `none` where it is not halved.
+    [[nodiscard]] int middle(int a, int b) const {
+        const auto at = std::ranges::lower_bound(halved_, key_of(a, b));
+        if (at == halved_.end() || *at != key_of(a, b)) return none;
+        return first_ + static_cast<int>(at - halved_.begin());
+    }
+
+    void add(int a, int b, int c) { mesh_.triangles.emplace_back(a, b, c); }
+
+    void split(const glm::ivec3& corners) {
+        std::array<int, 3> middles{};
+        std::size_t count = 0;
+        for (int side = 0; side < 3; ++side) {
+            const int found = middle(corners[side], corners[(side + 1) % 3]);
+            middles.at(static_cast<std::size_t>(side)) = found;
+            if (found != none) ++count;
+        }
+        // Begin where the side before the first is whole, if one is, and the first is halved, if one is.
+        std::size_t start = 0;
+        while (count > 0 && count < 3 && (middles.at(start) == none || middles.at((start + 2) % 3) != none))
+            ++start;
+        const auto corner = [&](std::size_t i) { return corners[static_cast<int>((start + i) % 3)]; };
+        const int a = corner(0), b = corner(1), c = corner(2);
+        const int ab = middles.at(start), bc = middles.at((start + 1) % 3), ca = middles.at((start + 2) % 3);
+        if (count == 0) {
+            add(a, b, c);
+        } else if (count == 1) {
+            add(a, ab, c);
+            add(ab, b, c);
+        } else if (count == 2) {
+            add(ab, b, bc);
+            if (length(a, bc) <= length(ab, c)) {
+                add(a, ab, bc);
+                add(a, bc, c);
+            } else {
+                add(a, ab, c);
+                add(ab, bc, c);
+            }
+        } else {
+            add(a, ab, ca);
+            add(ab, b, bc);
+            add(ca, bc, c);
+            add(ab, bc, ca);
+        }
+    }
+
+    Refined& mesh_;
+    double longest_;
+    int first_ = 0;                      ///< vertex in the middle of the first halved edge
+    std::vector<std::uint64_t> halved_;  ///< edges, rising
+};
+
+}  // namespace
+
+Refined refine(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, double longest,
+               std::size_t most_vertices) {
+    require(longest > 0.0, "longest_edge must be greater than 0");
+    for (const glm::vec3& position : positions)
+        require(std::isfinite(position.x) && std::isfinite(position.y) && std::isfinite(position.z),
+                "positions must be finite");
+    for (const glm::ivec3& corners : triangles)
+        for (int i = 0; i < 3; ++i)
+            require(corners[i] >= 0 && static_cast<std::size_t>(corners[i]) < positions.size(),
+                    "triangles must hold indices of vertices");
+    Refined mesh{{positions.begin(), positions.end()}, {triangles.begin(), triangles.end()}};
+    const auto check = [&](std::size_t more) {
+        require(mesh.positions.size() + more <= most_vertices &&
+                    mesh.triangles.size() + 2 * more <= 4 * most_vertices,
+                "longest_edge is so short that there would be too many vertices");
+    };
+    check(0);
+    for (;;) {
+        Round round(mesh, longest);
+        if (round.count() == 0) return mesh;
+        check(round.count());
+        round.split();
+    }
+}
+
+}  // namespace motus::mesh

@@ -1,0 +1,158 @@
+#include "motus/snow/layer.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstddef>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "motus/core/numeric.hpp"
+#include "random.hpp"
+#include "sheets.hpp"
+
+using namespace motus;
+using namespace motus::snow;
+
+namespace {
+
+const glm::dvec3 up(0.0, 0.0, 1.0);
+constexpr float thin = 0.01F;
+constexpr float any_slope = std::numeric_limits<float>::infinity();
+
+/// Every side of a triangle is an edge, which is there once; how often each directed side is there.
+[[nodiscard]] std::map<std::pair<int, int>, int> checked_sides(const Layer::Mesh& mesh) {
+    REQUIRE(mesh.sides.size() == mesh.triangles.size());
+    REQUIRE(mesh.depths.size() == mesh.positions.size());
+    std::map<std::pair<int, int>, int> edges, sides;
+    for (const glm::ivec2& edge : mesh.edges) {
+        CHECK(edge.x != edge.y);
+        CHECK(++edges[std::minmax(edge.x, edge.y)] == 1);
+    }
+    std::map<std::pair<int, int>, int> used;
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const int a = mesh.triangles[i][corner], b = mesh.triangles[i][(corner + 1) % 3];
+            const glm::ivec2 edge = mesh.edges.at(static_cast<std::size_t>(mesh.sides[i][corner]));
+            CHECK(std::minmax(a, b) == std::minmax(edge.x, edge.y));
+            used[std::minmax(a, b)] = 1;
+            CHECK(++sides[{a, b}] == 1);
+        }
+    }
+    CHECK(used.size() == edges.size());
+    return sides;
+}
+
+/// m^3 between a layer without holes and the sheet z = 0.
+[[nodiscard]] double volume(const Layer::Mesh& mesh) {
+    double sum = 0.0;
+    for (const glm::ivec3& t : mesh.triangles) {
+        const auto at = [&](int i) { return glm::dvec3(mesh.positions[static_cast<std::size_t>(t[i])]); };
+        sum += glm::cross(at(1) - at(0), at(2) - at(0)).z * (at(0).z + at(1).z + at(2).z) / 6.0;
+    }
+    return sum;
+}
+
+}  // namespace
+
+TEST_CASE("the layer is as deep as its snow, and closed at loose edges", "[snow]") {
+    Points positions;
+    Triangles triangles;
+    add_sheet(1.0F, 0.0F, 0.0F, 8, positions, triangles);
+    const Layer layer(positions, triangles, up);
+    const Layer::Mesh mesh = layer.at(std::vector<float>(positions.size(), 0.25F), thin, any_slope);
+    CHECK(volume(mesh) == Approx(4.0 * 0.25).epsilon(1e-5));
+    // Walls around: sides without a partner are those at their feet.
+    const auto sides = checked_sides(mesh);
+    for (const auto& [side, count] : sides) {
+        if (sides.contains({side.second, side.first})) continue;
+        for (const int end : {side.first, side.second}) {
+            CHECK(mesh.positions[static_cast<std::size_t>(end)].z == Approx(-thin));
+            CHECK(mesh.depths[static_cast<std::size_t>(end)] == 0.0F);
+        }
+    }
+    CHECK(mesh.triangles.size() == triangles.size() + 2 * 4 * 8);
+}
+
+TEST_CASE("what is thin is left out, and the rim dips under the surface", "[snow]") {
+    test::Random random(5);
+    Points positions;
+    Triangles triangles;
+    add_sheet(1.0F, 0.0F, 0.3F, 20, positions, triangles);
+    const Layer layer(positions, triangles, up);
+    std::vector<float> depths(positions.size());
+    for (std::size_t i = 0; i < depths.size(); ++i)
+        depths[i] = positions[i].x < 0.0F ? 0.0F : random.between(0.0F, 4.0F * thin);
+    const Layer::Mesh mesh = layer.at(depths, thin, any_slope);
+    CHECK(mesh.triangles.size() < triangles.size());
+    CHECK(!mesh.triangles.empty());
+    const auto sides = checked_sides(mesh);
+    CHECK(sides.size() == 3 * mesh.triangles.size());
+    const glm::vec3 normal = glm::normalize(glm::vec3(-0.3F, 0.0F, 1.0F));
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+        const float off = glm::dot(mesh.positions[i], normal), depth = mesh.depths[i];
+        CHECK(off >= -1.001F * thin);
+        if (depth == 0.0F) CHECK(off == Approx(-thin));
+        if (depth == Approx(thin)) CHECK(off == Approx(0.0).margin(1e-6));
+        if (depth > 2.0F * thin) CHECK(off == Approx(depth));
+        CHECK((off > 1e-6F) == (depth > thin * 1.001F));
+    }
+    CHECK(layer.at(std::vector<float>(positions.size(), thin), thin, any_slope).triangles.empty());
+}
+
+TEST_CASE("snow lies on the upper side, whichever way triangles face", "[snow]") {
+    Points positions;
+    Triangles triangles;
+    add_sheet(1.0F, 0.0F, 0.0F, 3, positions, triangles);
+    for (glm::ivec3& corners : triangles) std::swap(corners.x, corners.y);
+    const Layer layer(positions, triangles, up);
+    const Layer::Mesh mesh = layer.at(std::vector<float>(positions.size(), 0.5F), thin, any_slope);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i)
+        CHECK(mesh.positions[i].z == (mesh.depths[i] > 0.0F ? 0.5F : 0.0F));
+}
+
+TEST_CASE("heaps are not steeper than snow holds", "[snow]") {
+    test::Random random(7);
+    Points positions;
+    Triangles triangles;
+    add_sheet(1.0F, 0.0F, 0.0F, 20, positions, triangles);
+    const Layer layer(positions, triangles, up);
+    std::vector<float> depths(positions.size());
+    for (float& depth : depths) depth = random.chance(0.1) ? 0.0F : random.between(0.0F, 3.0F);
+    depths[0] = 0.25F;
+    const Layer::Mesh mesh = layer.at(depths, 0.0F, 1.5F);
+    CHECK(!mesh.triangles.empty());
+    for (const glm::ivec2& edge : mesh.edges) {
+        const auto a = static_cast<std::size_t>(edge.x), b = static_cast<std::size_t>(edge.y);
+        if (mesh.depths[a] == 0.0F || mesh.depths[b] == 0.0F) continue;  // the foot of a wall
+        const glm::vec3 way = mesh.positions[b] - mesh.positions[a];
+        CHECK(std::abs(mesh.depths[b] - mesh.depths[a]) <= 1.5F * std::hypot(way.x, way.y) + 1e-6F);
+    }
+    // What is not too steep stays as it is.
+    const std::vector<float> even(positions.size(), 0.5F);
+    CHECK(layer.at(even, 0.0F, 1.5F).positions == layer.at(even, 0.0F, any_slope).positions);
+}
+
+TEST_CASE("a layer of strange triangles", "[snow]") {
+    const Points positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}};
+    const Layer layer(positions, Triangles{{0, 1, 2}, {1, 1, 2}, {0, 2, 1}}, up);
+    const Layer::Mesh mesh = layer.at(std::vector<float>(4, 1.0F), 0.0F, any_slope);
+    CHECK(mesh.triangles.size() == 2);
+    for (const glm::vec3& position : mesh.positions) CHECK(std::isfinite(position.x));
+    CHECK(Layer({}, {}, up).at({}, 0.0F, any_slope).positions.empty());
+}
+
+TEST_CASE("a layer names what is wrong", "[snow]") {
+    const Points positions{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const Triangles triangles{{0, 1, 2}};
+    const Layer layer(positions, triangles, up);
+    CHECK_THROWS_WITH(Layer(positions, Triangles{{0, 1, 3}}, up), Catch::Contains("layer_triangles"));
+    CHECK_THROWS_WITH(Layer(Points{glm::vec3(std::nanf(""))}, {}, up), Catch::Contains("layer_positions"));
+    CHECK_THROWS_WITH(layer.at(std::vector<float>(2), 0.0F, any_slope), Catch::Contains("depths"));
+    CHECK_THROWS_WITH(layer.at(std::vector<float>(3, std::nanf("")), 0.0F, any_slope),
+                      Catch::Contains("depths"));
+    CHECK_THROWS_WITH(layer.at(std::vector<float>(3), -1.0F, any_slope), Catch::Contains("thinnest"));
+    CHECK_THROWS_WITH(layer.at(std::vector<float>(3), 0.0F, 0.0F), Catch::Contains("steepest"));
+}
