@@ -236,7 +236,7 @@ SYSTEMS = ("path", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "p
 OF_BLENDER = {
     "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",
     "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer", "Render", "Output", "Placeholders", "Overwrite",
-    "Realize Instances"}
+    "Realize Instances", "Material Preview", "Viewer", "Image Sequence"}
 NAMES = {"Motus Green Screen", "Motus Trail", "Motus Flake", "Motus Spark"}
 """What is no label: datablocks that are made."""
 

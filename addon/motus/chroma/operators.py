@@ -102,8 +102,6 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         scene = context.scene
         setup.check_free(scene)
         check_finite(self, ("color",))
-        if not (self.clip or self.filepath):
-            raise Refused(tr("Name a clip, an image or a file"))
         image = self._image()
         underneath, background = self._background()
         mask, camera = self._mask(), self._camera(scene) if self.use_plane else None
@@ -131,9 +129,11 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
 
     def _image(self):
         names = [one.name for one in self.files if one.name]
-        if self.clip or not names:
-            return footage.find(self.clip or self.filepath)
-        return footage.find_chosen(self.directory, names)
+        if names and not self.clip:
+            return footage.find_chosen(self.directory, names)
+        if not (self.clip or self.filepath):
+            raise Refused(tr("Name a clip, an image or a file"))
+        return footage.find(self.clip or self.filepath)
 
     def _background(self):
         """(what is underneath, its image or None)."""

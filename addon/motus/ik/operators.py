@@ -307,5 +307,6 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
 
 
 classes = (
-    MOTUS_OT_ik_add, MOTUS_OT_ik_pole_add, MOTUS_OT_ik_control_bone_add, MOTUS_OT_ik_remove, MOTUS_OT_ik_refresh, MOTUS_OT_ik_target_add, MOTUS_OT_ik_target_remove,
+    MOTUS_OT_ik_add, MOTUS_OT_ik_pole_add, MOTUS_OT_ik_control_bone_add, MOTUS_OT_ik_remove, MOTUS_OT_ik_refresh,
+    MOTUS_OT_ik_target_add, MOTUS_OT_ik_target_remove,
 )

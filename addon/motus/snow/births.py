@@ -14,8 +14,6 @@ LONGEST = 4096
 """Frames of a motion that are read at once, whatever frame it is."""
 PARTS = 4
 """Samples from one frame, or key, to the next, between which the library goes on linearly and turns evenly."""
-
-
 MOST_BYTES = 256 << 20
 """Of faces that are kept."""
 WIND = "motus.snow.wind"

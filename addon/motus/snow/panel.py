@@ -22,8 +22,8 @@ def draw_emitter(layout, context):
     emitter = context.object
     settings = emitter.motus.snow
     column = ui.split(layout)
-    rows.EMITTER.draw(column, settings)
-    rows.SOURCE.draw(column, settings)
+    for group in (rows.SHAPE, rows.SOURCE, rows.EXTENT):
+        group.draw(column, settings)
     source = solve.source(emitter)
     if source is None:
         return

@@ -15,9 +15,11 @@ EMISSION = Rows((
     "start_speed", "lifetime", "start_size", "rate", "start_frame", "delay", "looping",
     Row("duration", when=lambda settings: not settings.looping),
     "burst", Row("burst_time", when=lambda settings: settings.burst > 0)), title="Emission")
-EMITTER = Rows((
-    "shape", Row("cone_radius", when=is_not("shape", 'SURFACE', 'CAMERA')), Row("cone_angle", when=_leans),
-    Row("closest", when=is_one_of("shape", 'CAMERA')), Row("farthest", when=is_one_of("shape", 'CAMERA'))), title="Emitter")
+SHAPE = Rows(("shape",))
+EXTENT = Rows((
+    Row("cone_radius", when=is_not("shape", 'SURFACE', 'CAMERA')), Row("cone_angle", when=_leans),
+    Row("closest", when=is_one_of("shape", 'CAMERA')), Row("farthest", when=is_one_of("shape", 'CAMERA'))))
+EMITTER = Rows((*SHAPE.rows, *EXTENT.rows), title="Emitter")
 SOURCE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')), Row("camera", when=is_one_of("shape", 'CAMERA'))))
 RANDOM = Rows((
     "random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed"), title="Random")

@@ -87,6 +87,22 @@ class EvaluationTest(WiringTestCase):
         self.assert_follows(owner, things)
 
     @each_kind
+    def test_prepared_once(self, build):
+        """From frame to frame nothing is prepared anew; after an edit of the owner its solver is."""
+        owner, things = build(toy_system.new_target())
+        frame_set(1)
+        prepared = []
+        with mock.patch.object(solving.Solver, "__init__", autospec=True, side_effect=solving.Solver.__init__) as prepare:
+            for frame in FRAMES:
+                frame_set(frame)
+            prepared.append(prepare.call_count)
+            owner.motus.orbit.radius = 5.0
+            bpy.context.view_layer.update()
+            prepared.append(prepare.call_count)
+        self.assertEqual(prepared, [0, 1])
+        self.assert_follows(owner, things)
+
+    @each_kind
     def test_keyed_setting(self, build):
         owner, things = build(toy_system.new_target())
         for frame, radius in ((1, 1.0), (50, 6.0)):

@@ -145,9 +145,9 @@ INTERFACE = {
     "The scene does not render a left and a right eye: Stereo Output lets it":
         "La escena no procesa un ojo izquierdo y uno derecho: Salida estéreo lo permite",
     "Views Before": "Vistas anteriores",
-    "Format of views that the scene had before the rig switched multiview on":
+    "Format of views that the scene had before a rig switched multiview on":
         "Formato de vistas que la escena tenía antes de que el montaje activara la multivista",
-    "The rig has switched multiview on in the scene": "El montaje activó la multivista en la escena",
+    "A rig has switched multiview on in the scene": "Un montaje activó la multivista en la escena",
     "The rig needs a perspective camera: with this one the camera's own values count":
         "El montaje necesita una cámara en perspectiva: con esta cuentan los valores de la propia cámara",
     "The rows of one image, in turns": "Las filas de una imagen, por turnos",
