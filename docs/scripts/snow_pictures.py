@@ -89,7 +89,7 @@ def _render_cover(file):
         emitter.motus.snow.influence = 0.0
         bpy.ops.motus.snow_cover_add(
             surfaces=",".join(surfaces), emitters=emitter.name, lump=0.042 * 2.0, resolution=0.07, smoothing=0.14)
-        stage.add_text(f"{seconds:g} s", Vector((x, -3.7, 0.05)), 0.36, LABEL)
+        stage.add_text(f"{seconds:g} s", Vector((x, -3.7, -0.75)), 0.4, LABEL)
     stage.add_camera(scene, (0.0, -19.0, 8.5), (0.0, 0.0, 0.95), width=22.5)
     return stage.render(scene, file, (1280, 440), samples=64)
 

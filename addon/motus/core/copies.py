@@ -130,6 +130,10 @@ def number_of(evaluated):
     mark = _mark(evaluated)
     if mark is None or not evaluated.is_evaluated:  # an original handed its number on to all its copies
         return 0
+    return _number_in(mark)
+
+
+def _number_in(mark):
     if not _is_given(mark[0]):
         mark[0] = _new_number()
     return mark[0]
@@ -139,7 +143,8 @@ def number_given(evaluated):
     """The same of a datablock that nobody has prepared, and of whose properties no other thread reads any."""
     if _mark(evaluated) is None:
         evaluated[KEY] = [0]
-    return number_of(evaluated)
+    # The meshes that modifiers make do not count as evaluated to Blender.
+    return _number_in(_mark(evaluated))
 
 
 def number_of_action(action):
