@@ -52,6 +52,7 @@ class Solver:
         # Whether settings are animated counts for outlets and driven properties alone.
         self._counts = bool(system.outputs) or self._drives_properties
         self._place = None if owner.library else (system.name, owner.name)
+        self._reads_mesh, self._reads_several = system.reads_mesh, system.reads_several
         self._settings = [one for one in system.inputs if isinstance(one, Setting)]
         self._inputs = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
         self._context = Context(
@@ -139,9 +140,9 @@ class Solver:
             healing.note_properties(self._carrier)
         if self._place is None:
             return
-        if self._system.reads_mesh:
+        if self._reads_mesh:
             healing.watch(self._place)
-        if self._system.reads_several:
+        if self._reads_several:
             healing.watch_collections(self._place)
         if not self._system.moves_points:
             drivers = copies.drivers_on(self._owner) if self._copy is None else self._copy.drivers
