@@ -142,6 +142,9 @@ def remove(scene, noted):
     for one in groups:
         if one.users == 0:
             bpy.data.node_groups.remove(one)
+    # Blender 3.4 makes the picture along with a node Viewer, with a user that is none; whoever looks at it is another one.
+    for image in [image for image in bpy.data.images if image.type == 'COMPOSITING' and image.users <= 1]:
+        bpy.data.images.remove(image)
 
 
 def _own_tree(scene):

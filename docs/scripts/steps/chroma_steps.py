@@ -41,7 +41,7 @@ def _steps(strip, folder):
     yield 0.5
     yield from hand.click("Matte")
     yield 2.0
-    yield from strip.shot(560, 80)
+    yield from strip.shot(260, 190, has_mouse=False)
 
     yield from hand.click("View", hand.box('UI'), beside=90)
     yield 0.5
