@@ -107,6 +107,48 @@ class Cover(CoverTestCase):
         self.assertTrue(0.0 < heights[150] < 2.0 * heights[100])
         self.assertEqual(heights[200], 0.0)
 
+    def test_where_all_has_melted_no_snow_is_told(self):
+        self.square()
+        self.add(**FALLING)
+        cover = self.cover()
+        settings = cover.motus.snow_cover
+        for frame, influence in ((80, 1.0), (100, 0.0)):
+            settings.influence = influence
+            settings.keyframe_insert("influence", frame=frame)
+        go_to(90)
+        self.assertGreater(self.output(cover, "volume"), 0.0)
+        go_to(100)
+        self.assertEqual((self.output(cover, "volume"), self.output(cover, "deepest")), (0.0, 0.0))
+
+    def test_an_emitter_without_a_mesh_leaves_the_snow_of_others(self):
+        self.square()
+        bare = self.square("Bare", (0.0, 0.0, 3.0))
+        emitters = self.add(**FALLING), self.add(**(FALLING | {"shape": 'SURFACE', "surface": "Bare"}))
+        cover = self.cover(emitters=",".join(emitter.name for emitter in emitters))
+        bare.data.clear_geometry()
+        go_to(100)
+        self.assertIn("left out", self.cover_sentence(cover))
+        self.assertGreater(len(layer(cover)[0]), 0)
+
+    def test_a_cover_is_no_collider_of_what_falls_on_it(self):
+        meadow = self.square()
+        scenery = bpy.data.collections.new("Scenery")
+        bpy.context.scene.collection.children.link(scenery)
+        bpy.context.scene.collection.objects.unlink(meadow)
+        scenery.objects.link(meadow)
+        emitter = self.add(**FALLING, colliders="Scenery")
+        cover = self.cover()
+        for collection in list(cover.users_collection):
+            collection.objects.unlink(cover)
+        scenery.objects.link(cover)
+        bpy.context.view_layer.update()
+        bpy.ops.motus.snow_cover_refresh(object=cover.name)
+        go_to(100)
+        colliders, sources = support.addon("snow.colliders"), support.addon("snow.cover.sources")
+        self.assertEqual(colliders.objects(emitter.motus.snow), [meadow])
+        emitter.motus.snow.collider = cover
+        self.assertEqual(sources.scenery(cover.motus.snow_cover), [meadow])
+
     def test_edits_reach_it(self):
         meadow = self.square()
         emitter = self.add(**FALLING)

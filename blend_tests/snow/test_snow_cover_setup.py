@@ -30,6 +30,20 @@ class Setup(CoverTestCase):
         bpy.data.meshes.remove(meadow.data)
         self.assertEqual(counts(), before)
 
+    def test_what_hangs_on_it_stays(self):
+        self.square()
+        self.add(**FALLING)
+        cover = self.cover()
+        cover.location.x = 5.0
+        lamp = bpy.data.objects.new("Lamp", None)
+        bpy.context.scene.collection.objects.link(lamp)
+        lamp.parent = cover
+        bpy.context.view_layer.update()
+        self.assertEqual(lamp.matrix_world.translation.x, 5.0)
+        self.assertEqual(bpy.ops.motus.snow_cover_remove(object=cover.name), {'FINISHED'})
+        bpy.context.view_layer.update()
+        self.assertEqual(lamp.matrix_world.translation.x, 5.0)
+
     def test_refused(self):
         add = bpy.ops.motus.snow_cover_add
         self.square()
@@ -152,7 +166,7 @@ class Setup(CoverTestCase):
         work = support.addon("snow.cover.work")
         work._done.clear()
         self.assertRefused(bpy.ops.motus.snow_cover_work_out, "nothing to work out", object=cover.name)
-        with mock.patch.object(work, "may_wait", lambda depsgraph: True), mock.patch.object(work, "LONG", 0.0):
+        with mock.patch.object(work, "may_wait", lambda *_: True), mock.patch.object(work, "LONG", 0.0):
             go_to(101)
             self.assertIn("press Work Out", self.cover_sentence(cover))
             self.assertEqual(len(layer(cover)[0]), 0)

@@ -94,6 +94,12 @@ class Landing(LandingCase):
         go_to(101)
         self.assertIn("has no faces", self.sentence(emitter))
         self.assertGreater(len(flakes(emitter)["id"]), 0)
+        curve = bpy.data.objects.new("Curve", bpy.data.curves.new("Curve", 'CURVE'))
+        bpy.context.scene.collection.objects.link(curve)
+        emitter.motus.snow.collider = curve
+        self.assertIn("has no faces", self.sentence(emitter))
+        self.assertGreater(len(flakes(emitter)["id"]), 0)
+        emitter.motus.snow.collider = roof
         bpy.context.scene.collection.objects.unlink(roof)
         for frame in (102, 103):
             go_to(frame)
@@ -307,7 +313,15 @@ class Moving(LandingCase):
         def wave(obj):
             obj.modifiers.new("Wave", 'WAVE')
 
-        for number, change in enumerate((shape_key, keyed_modifier, moved_by_another, constraint, scene_time, wave)):
+        def cut_by_a_collection(obj):
+            cutter = self.board("Cutter", (0.0, 0.0, 1.0))
+            key_places(cutter, {1: (0.0, 0.0, 0.0), 50: (1.0, 0.0, 0.0)})
+            boolean = obj.modifiers.new("Boolean", 'BOOLEAN')
+            boolean.operand_type, boolean.collection = 'COLLECTION', bpy.data.collections.new("Cutters")
+            boolean.collection.objects.link(cutter)
+
+        for number, change in enumerate((
+                shape_key, keyed_modifier, moved_by_another, constraint, scene_time, wave, cut_by_a_collection)):
             with self.subTest(change.__name__):
                 roof = self.board(f"Roof {number}", (0.0, 0.0, 1.0))
                 emitter = self.add(collider=roof.name)

@@ -34,6 +34,13 @@ class Panels(SnowTestCase):
         self.assertEqual(shown.named("operator"), ["motus.snow_colliders_clear"])
         self.assertIn("As they were on frame 7", " ".join(shown.named("label")))
 
+    def test_the_radius_of_what_is_flat_counts_no_height(self):
+        emitter = self.add(cone_radius=1.0)
+        value = support.addon("snow.handles").value
+        for shape, radius in (('SQUARE', 1.0), ('DISC', 1.0), ('BOX', 3.0)):
+            emitter.motus.snow.shape = shape
+            self.assertAlmostEqual(value(emitter.motus.snow, "cone_radius", (-1.0, 0.0, 3.0)), radius)
+
     def test_wind_over_time(self):
         emitter = self.add(drag=1.0, **MANY)
         self.assertEqual(self.drawn("air").named("label"), [])

@@ -19,6 +19,7 @@ SYSTEM = System(
     settle=landings.settle,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,
+    extras=(landings,),
     add_menu=("motus.snow_add",),
     object_menu=("motus.snow_remove",),
 )

@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+import threading
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
@@ -20,6 +21,7 @@ WIND = "motus.snow.wind"
 
 _faces = OrderedDict()
 """Number of an evaluated copy of a mesh -> its Faces, or None."""
+_lock = threading.Lock()
 
 
 class Poses(NamedTuple):
@@ -141,15 +143,24 @@ def placed(found, matrix):
     return Faces((found.stamp, rows.tobytes()), np.ascontiguousarray(positions, np.float32), found.triangles)
 
 
-def faces(mesh):
-    """The Faces of an evaluated mesh; None where it has no area. Kept for as long as Blender keeps that copy of it."""
+def faces(obj):
+    """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh. Kept for as long as Blender keeps that
+    copy of the mesh."""
+    if obj.type != 'MESH':
+        return None
+    mesh = obj.data
+    if mesh == obj.original.data:  # all its copies would have its number
+        return _read(mesh)
     number = copies.number_given(mesh)
-    if number in _faces:
-        _faces.move_to_end(number)
-        return _faces[number]
-    found = _faces[number] = _read(mesh)
-    while len(_faces) > 1 and sum(one.bytes for one in _faces.values() if one) > MOST_BYTES:
-        _faces.popitem(last=False)
+    with _lock:  # a render's thread may be here at the same time as the viewport's
+        if number in _faces:
+            _faces.move_to_end(number)
+            return _faces[number]
+    found = _read(mesh)
+    with _lock:
+        _faces[number] = found
+        while len(_faces) > 1 and sum(one.bytes for one in _faces.values() if one) > MOST_BYTES:
+            _faces.popitem(last=False)
     return found
 
 

@@ -119,9 +119,9 @@ def seen_at(each, ready):
 
 def _members(settings):
     collection = settings.colliders
-    return [] if collection is None else list(gathered.meshes(collection.original, _snows))
+    return [] if collection is None else list(gathered.meshes(collection.original, _is_snow))
 
 
-def _snows(obj):
-    """Whether it is an emitter, whose geometry waits for that of the colliders."""
-    return obj.is_property_set("motus") and obj.motus.snow.is_active
+def _is_snow(obj):
+    """Whether it is an emitter or a cover, whose geometry waits for that of the colliders."""
+    return obj.is_property_set("motus") and (obj.motus.snow.is_active or obj.motus.snow_cover.is_active)

@@ -51,9 +51,9 @@ def value(settings, setting, place):
     """What a setting becomes where its handle is taken to a place in the emitter's space."""
     place = Vector(place)
     if setting == RADIUS:
-        is_flat = settings.shape in {'DISC', 'CONE'}
-        return Vector((place.x, place.y, 0.0)).length if is_flat else max(map(abs, place)) if settings.shape in {
-            'SQUARE', 'BOX'} else place.length
+        if settings.shape in {'SQUARE', 'DISC', 'CONE'}:  # which are flat
+            place.z = 0.0
+        return max(map(abs, place)) if settings.shape in {'SQUARE', 'BOX'} else place.length
     if setting == SPEED:
         return max(0.0, place.z) / SECONDS
     along = place - Vector(ray(settings)[0])

@@ -7,8 +7,9 @@ Blender evaluate again. Renders, and Blenders without a window, find all at once
 import time
 
 import bpy
+from bpy.app.handlers import persistent
 
-from ..core import viewports, wiring
+from ..core import handlers, viewports, wiring
 from ..core.system import registered
 
 AT_ONCE = 48
@@ -28,6 +29,8 @@ class Search:
     def __init__(self, snow, seconds, left):
         self._snow, self._seconds, self._first, self._left = snow, seconds, left, left
         self._shown = time.monotonic()
+        self.has_no_room = False
+        """Whether there is no room to keep more of what is found: then it is found anew at each evaluation, all at once."""
 
     def is_for(self, snow, seconds):
         """Whether it looks for just that."""
@@ -41,8 +44,8 @@ class Search:
     def go_on(self):
         """Look at some more. Returns (whether to go on, whether to show what there is)."""
         before, self._left = self._left, self._snow.find_landings(self._seconds, AT_ONCE)
-        # Where nothing came in, there is no room to keep more.
-        is_over = self._left in {0, before}
+        self.has_no_room = 0 < self._left == before
+        is_over = self._left == 0 or self.has_no_room
         is_shown = is_over or time.monotonic() - self._shown > SHOWN
         if is_shown:
             self._shown = time.monotonic()
@@ -51,14 +54,16 @@ class Search:
 
 def are_left(context, snow, seconds):
     """Whether there are flakes of which it is not known where they land. If so, they are looked for after the evaluation."""
-    if bpy.app.background:
+    if bpy.app.background or context.owner.library:  # of what is linked no local object can be evaluated again
         return False
     name = context.owner.name
+    search = _searches.get(name)
+    if search is not None and search.has_no_room and search.is_for(snow, seconds):
+        return False
     left = snow.find_landings(seconds, AT_ONCE)
     if left == 0:
         _searches.pop(name, None)
         return False
-    search = _searches.get(name)
     if search is None or not search.is_for(snow, seconds):
         _searches[name] = Search(snow, seconds, left)
         context.wants_to_settle = True
@@ -68,7 +73,7 @@ def are_left(context, snow, seconds):
 def done(emitter):
     """How much of an emitter's search is done, from 0 to 1; None where nothing is looked for."""
     search = _searches.get(emitter.name)
-    return search and search.done
+    return search.done if search and not search.has_no_room else None
 
 
 def settle(_emitter):
@@ -83,10 +88,35 @@ def _go_on():
         if emitter is None or not emitter.is_property_set("motus") or not emitter.motus.snow.is_active:
             _searches.pop(name, None)
             continue
+        if search.has_no_room:
+            continue
         goes_on, is_shown = search.go_on()
-        if not goes_on:
+        if not goes_on and not search.has_no_room:
             _searches.pop(name, None)
         if is_shown:
             wiring.touch(registered["snow"], emitter)
             viewports.redraw()
-    return PAUSE if _searches else None
+    return None if all(search.has_no_room for search in _searches.values()) else PAUSE
+
+
+@persistent
+def _forget(*_):
+    # Blender has dropped the timer with the file that was open before.
+    _searches.clear()
+
+
+def _watched():
+    return ((bpy.app.handlers.load_post, _forget),)
+
+
+def register():
+    """Forget with each file what was looked for in the one before."""
+    handlers.add(_watched())
+
+
+def unregister():
+    """Stop looking."""
+    handlers.remove(_watched())
+    _searches.clear()
+    if bpy.app.timers.is_registered(_go_on):
+        bpy.app.timers.unregister(_go_on)

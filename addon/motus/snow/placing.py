@@ -18,7 +18,7 @@ class Placed(NamedTuple):
 
 def placed(obj, matrix):
     """The faces of an evaluated mesh object, Placed; None where it has none."""
-    faces = births.faces(obj.data)
+    faces = births.faces(obj)
     return faces and Placed((faces.stamp, np.array(matrix, float).tobytes()), faces, matrix.copy())
 
 

@@ -47,7 +47,7 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
     if emitter is None or emitter.determinant() == 0.0:
         return FLAT
     scene = context.depsgraph.scene
-    faces = angles = None
+    faces = angles = unseen = None
     if settings.shape == 'SURFACE':
         emitter, faces = placed, _faces(context, placed, surface)
         if isinstance(faces, Problem):
@@ -56,6 +56,7 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
         emitter, angles = seeing, view.angles(context.target("camera"), seeing, scene)
         if isinstance(angles, Problem):
             return angles
+        unseen = view.lens_problem(context.target("camera").data)
     poses, problem = _poses(context, emitter)
     winds, unsure = _winds(context)
     if poses is None or unsure is flakes.NOT_FINITE:
@@ -69,7 +70,7 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
     is_viewport = context.depsgraph.mode == 'VIEWPORT'
     is_found = not (is_viewport and landings.are_left(context, snow, seconds))
     flakes.fill(context.points, snow, seconds, settings.preview / 100.0 if is_viewport else 1.0, is_found)
-    return problem or unsure or fault or (None if is_found else FINDING) or _look_problem(settings)
+    return problem or unseen or unsure or fault or (None if is_found else FINDING) or _look_problem(settings)
 
 
 def source(owner):
@@ -93,7 +94,7 @@ def _faces(context, placed, surface):
         return NO_SURFACE
     if deleted.is_deleted(found):
         return SURFACE_DELETED
-    return births.faces(surface.data) or NO_FACES
+    return births.faces(surface) or NO_FACES
 
 
 def _winds(context):

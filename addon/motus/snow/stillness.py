@@ -13,15 +13,18 @@ _OVER_TIME = {'BUILD', 'CLOTH', 'DYNAMIC_PAINT', 'EXPLODE', 'FLUID', 'MESH_CACHE
 """Modifiers that look at the time."""
 _TIME_NODES = "GeometryNodeInputSceneTime", "GeometryNodeSimulation"
 """Beginnings of the names of nodes that do."""
-_DEEPEST = 16
-"""Objects that read each other. What lies deeper counts as moving."""
 
 
-def moves(obj, scene, depth=0):
-    """Whether an evaluated object may stand elsewhere, or have another shape, on another frame."""
-    if depth > _DEEPEST:
-        return True
-    return _goes(obj, scene) or _is_animated(obj.data) or _is_deformed(obj, scene, depth)
+def moves(obj, scene, seen=None):
+    """Whether an evaluated object may stand elsewhere, or have another shape, on another frame.
+
+    seen: objects and node groups that were asked before, whose answer counts already.
+    """
+    seen = set() if seen is None else seen
+    if obj in seen:
+        return False
+    seen.add(obj)
+    return _goes(obj, scene) or _is_animated(obj.data) or _is_deformed(obj, scene, seen)
 
 
 def _goes(obj, scene):
@@ -42,14 +45,14 @@ def _is_animated(data):
     return _is_animated(getattr(data, "shape_keys", None))
 
 
-def _is_deformed(obj, scene, depth):
-    if obj.parent is not None and obj.parent_type in {'ARMATURE', 'LATTICE', 'CURVE'} and _deforms(obj.parent, scene, depth):
+def _is_deformed(obj, scene, seen):
+    if obj.parent is not None and obj.parent_type in {'ARMATURE', 'LATTICE', 'CURVE'} and _deforms(obj.parent, scene, seen):
         return True
     modifiers = obj.modifiers
     if not modifiers:
         return False
     # Keys of a modifier's own are keys of the object.
-    return _has_keys_of_modifiers(obj) or any(_changes(one, obj, scene, depth) for one in modifiers)
+    return _has_keys_of_modifiers(obj) or any(_changes(one, obj, scene, seen) for one in modifiers)
 
 
 def _has_keys_of_modifiers(obj):
@@ -64,22 +67,23 @@ def _has_keys_of_modifiers(obj):
     return any(path.startswith("modifiers[") for path in paths)
 
 
-def _changes(modifier, owner, scene, depth):
+def _changes(modifier, owner, scene, seen):
     if modifier.type in _OVER_TIME:
         return True
-    if modifier.type == 'NODES' and _nodes_change(modifier.node_group, scene, depth, set()):
+    if modifier.type == 'NODES' and _nodes_change(modifier.node_group, scene, seen):
         return True
-    return any(_deforms(one, scene, depth) for one in _read(modifier) if one != owner)
+    return any(_deforms(one, scene, seen) for one in _read(modifier) if one != owner)
 
 
 def _read(modifier):
     """Objects that a modifier reads."""
-    found = [getattr(modifier, prop.identifier) for prop in modifier.bl_rna.properties
-             if prop.type == 'POINTER' and prop.fixed_type.identifier == "Object"]
+    found = [obj for prop in modifier.bl_rna.properties
+             if prop.type == 'POINTER' and prop.fixed_type.identifier in {"Object", "Collection"}
+             for obj in _objects_of(getattr(modifier, prop.identifier))]
     if modifier.type == 'NODES' and modifier.node_group is not None:
         for value in node_groups.inputs_of(modifier):
             found += _objects_of(value)
-    return [one for one in found if one is not None]
+    return found
 
 
 def _objects_of(value):
@@ -88,14 +92,14 @@ def _objects_of(value):
     return list(value.all_objects) if isinstance(value, bpy.types.Collection) else []
 
 
-def _deforms(obj, scene, depth):
+def _deforms(obj, scene, seen):
     """Whether what reads an object may be another one on another frame."""
     if obj.type == 'ARMATURE' and (_is_animated(obj) or any(len(bone.constraints) for bone in obj.pose.bones)):
         return True
-    return moves(obj, scene, depth + 1)
+    return moves(obj, scene, seen)
 
 
-def _nodes_change(group, scene, depth, seen):
+def _nodes_change(group, scene, seen):
     if group is None or group in seen:
         return False
     seen.add(group)
@@ -104,10 +108,10 @@ def _nodes_change(group, scene, depth, seen):
     for node in group.nodes:
         if node.bl_idname.startswith(_TIME_NODES):
             return True
-        if node.bl_idname == "GeometryNodeGroup" and _nodes_change(node.node_tree, scene, depth, seen):
+        if node.bl_idname == "GeometryNodeGroup" and _nodes_change(node.node_tree, scene, seen):
             return True
         for socket in node.inputs:
             value = getattr(socket, "default_value", None) if socket.type in {'OBJECT', 'COLLECTION'} else None
-            if any(_deforms(one, scene, depth) for one in _objects_of(value)):
+            if any(_deforms(one, scene, seen) for one in _objects_of(value)):
                 return True
     return False

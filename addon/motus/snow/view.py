@@ -10,7 +10,9 @@ from ..core.system import Problem, Variable
 NO_CAMERA = Problem("Choose a camera in whose view flakes come into being")
 CAMERA_DELETED = Problem("The camera is in no collection any more: choose another one")
 NO_PERSPECTIVE = Problem("Flakes come into being in the view of a perspective camera alone")
-PROBLEMS = NO_CAMERA, CAMERA_DELETED, NO_PERSPECTIVE
+LENS_UNKNOWN = Problem(
+    "The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it", False)
+PROBLEMS = NO_CAMERA, CAMERA_DELETED, NO_PERSPECTIVE, LENS_UNKNOWN
 WIDEST = math.radians(89.0)
 """Half of what a camera sees by, at most."""
 
@@ -46,6 +48,11 @@ def angles(camera, matrix, scene):
     longer = camera.data.lens / _shortest(camera.data)
     tangents = longer * corners[:, :2].max(axis=0) / corners[:, 2].min()
     return tuple(min(math.atan(tangent), WIDEST) for tangent in tangents.tolist())
+
+
+def lens_problem(data):
+    """LENS_UNKNOWN of a camera's data whose lens may be another one on other frames, and nobody can tell which; else None."""
+    return None if data.animation_data is None or tracks.property_track(data, "lens").is_known else LENS_UNKNOWN
 
 
 def _shortest(data):

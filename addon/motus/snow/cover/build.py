@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core import wiring
+from ...core import datablocks, wiring
 from ...core.system import Group, Transform, forget, registered
 from ...core.translations import tr
 from . import look, sources
@@ -51,7 +51,4 @@ def remove(cover):
     look.drop(cover)
     wiring.detach(system(), cover)
     forget(system(), cover)
-    mesh = cover.data
-    bpy.data.objects.remove(cover)
-    if mesh.users == 0:
-        bpy.data.meshes.remove(mesh)
+    datablocks.remove_objects([cover])

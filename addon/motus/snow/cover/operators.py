@@ -34,7 +34,7 @@ class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
     collection: _names("Collection", "Name of a collection on whose meshes snow lies too")
     emitters: _names("Emitters", "Names of the emitters of snow, between commas; empty takes the selected ones, or all of the scene")
     lands: bpy.props.BoolProperty(
-        name="Flakes Land", description="The flakes of emitters that have no collider land on the surface, or the collection, if it is one",
+        name="Flakes Land", description="Give emitters that have no collider the surface as theirs, if there is just one, or the collection",
         default=True)
 
     modes = OBJECT_MODE

@@ -31,7 +31,7 @@ class SnowCoverKeywords:
         "Slope", "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
         math.radians(50.0), min=0.0, max=math.radians(89.0), subtype='ANGLE')
     smoothing: _number(
-        "Smoothing", "Over which snow evens out with what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0,
+        "Smoothing", "How far snow spreads to what lies beside it", 0.25, min=0.0, max=1e6, soft_max=2.0,
         subtype='DISTANCE')
     thinnest: _number(
         "Thinnest", "Snow that is thinner is hidden, so that the surface shows between the first flakes", 0.004, min=0.0, max=1e3,

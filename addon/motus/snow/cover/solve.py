@@ -38,6 +38,7 @@ _OF_LOOKS = {"start_size", "start_color", "random_size", "random_color", "tumble
 def solve(context, scenery, influence):
     """The layer in world space."""
     settings = context.settings
+    context.outputs[:] = 0.0
     if sources.signature(settings) != settings.reads:
         context.wants_to_settle = True
     numbers = settings.lump, settings.resolution, settings.repose, settings.smoothing, settings.thinnest, influence
@@ -50,7 +51,7 @@ def solve(context, scenery, influence):
         return fault
     name = context.owner.name
     found = work.known(name, plan)
-    if found is None and work.seconds(plan) > work.LONG and work.may_wait(context.depsgraph):
+    if found is None and work.seconds(plan) > work.LONG and work.may_wait(context.depsgraph, context.owner):
         work.ask(name, plan)
         return WAITING
     found = found or work.do(name, plan)
@@ -97,6 +98,9 @@ def _plan(context, settings, scenery):
     falls, times, shelters = [], [], {}
     for emitter in emitters:
         fall, problem = _fall(context, emitter, pull, scenery)
+        if problem is SOME_WITHOUT:
+            fault = fault or problem
+            continue
         if fall is None:
             return None, None, problem
         sheltering, unsure = colliders.parts(emitter.motus.snow, scene, {one.object for one in surfaces})
@@ -104,6 +108,8 @@ def _plan(context, settings, scenery):
         fault = problem or unsure or fault
         falls.append(fall)
         times.append((context.frame - emitter.motus.snow.start_frame) / context.fps)
+    if not falls:
+        return None, None, NO_SNOW
     plan = work.Plan(
         lain_on, tuple(shelters), settings.resolution, tuple(-part for part in pull), tuple(falls), settings.lump ** 3,
         settings.repose, work.rounds(settings.smoothing, settings.resolution))
@@ -127,9 +133,9 @@ def _fall(context, emitter, pull, scenery):
     source, faces, angles = sources.source(emitter), None, None
     if snow.shape == 'SURFACE':
         source = scenery.get(source and source.original)
-        faces = source and births.faces(source.data)
+        faces = source and births.faces(source)
         if faces is None:
-            return None, NO_SNOW
+            return None, SOME_WITHOUT
     elif snow.shape == 'CAMERA':
         angles = view.angles(source, source and source.matrix_world, scene)
         if isinstance(angles, Problem):
@@ -139,8 +145,9 @@ def _fall(context, emitter, pull, scenery):
     winds, is_sure = _winds(emitter, span)
     if poses is None or winds is flakes.NOT_FINITE:
         return None, flakes.NOT_FINITE
+    unseen = view.lens_problem(source.data) if angles is not None else None
     return work.Fall(tuple(given.items()), pull, poses, winds, faces, angles, count, end), (
-        None if is_known and is_sure else UNKNOWN)
+        unseen if is_known and is_sure else UNKNOWN)
 
 
 def _winds(emitter, span):

@@ -50,7 +50,8 @@ def scenery(settings):
         found += colliders.objects(emitter.motus.snow)
         if emitter.motus.snow.shape == 'SURFACE' and source(emitter):
             found.append(source(emitter))
-    return list(dict.fromkeys(obj.original for obj in found))
+    # Somebody may have chosen a cover as a collider, or to be born on: it cannot wait for itself, nor two for each other.
+    return [obj for obj in dict.fromkeys(obj.original for obj in found) if not _has(obj, "snow_cover")]
 
 
 def placed(settings):

@@ -18,6 +18,8 @@ KEPT, MOST_KEPT = 2, 64
 """Works of one cover, and of all."""
 MOST_FLAKES = 10_000_000
 """That fall until the end."""
+MOST_FLAKES_KEPT = 3 * MOST_FLAKES
+"""Of all works: some 40 bytes each."""
 FLAKE, FLIGHT, TRIANGLE = 4e-5, 4e-6, 2e-6
 """Seconds, about, that one takes: a flake, each second that it flies, and a triangle."""
 LONG = 2.0
@@ -69,9 +71,9 @@ _asked = {}
 _lock = threading.Lock()
 
 
-def may_wait(depsgraph):
-    """Whether somebody is there who can ask for the work."""
-    return depsgraph.mode == 'VIEWPORT' and not bpy.app.background
+def may_wait(depsgraph, owner):
+    """Whether somebody is there who can ask for the work on a cover, evaluated."""
+    return depsgraph.mode == 'VIEWPORT' and not bpy.app.background and owner.library is None
 
 
 def seconds(plan):
@@ -128,10 +130,14 @@ def steps(name, plan):
         _done[name, plan] = found
         for place in [place for place in _done if place[0] == name][:-KEPT]:
             del _done[place]
-        if len(_done) > MOST_KEPT:
+        while len(_done) > 1 and (len(_done) > MOST_KEPT or _flakes_kept() > MOST_FLAKES_KEPT):
             _done.popitem(last=False)
         if _asked.get(name) == plan:
             del _asked[name]
+
+
+def _flakes_kept():
+    return sum(fall.count for _, plan in _done for fall in plan.falls)
 
 
 def part_count(plan):

@@ -58,6 +58,8 @@ INTERFACE = {
     "The camera is in no collection any more: choose another one": "La cámara ya no está en ninguna colección: elige otra",
     "Flakes come into being in the view of a perspective camera alone":
         "Los copos solo nacen en la vista de una cámara en perspectiva",
+    "The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it":
+        "La focal de la cámara no se conoce de antemano, y los copos nacen en lo que ve ahora: anímala con claves o grábala",
     "The scene has no camera": "La escena no tiene cámara",
     "The wind is not known ahead, and blows on all frames as it does now: key it, or record it":
         "El viento no se conoce de antemano y sopla en todos los fotogramas como ahora: anímalo con claves o regístralo",

@@ -58,7 +58,7 @@ INTERFACE = {
     "Powder": "Nieve polvo",
     "Reads": "Lee",
     "Removed {objects}": "Se ha quitado {objects}",
-    "Over which snow evens out with what lies beside it": "Sobre la que la nieve se iguala con la de al lado",
+    "How far snow spreads to what lies beside it": "Hasta dónde la nieve se extiende sobre lo de al lado",
     "Select the meshes that snow is to lie on": "Selecciona las mallas sobre las que quede la nieve",
     "Slope": "Pendiente",
     "Smoothing": "Suavizado",
@@ -76,8 +76,8 @@ INTERFACE = {
     "Take an object off the list": "Quita un objeto de la lista",
     "Take lying snow away; surfaces and falling snow stay":
         "Quita la nieve caída; las superficies y la nieve que cae se quedan",
-    "The flakes of emitters that have no collider land on the surface, or the collection, if it is one":
-        "Los copos de emisores sin obstáculo caen sobre la superficie, o la colección, si es una sola",
+    "Give emitters that have no collider the surface as theirs, if there is just one, or the collection":
+        "Da a los emisores sin obstáculo la superficie, si hay una sola, o la colección",
     "The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces":
         "El manto tendría más de 2 millones de vértices: elige una resolución más gruesa, o menos superficies",
     "The list has no such object": "La lista no tiene ese objeto",
