@@ -1,5 +1,7 @@
 """What setting up a key adds to a scene, what it refuses, and that removing it takes all back."""
 
+import os
+
 import bpy
 from chroma import chroma_cases as cases
 import numpy as np
@@ -143,6 +145,36 @@ class SetUp(support.SceneTestCase):
         names = self.sequence(range(1, 3))
         files = [{"name": name} for name in (*names, "another_007.png")]
         self.refused("numbered sequence", directory=str(self.folder), files=files)
+
+    def test_numbers_in_names(self):
+        numbered = support.addon("chroma.footage")._numbered
+        for name, parts in (("shot_007.png", ("shot_", "007", ".png")), ("f_0001.jp2", ("f_", "0001", ".jp2")),
+                            ("12.left.exr", ("", "12", ".left.exr")), ("still.jp2", None), ("IMG_20240101120000.jpg", None)):
+            self.assertEqual(numbered(name), parts, name)
+
+    def test_footage_that_went_is_told(self):
+        self.set_up(clip=footage(self.folder))
+        image = compositor.node_of(bpy.context.scene, "Footage").image
+        os.remove(bpy.path.abspath(image.filepath))
+        image.reload()
+        with self.assertRaisesRegex(RuntimeError, "cannot be read as a picture"):
+            bpy.ops.motus.chroma_key_measure()
+
+    def test_what_is_underneath_is_played(self):
+        self.set_up(clip=footage(self.folder))
+        bpy.context.scene.motus.chroma.underneath = 'FOOTAGE'
+        node = compositor.node_of(bpy.context.scene, "Background")
+        self.assertTrue(node.use_auto_refresh)
+        self.assertGreater(node.frame_duration, 100000)
+
+    def test_the_picture_of_another_viewer_stays(self):
+        other = bpy.data.scenes.new("Other")
+        tree = compositor.prepared(other, other.motus.chroma)
+        tree.nodes.new("CompositorNodeViewer")
+        self.set_up(clip=footage(self.folder))
+        viewed = [image.name for image in bpy.data.images if image.type == 'COMPOSITING']
+        bpy.ops.motus.chroma_key_remove()
+        self.assertEqual([image.name for image in bpy.data.images if image.type == 'COMPOSITING'], viewed)
 
     def test_what_lies_underneath_can_be_changed(self):
         key = self.set_up(clip=footage(self.folder))

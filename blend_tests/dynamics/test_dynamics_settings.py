@@ -73,10 +73,17 @@ class DynamicsSettingsTest(support.SceneTestCase):
                 cases.add(ball, **keywords)
         self.assertFalse(ball.is_property_set("motus"))
 
+    def test_what_presets_keep_says_the_motion_in_one_way(self):
+        kept = [prop.identifier for prop in bpy.ops.motus.dynamics_add.get_rna_type().properties
+                if not (prop.is_hidden or prop.is_skip_save)]
+        self.assertIn("frequency", kept)
+        for name in ("overshoot", "settling", "mass", "stiffness", "resistance"):
+            self.assertNotIn(name, kept)
+
     def test_names_that_name_nothing(self):
         rig = cases.rope(1)
         for bones in (",", " , "):
-            with self.assertRaisesRegex(RuntimeError, "names none"):
+            with self.assertRaisesRegex(RuntimeError, "No bone is named"):
                 cases.add(rig, bones=bones)
         cases.add(rig, bones="Root")
         with self.assertRaisesRegex(RuntimeError, "names none"):
@@ -112,6 +119,10 @@ class DynamicsSettingsTest(support.SceneTestCase):
         cases.add(rig, bones="Tail 0 0")
         told = support.addon("dynamics.told").sentence(rig, cases.problem(rig), bpy.context.scene)
         self.assertEqual(told, "What Tail 0 0 follows needs recording: Root has the constraint Damped Track")
+        cases.add(rig, bones="Tail 0 1")
+        rig.motus.dynamics.entries[0].is_muted = True
+        told = support.addon("dynamics.told").sentence(rig, cases.problem(rig), bpy.context.scene)
+        self.assertTrue(told.startswith("What Tail 0 1 follows"), told)
 
     def test_bad_numbers(self):
         ball = cases.moved()

@@ -213,6 +213,12 @@ class Eyes(StereoTestCase):
         self.assertEqual(bpy.ops.motus.stereo_fit(object=obj.name), {'FINISHED'})
         self.assertLess(obj.motus.stereo.far_parallax, 0.55)
         self.assertGreater(obj.motus.stereo.far_parallax, 0.01)
+        obj.motus.stereo.near_parallax = obj.motus.stereo.far_parallax = 0.0
+        self.assertEqual(bpy.ops.motus.stereo_fit(object=obj.name), {'FINISHED'})
+        self.assertGreater(obj.motus.stereo.far_parallax, 0.01)
+        obj.motus.stereo.eye_separation = float("nan")
+        with self.assertRaisesRegex(RuntimeError, "eye_separation is not a finite number"):
+            bpy.ops.motus.stereo_fit(object=obj.name)
 
     def test_presets(self):
         obj = self.add(screen='CINEMA', interocular=0.08)
@@ -359,6 +365,10 @@ class Output(StereoTestCase):
         self.assert_eyes(obj, 0.1, 3.0)
         bpy.ops.motus.stereo_output(object="Camera")
         self.assertEqual((obj.data.type, obj.data.stereo.use_spherical_stereo), ('PERSP', False))
+        obj.motus.stereo.convergence = 'BUDGET'
+        with self.assertRaisesRegex(RuntimeError, "no budget of depth"):
+            bpy.ops.motus.stereo_output(object="Camera", use_360=True)
+        obj.motus.stereo.convergence = 'DISTANCE'
         bpy.ops.motus.stereo_output(object="Camera", use_360=True)
         bpy.ops.motus.stereo_rig_remove(object="Camera")
         self.assertEqual(state(obj), before)

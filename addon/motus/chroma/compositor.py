@@ -100,7 +100,7 @@ def underneath(scene):
 
 
 def lay_underneath(scene, wanted, noted):
-    """Lay something else underneath a scene's key: footage has still to be chosen then."""
+    """Lay something else underneath a scene's key. For 'FOOTAGE' the Image node has no image: it is chosen in the panel."""
     tree, key = tree_of(scene), key_of(scene)
     if "Background" in key.inputs:
         _lay(scene, tree, key, wanted, None, noted)
@@ -142,7 +142,17 @@ def remove(scene, noted):
     for one in groups:
         if one.users == 0:
             bpy.data.node_groups.remove(one)
-    # Blender 3.4 makes the picture along with a node Viewer, with a user that is none; whoever looks at it is another one.
+    _drop_viewed()
+
+
+def _drop_viewed():
+    """Remove the picture that Blender makes for all nodes Viewer of the file, where there are none any more.
+
+    3.4 counts one user too many for it.
+    """
+    trees = [tree for tree in map(tree_of, bpy.data.scenes) if tree is not None]
+    if any(node.bl_idname == "CompositorNodeViewer" for tree in trees for node in tree.nodes):
+        return
     for image in [image for image in bpy.data.images if image.type == 'COMPOSITING' and image.users <= 1]:
         bpy.data.images.remove(image)
 
@@ -210,7 +220,9 @@ def _link_image(tree, role, image, framing, target):
     """A picture or film, brought to the size of the render."""
     node = _mark(tree.nodes.new("CompositorNodeImage"), role, role)
     node.image = image
-    if image is not None and image.source in {'MOVIE', 'SEQUENCE'}:
+    if image is None:  # it is chosen in the panel later, which tells no node how long it is
+        node.frame_duration, node.frame_start, node.use_auto_refresh = footage.LAST_FRAME, 1, True
+    elif image.source in {'MOVIE', 'SEQUENCE'}:
         footage.play(image, node)
     scale = _mark(tree.nodes.new("CompositorNodeScale"), f"{role} Size", "")
     if capabilities.has_compositor_sockets():

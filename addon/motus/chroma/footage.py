@@ -14,6 +14,8 @@ from . import group
 
 MOST = 512
 """Pixels across and down that are looked at, of a larger picture evenly spread ones."""
+LAST_FRAME = 1048574
+"""The greatest frame that Blender counts to."""
 _LINEAR = {"Linear", "Linear Rec.709", "scene_linear", "Non-Color", "Raw"}
 
 
@@ -89,9 +91,10 @@ def play(image, user):
 
 
 def _numbered(name):
-    """(what is before, the digits, what is behind) the last number of a file's name; None without one."""
-    found = re.fullmatch(r"(.*?)(\d+)(\D*)", name)
-    return found.groups() if found else None
+    """(what is before, the digits, what is behind) the last number of a file's name; None without one that Blender counts to."""
+    stem, ending = os.path.splitext(name)
+    found = re.fullmatch(r"(.*?)(\d+)(\D*)", stem)
+    return (found[1], found[2], found[3] + ending) if found and int(found[2]) <= LAST_FRAME else None
 
 
 def _numbers(image):
@@ -141,6 +144,8 @@ def rate(image):
 def pixels(image):
     """(rows, columns, 4) float32 of its first frame, scene-linear, thinned out where it is large."""
     with _first(image) as picture:
+        if picture is None or not all(picture.size):
+            raise Refused(tr("{object} cannot be read as a picture").format(object=image.name))
         return _pixels(picture)
 
 

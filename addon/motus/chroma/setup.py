@@ -68,8 +68,11 @@ def add_plane(scene):
     levels = [settings.place(node, one) for one in settings.OF_KEYING if one.keyword in ("black", "white")]
     if source is None or source.image is None or None in (color, *levels):
         raise Refused(tr("The key has lost its footage"))
+    deleted = scene.motus.chroma.plane
     scene.motus.chroma.plane = plane.add(
         scene, scene.camera, source.image, tuple(getattr(*color))[:3], [getattr(*one) for one in levels], plane.DISTANCE)
+    if deleted is not None and group.KEY in deleted:
+        datablocks.remove_objects([deleted])
 
 
 def remove(scene):

@@ -27,7 +27,9 @@ def show(context):
     scene, space = context.scene, viewports.space_for(context)
     if space is None or space.region_3d is None:
         return
-    if not capabilities.has_compositor_in_viewport() and scene.camera is not None and scene.motus.chroma.plane is None:
+    plane = scene.motus.chroma.plane
+    is_there = plane is not None and bool(plane.users_collection)  # a pointer keeps what was deleted
+    if not capabilities.has_compositor_in_viewport() and scene.camera is not None and not is_there:
         setup.add_plane(scene)
     viewports.change(space, _values(scene))
 

@@ -107,7 +107,7 @@ _VIEW = "region_3d.view_location", "region_3d.view_rotation", "region_3d.view_di
 
 def change(space, values):
     """Give settings of a viewport other values, by their paths. `restore` gives back what they were."""
-    if _PERSPECTIVE in values:
+    if _PERSPECTIVE in values and not has(space, {_PERSPECTIVE: values[_PERSPECTIVE]}):
         for path in _VIEW:
             _keep(space, path)
     for path, value in values.items():
@@ -133,7 +133,7 @@ def restore(space, values):
 
 def _keep(space, path):
     value = getattr(*_place(space, path))
-    _before.setdefault((space.as_pointer(), path), value.copy() if hasattr(value, "copy") else value)
+    _before[space.as_pointer(), path] = value.copy() if hasattr(value, "copy") else value
 
 
 def _set(space, path, value):

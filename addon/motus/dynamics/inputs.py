@@ -266,12 +266,6 @@ class TailInput(_Input):
     def _is_base(self, bone):
         return self.tracks[self._places[bone.name]].what.endswith("world")
 
-    def samples(self, frames):
-        """({name: places}, resets)."""
-        tails = self.tails(frames)
-        jump = self._entry.jump
-        return tails, sampling.resets(frames, tails[self._thing[0].name], jump)
-
 
 def _inverse(matrices):
     """Of affine matrices (n, 4, 4), by sums that are the same wherever the arrays lie; those without one give zeros."""

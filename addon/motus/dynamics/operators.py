@@ -57,17 +57,20 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
     chain_delay: bpy.props.FloatProperty(
         name="Delay per Bone", description="How much later each bone of a chain follows than the one above it", default=0.0,
         min=0.0, soft_max=0.2, unit='TIME_ABSOLUTE', precision=3)
+    # Not in presets, which keep all that is saved: each of these ways says what frequency and damping say as well.
     overshoot: bpy.props.FloatProperty(
         name="Overshoot", description="How far it goes beyond a step, as a part of the step: with Settling in place of "
-        "frequency and damping", default=0.2, min=0.0, max=0.95)
+        "frequency and damping", default=0.2, min=0.0, max=0.95, options={'SKIP_SAVE'})
     settling: bpy.props.FloatProperty(
         name="Settling", description="How long it takes to come to rest", default=1.0, min=filters.LEAST_SETTLING,
-        unit='TIME_ABSOLUTE')
+        unit='TIME_ABSOLUTE', options={'SKIP_SAVE'})
     mass: bpy.props.FloatProperty(
         name="Mass", description="What hangs on a spring, in place of frequency, damping and response", default=1.0,
-        min=1e-3, unit='MASS')
-    stiffness: bpy.props.FloatProperty(name="Stiffness", description="Of the spring, N/m", default=100.0, min=1e-6)
-    resistance: bpy.props.FloatProperty(name="Resistance", description="Of the damper, N s/m", default=5.0, min=0.0)
+        min=1e-3, unit='MASS', options={'SKIP_SAVE'})
+    stiffness: bpy.props.FloatProperty(
+        name="Stiffness", description="Of the spring, N/m", default=100.0, min=1e-6, options={'SKIP_SAVE'})
+    resistance: bpy.props.FloatProperty(
+        name="Resistance", description="Of the damper, N s/m", default=5.0, min=0.0, options={'SKIP_SAVE'})
 
     @classmethod
     def check_offer(cls, context):

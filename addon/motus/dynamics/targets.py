@@ -36,7 +36,7 @@ def names_in(bones):
     """The names of bones in a text with commas between; refuses one that names none."""
     found = [one.strip() for one in bones.split(",") if one.strip()]
     if bones and not found:
-        raise Refused(tr("Bones names none: give their names, with commas between"))
+        raise Refused(tr("No bone is named: give names with commas between"))
     return found
 
 

@@ -12,8 +12,11 @@ def sentence(owner, problem, scene):
     spoken = {solve.NEEDS_RECORDING: lambda: tr("What {thing} follows needs recording: {reason}"),
               solve.NOT_KNOWN: lambda: tr("What {thing} follows is not known on other frames: {reason}")}.get(problem)
     for unit in groups.units(owner) if spoken else ():
+        entry = next((one for one in unit.entries if not one.is_muted), None)
+        if entry is None:
+            continue
         source = unit.input(scene)
         if not source.is_known and bool(source.reason) == (problem == solve.NOT_KNOWN):
             reason = source.reason or next(track.reason for track, _ in source.unknown if not track.is_known)
-            return spoken().format(thing=setup.label(unit.entries[0]), reason=reason.sentence)
+            return spoken().format(thing=setup.label(entry), reason=reason.sentence)
     return tr(problem.sentence)

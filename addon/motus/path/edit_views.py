@@ -173,7 +173,7 @@ def _areas(context):
 def _shown(area):
     """Which edit view an area shows; "" for none."""
     before = _before.get(area.spaces.active.as_pointer())
-    if before is None:
+    if before is None or area.type != 'VIEW_3D':
         return ""
     # A quad view may have been left by Blender's own key.
     is_there = before.view != 'ALL' or bool(area.spaces.active.region_quadviews)

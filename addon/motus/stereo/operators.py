@@ -4,7 +4,7 @@ import bpy
 
 from ..core import wiring
 from ..core.operators import OBJECT_MODE, Operator, object_keyword
-from ..core.refusals import Refused, check_finite, check_local
+from ..core.refusals import Refused, check_evaluated, check_finite, check_local
 from ..core.rows import Rows
 from ..core.translations import tr
 from . import budget, lens, rig, rows, samples, screens, targets
@@ -120,8 +120,11 @@ class MOTUS_OT_stereo_fit(OfARig, Operator, bpy.types.Operator):
     def run(self, context):
         camera = targets.rig_for(context, self.object)
         targets.check_removable(camera)
-        targets.check_solved(context, camera)
+        check_evaluated(camera, context.view_layer)
         settings = camera.motus.stereo
+        if camera.data.type != 'PERSP':
+            raise Refused(tr("{object} is no perspective camera").format(object=camera.name))
+        check_finite(settings, ("near", "far", "screen_width", "screen_distance", "eye_separation"))
         if not 0.0 < settings.near < settings.far:
             raise Refused(tr("Near must be greater than 0, and far greater than near"))
         seen_by = lens.of(camera.evaluated_get(context.view_layer.depsgraph).data, context.scene.render)

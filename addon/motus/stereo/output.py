@@ -41,6 +41,8 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
         scene = context.scene
         if self.use_360 and scene.render.engine != 'CYCLES':
             raise Refused(tr("Only Cycles can see all around in stereo: choose that as the render engine first"))
+        if self.use_360 and camera.motus.stereo.convergence == 'BUDGET':
+            raise Refused(tr("A camera that sees all around has no budget of depth: choose another convergence first"))
         self._set_format(scene)
         see = around.begin if self.use_360 else around.end
         see(camera.motus.stereo, camera.data)

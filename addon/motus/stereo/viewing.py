@@ -9,7 +9,7 @@ from ..core.translations import tr
 from . import rig, targets
 
 _BOTH = {"region_3d.view_perspective": 'CAMERA', "stereo_3d_camera": 'S3D', "overlay.show_overlays": False}
-_ONE = {"region_3d.view_perspective": 'PERSP', "overlay.show_overlays": True, "use_local_camera": False}
+_ONE = {"region_3d.view_perspective": 'PERSP', "overlay.show_overlays": True, "stereo_3d_camera": 'S3D'}
 """Values of a viewport, by their paths: through both eyes, and otherwise."""
 
 
@@ -38,13 +38,13 @@ class MOTUS_OT_stereo_view(Operator, bpy.types.Operator):
         if space is None or space.region_3d is None:
             raise Refused(tr("There is no 3D viewport here"))
         if is_shown(context, camera):
-            viewports.restore(space, _ONE)
+            local = {"camera": context.scene.camera, "use_local_camera": False} if space.use_local_camera else {}
+            viewports.restore(space, _ONE | local)
             return
         if not rig.renders_both_eyes(context.scene):
             raise Refused(rig.one_eye())
         if context.scene.camera != camera:
-            space.camera = camera
-            viewports.change(space, {"use_local_camera": True})
+            viewports.change(space, {"camera": camera, "use_local_camera": True})
         viewports.change(space, _BOTH)
         display = context.window.stereo_3d_display
         if display.display_mode != 'ANAGLYPH':

@@ -142,7 +142,7 @@ INTERFACE = {
     "Some bones that follow are not there any more: remove them from the list":
         "Algunos huesos que siguen ya no existen: quítalos de la lista",
     "{object} has no bone {bone}: remove it from the list": "{object} no tiene el hueso {bone}: quítalo de la lista",
-    "Bones names none: give their names, with commas between":
+    "No bone is named: give names with commas between":
         "No se nombra ningún hueso: da sus nombres, separados por comas",
     "{path} is a setting of the dynamics themselves": "{path} es un ajuste de la propia dinámica",
     "Only the first {count} numbers of an array can follow: give an index below that":

@@ -41,6 +41,8 @@ INTERFACE = {
     "Corners are higher in one eye than in the other by more than a pixel, {pixels} pixels, in {frames}":
         "Las esquinas están más altas en un ojo que en el otro por más de un píxel, {pixels} píxeles, en {frames}",
     "Depth Budget": "Presupuesto de profundidad",
+    "A camera that sees all around has no budget of depth: choose another convergence first":
+        "Una cámara que ve todo alrededor no tiene presupuesto de profundidad: elige antes otra convergencia",
     "Depth of the farthest thing that counts for the budget": "Profundidad de lo más lejano que cuenta para el presupuesto",
     "Depth of the nearest thing that counts for the budget": "Profundidad de lo más cercano que cuenta para el presupuesto",
     "Diverges on a {width} m screen by {percent} % in {frames}":
