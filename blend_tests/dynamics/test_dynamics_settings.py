@@ -86,7 +86,7 @@ class DynamicsSettingsTest(support.SceneTestCase):
             with self.assertRaisesRegex(RuntimeError, "No bone is named"):
                 cases.add(rig, bones=bones)
         cases.add(rig, bones="Root")
-        with self.assertRaisesRegex(RuntimeError, "names none"):
+        with self.assertRaisesRegex(RuntimeError, "No bone is named"):
             bpy.ops.motus.dynamics_remove(object=rig.name, bones=",")
         self.assertEqual(len(rig.motus.dynamics.entries), 1)
 
