@@ -147,6 +147,11 @@ def number_given(evaluated):
     return _number_in(_mark(evaluated))
 
 
+def forget():
+    """Let all evaluated copies count as new ones: what is kept of them refers to classes of properties, which end with the add-on."""
+    _copies.clear()
+
+
 def number_of_action(action):
     """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy."""
     number = action.get(KEY)

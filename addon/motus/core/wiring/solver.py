@@ -5,7 +5,7 @@ from contextlib import suppress
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import handlers
+from .. import copies, handlers
 from ..lazy import numpy as np
 from ..per_thread import keep_state
 from ..stored import Damaged, Newer
@@ -98,3 +98,4 @@ def unregister():
     handlers.remove(_watched())
     for name in _FUNCTIONS:
         bpy.app.driver_namespace.pop(name, None)
+    copies.forget()
