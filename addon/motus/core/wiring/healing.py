@@ -239,9 +239,8 @@ def _heal_overrides():
 
 def _release_overrides():
     """Take off overrides again what was taken off them, and came back from their library."""
-    for obj in bpy.data.objects:
-        if not obj.override_library or obj.library or not obj.is_property_set("motus"):
-            continue
+    found = [obj for obj in bpy.data.objects if obj.override_library and not obj.library and obj.is_property_set("motus")]
+    for obj in found:
         for system in systems():
             settings = of_owner(system, obj)
             if settings.is_released and not settings.is_active:
@@ -264,21 +263,23 @@ def _heal_edited(depsgraph):
 
 
 def _heal_joined(grown):
+    if not grown:
+        return
     _bone_counts.update((_key(armature), len(armature.bones)) for armature in grown)
-    for obj in bpy.data.objects if grown else ():
-        if obj.data not in grown or obj.library or obj.override_library:
-            continue
+    # What is released takes objects out of the file, which Blender must not be going through then.
+    joined, found = {}, [obj for obj in bpy.data.objects if obj.data in grown and not (obj.library or obj.override_library)]
+    for obj in found:
         has_settings = obj.is_property_set("motus")
         for system in systems():
             is_wired = has_settings and of_owner(system, obj).is_active
             is_led = has_settings and of_owner(system, obj).leader is not None
             if system.groups is not None and not is_wired and not is_led and has_sinks(system, obj):
-                joined = [rig for rig in makers(system, obj) if not rig.users_collection]
+                joined |= dict.fromkeys(rig for rig in makers(system, obj) if not rig.users_collection)
                 release(system, obj)
-                for rig in joined:
-                    _discard(rig)
         if not has_settings:
             obj.property_unset("motus")
+    for rig in joined:
+        _discard(rig)
 
 
 def _discard(rig):
