@@ -95,6 +95,13 @@ class Room(support.SceneTestCase):
             track.kept_by("stamp", ("small", number), lambda: None)
         self.assertEqual([one for one in made if one() is not None], [])
 
+    def test_three_thousand_properties_are_kept_from_frame_to_frame(self):
+        track, made = support.addon("core.tracks.track"), []
+        for _ in range(2):
+            for number in range(3000):
+                track.kept_by("stamp", ("property", number), lambda number=number: made.append(number))
+        self.assertEqual(made, list(range(3000)))
+
     def test_native_tracks_tell_their_memory(self):
         track, module = support.addon("core.tracks.track"), support.addon("core.native").module
         times = np.arange(1000.0)

@@ -2,6 +2,7 @@
 
 import enum
 import functools
+import threading
 from collections import OrderedDict
 
 from .. import stored
@@ -12,10 +13,26 @@ from .animation import Channel
 from .strips import keys_stamp
 from .transforms import PARTS, Own, Transforms, World
 
-LARGEST_CACHE = 1024  # of what kept() keeps: the bones of some rigs, in a viewport and a render
+LARGEST_CACHE = 8192  # of what kept() keeps: some thousand properties or bones, in a viewport and a render
 LARGEST_MEMORY = 1 << 30  # bytes of that
 
-_kept = OrderedDict()
+
+class _Kept(OrderedDict):
+    """(what, bytes of it) by place, the oldest first; no more than the limits."""
+
+    def __init__(self):
+        self._memory = 0
+        self._changing = threading.Lock()
+
+    def add(self, place, held):
+        with self._changing:
+            self._memory += held[1] - self.pop(place, (None, 0))[1]  # another thread may have been here meanwhile
+            self[place] = held
+            while len(self) > LARGEST_CACHE or self._memory > LARGEST_MEMORY and len(self) > 1:
+                self._memory -= self.popitem(last=False)[1][1]
+
+
+_kept = _Kept()
 
 
 class Kind(enum.Enum):
@@ -188,10 +205,8 @@ def kept_by(stamp, name, make):
     held = _kept.get(place)
     if held is None:
         found = make()
-        held = _kept[place] = found, _bytes(found)
-        memory = sum(size for _, size in list(_kept.values()))
-        while len(_kept) > LARGEST_CACHE or memory > LARGEST_MEMORY and len(_kept) > 1:
-            memory -= _kept.popitem(last=False)[1][1]
+        held = found, _bytes(found)
+        _kept.add(place, held)
     return held[0]
 
 
