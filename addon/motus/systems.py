@@ -1,9 +1,10 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import chroma, drivers, dynamics, ik, lattice, look_at, path, pendulum, pull, snow, stereo
+from . import chroma, drivers, dynamics, ik, lattice, layers, look_at, path, pendulum, pull, snow, stereo
 
 SYSTEMS = (
     path.SYSTEM,
+    layers.SYSTEM,
     ik.SYSTEM,
     look_at.SYSTEM,
     dynamics.SYSTEM,

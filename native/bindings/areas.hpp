@@ -13,6 +13,7 @@ void bind_tails(pybind11::module_& m);
 void bind_two_bone(pybind11::module_& m);
 void bind_chain(pybind11::module_& m);
 void bind_look_at(pybind11::module_& m);
+void bind_layers(pybind11::module_& m);
 void bind_rig_ik(pybind11::module_& m);
 void bind_picker(pybind11::module_& m);
 void bind_refine(pybind11::module_& m);

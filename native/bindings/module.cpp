@@ -20,6 +20,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_two_bone(m);  // first of the chains: Reason
     bind_chain(m);
     bind_look_at(m);
+    bind_layers(m);
     bind_rig_ik(m);
     bind_picker(m);  // before pull(): Picker
     bind_refine(m);

@@ -27,6 +27,20 @@ def curves_of(player):
     return bag.fcurves if bag else ()
 
 
+def curves_for_object(action, slot=""):
+    """The F-curves that an action has for an object. slot: identifier of one of its slots; "" takes the first one of an object."""
+    if not capabilities.has_slotted_actions():
+        return action.fcurves
+    found = action.slots.get(slot) or next(iter(slots_for_objects(action)), None)
+    bag = found and _channelbag(action, found)
+    return bag.fcurves if bag else ()
+
+
+def slots_for_objects(action):
+    """The slots of an action that can animate an object."""
+    return [slot for slot in action.slots if slot.target_id_type in {'OBJECT', 'UNSPECIFIED'}]
+
+
 def players(id_data):
     """All that plays an action for a datablock: its animation data, and the strips of its NLA."""
     animation = id_data.animation_data

@@ -32,6 +32,11 @@ def has_slotted_actions():
     return hasattr(bpy.types, "ActionSlot")
 
 
+def has_bone_collections():
+    """Bones stand in named collections of their armature (4.0), where they were in a group of the pose before."""
+    return "collections" in bpy.types.Armature.bl_rna.properties
+
+
 def eevee_engine():
     """Identifier of EEVEE, which was renamed twice."""
     engines = bpy.types.RenderSettings.bl_rna.properties["engine"].enum_items

@@ -132,6 +132,8 @@ class _Graph:
                     yield from _read_by(driver)
         # To Blender all plain settings of an object are one thing.
         yield DRIVERS, owner, "motus."
+        if not registered[system].lays_pose:
+            yield from (place for place in self._entries if place[1] == owner and registered[place[2]].lays_pose)
 
     def _of_transform(self, obj):
         yield from self._of_parent(obj)

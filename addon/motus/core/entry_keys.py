@@ -28,11 +28,20 @@ def forget(owner, path, entries, index):
     """Remove keys and drivers of an entry that is about to be removed from the list at `path` of the owner."""
     actions.remove(owner, prefixes(path, entries, index))
     later = {f"{path}[{place}].": f"{path}[{place - 1}]." for place in range(index + 1, len(entries))}
-    animation, beginnings = owner.animation_data, tuple(later)
+    _move_all(owner, later)
+
+
+def exchange(owner, path, first, second):
+    """Let keys and drivers of two entries of the list at `path` follow these, which are about to change places."""
+    _move_all(owner, {f"{path}[{one}].": f"{path}[{other}]." for one, other in ((first, second), (second, first))})
+
+
+def _move_all(owner, places):
+    animation, beginnings = owner.animation_data, tuple(places)
     moving = actions.own_curves(owner, lambda path: path.startswith(beginnings))
     for curves in (*moving, animation.drivers if animation else ()):
         for curve in curves:
-            _move(curve, later)
+            _move(curve, places)
 
 
 def _move(curve, places):

@@ -21,6 +21,8 @@ INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
 _INHERITED = {"inherit_scale": "i4", "use_inherit_rotation": "?", "use_local_location": "?"}
 LARGEST_CACHE = 64
 LARGE_SCENE = 4  # objects for each target
+LAID = "laid"
+"""Key of Copy.found: {key: (rows, (n, 16) float32)}, see lay()."""
 
 # How many objects a view layer had when they were last counted: only for the faster of two ways to the same answer.
 _layer_sizes = {}
@@ -119,8 +121,31 @@ def poses(rig, known, rows=None):
 
 
 def basis(rig, known):
-    """Arrays.basis alone."""
+    """Arrays.basis alone: where a system lays poses over the bones, what it makes of them."""
+    found = own_basis(rig, known)
+    copy = copies.of(rig)
+    for rows, matrices in list(copy.found.get(LAID, {}).values()) if copy else ():
+        found[rows] = matrices
+    return found
+
+
+def own_basis(rig, known):
+    """PoseBone.matrix_basis, as keys and drivers have it."""
     return _matrices("basis", rig.pose.bones, "matrix_basis", len(known.names))
+
+
+def lay(rig, key, rows, matrices):
+    """Note what the own transforms of some bones of an evaluated rig become, (n, 16) float32, until this is called again with the
+    same key. For a system that lays poses; others wait for its solver."""
+    copy = copies.of(rig)
+    if copy is not None:
+        # A new dictionary each time: other threads may go through the one that is there.
+        copy.found[LAID] = copy.found.get(LAID, {}) | {key: (rows, matrices)}
+
+
+def is_laid(copy):
+    """Whether a system lays poses over bones of an evaluated rig's Copy."""
+    return LAID in copy.found
 
 
 def columns(matrix):

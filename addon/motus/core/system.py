@@ -310,7 +310,9 @@ class System(Feature):
     solve() reads beside its inputs; if it reads nothing else, owners with the same inputs are solved by one solver as long as
     their settings are still. is_relative: of the members, where no groups are declared: see Member; solve() applies the
     influence then. same_bits: the members have the same matrices in every Blender, to the last bit, by sinks that all Blenders
-    have. owner_of: called with an object that may belong to an owner without being driven; gives that owner or None.
+    have. lays_pose: its members, bones of the owner, are posed by their own transforms alone, as keys pose them: its sinks come
+    before all other constraints, and all other systems start from what it makes of the bones, which solve() tells rigs.lay().
+    owner_of: called with an object that may belong to an owner without being driven; gives that owner or None.
     """
 
     solve: Callable
@@ -323,6 +325,7 @@ class System(Feature):
     space: str = 'WORLD'
     is_relative: bool = False
     same_bits: bool = False
+    lays_pose: bool = False
     groups: Optional[Callable] = None
     entries: Optional[Callable] = None
     bone_renamed: Optional[Callable] = None

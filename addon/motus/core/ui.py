@@ -52,6 +52,12 @@ class CameraData(_Properties):
     bl_context = "data"
 
 
+class ArmatureData(_Properties):
+    """Mixin of panels in the properties of an armature."""
+
+    bl_context = "data"
+
+
 class BoneConstraints(_Properties):
     """Mixin of panels among the constraints of a bone."""
 

@@ -150,7 +150,7 @@ def check_free(owner, names):
         if "" in names and any(thing == owner for thing, *_ in wiring.on_object(system, owner)):
             raise Refused(tr("{object} is driven by {system} already: let a child of it follow").format(
                 object=owner.name, system=tr(system.label)))
-        for entry in system.entries(owner) if system.entries else ():
+        for entry in system.entries(owner) if system.entries and not system.lays_pose else ():
             shared = set(names) & {one for one in entry.drives if isinstance(one, str)}
             if shared:
                 raise Refused(tr("{bone} is driven by {system} of {other} already").format(

@@ -113,7 +113,8 @@ class _Source:
         return self._still_settings
 
     def _bones(self):
-        is_still = self._copy is not None and not self._copy.has_animated_poses(self.wired.moved)
+        is_still = self._copy is not None and not (
+            rigs.is_laid(self._copy) or self._copy.has_animated_poses(self.wired.moved))
         if not is_still or self._still_bones is None:
             self._still_bones = self.wired.bones(self._rig)
         return self._still_bones

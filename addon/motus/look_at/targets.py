@@ -104,7 +104,7 @@ def spine_for(rig, head, wanted):
 def check_free(rig, head, driven):
     """Refuse bones that Motus drives already, in another entry or by another system."""
     for system in systems():
-        for entry in system.entries(rig) if system.entries else ():
+        for entry in system.entries(rig) if system.entries and not system.lays_pose else ():
             is_own = system.name == "look_at" and entry.name == head
             shared = set() if is_own else set(driven) & set(entry.drives)
             if shared:

@@ -25,14 +25,18 @@ _MUTE_PATH = re.compile(rf"{_BONE}constraints\[{_STRING}\]\.mute")
 
 def write(id_data, tracks, frames):
     """Give an object an action with the tracks' keyframes beside its own other F-curves."""
-    bag = actions.assign_copy(id_data, f"{id_data.name} Motus Bake")
+    write_curves(actions.assign_copy(id_data, f"{id_data.name} Motus Bake"), tracks, frames)
+    state = states.of(id_data)
+    state.action, state.frame_start, state.frame_end = id_data.animation_data.action, frames[0], frames[-1]
+
+
+def write_curves(bag, tracks, frames):
+    """Put the tracks' keyframes in the place of the F-curves that what actions.assign_copy() returned has of them."""
     for track in tracks:
         for path, index, column in track.curves():
             for curve in [one for one in bag.fcurves if (one.data_path, one.array_index) == (path, index)]:
                 bag.fcurves.remove(curve)
             _write_curve(actions.new_fcurve(bag, path, index, track.group), frames, column)
-    state = states.of(id_data)
-    state.action, state.frame_start, state.frame_end = id_data.animation_data.action, frames[0], frames[-1]
 
 
 def _write_curve(curve, frames, values):

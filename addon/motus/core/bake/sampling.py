@@ -29,8 +29,10 @@ class Track:
 
     def record(self, depsgraph):
         """Append the values that give the present evaluated transform."""
-        evaluated = self.id_data.evaluated_get(depsgraph)
-        matrix = _basis(self.thing, evaluated)
+        self.record_basis(_basis(self.thing, self.id_data.evaluated_get(depsgraph)))
+
+    def record_basis(self, matrix):
+        """The same for a matrix of the thing relative to what its parents do."""
         deltas = _deltas(self.thing)
         signs = _signs(self.thing, deltas, matrix)
         if "location" in self.channels:

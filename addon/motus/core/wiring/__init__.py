@@ -5,6 +5,7 @@ detached here. See docs/wiring.md for the way of the data and docs/gotchas.md fo
 """
 
 from .attaching import attach, detach, is_attached, refresh, set_muted, touch
+from .drivers import driven_bones
 from .geometry_sink import place as points_place
 from .geometry_sink import set_material as set_points_material
 from .order import waited_for
@@ -18,7 +19,7 @@ from .sinks import abandoned, has_sinks, is_sink, on_object, release, sinks
 from .solver import register, unregister
 
 __all__ = (
-    "abandoned", "absent_path", "attach", "check_property", "detach", "driven_properties", "has_sinks", "is_attached", "is_sink",
+    "abandoned", "absent_path", "attach", "check_property", "detach", "driven_bones", "driven_properties", "has_sinks", "is_attached", "is_sink",
     "on_object", "output", "output_path", "outputs_of", "points_place", "problem", "property_place", "refresh", "register", "release", "set_muted",
     "set_points_material", "sinks", "targets_on", "touch", "unregister",
 )

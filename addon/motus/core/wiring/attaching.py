@@ -57,15 +57,23 @@ def _wire(system, owner, group):
         return
     driven = drivers.driven_bones(owner)
     for index, member in enumerate(group.members):
-        active = member.thing.constraints.active
+        active, before = member.thing.constraints.active, len(member.thing.constraints)
         if uses_attribute:
             attribute_sink.add(system, group, index, hub)
         elif proxy_sink.is_needed(system, member, driven):
             proxy_sink.add(system, of_owner(system, owner), group, index, hub)
         else:
             transform_sink.add(system, group, index, hub)
+        if system.lays_pose:
+            _put_first(member.thing, before)
         member.thing.constraints.active = active
         _lead(system, owner, member.thing.id_data)
+
+
+def _put_first(thing, before):
+    """Move the constraints of an Object or PoseBone that were added behind `before` others to the top of its stack."""
+    for place in range(before, len(thing.constraints)):
+        thing.constraints.move(place, place - before)
 
 
 def _lead(system, owner, obj):
@@ -193,7 +201,8 @@ def refresh_others(system, owner):
         return
     for other in systems():
         if other is not system and other.entries is not None and is_attached(other, owner):
-            refresh_changed(other, owner)
+            # The solvers of all other systems wait for the hubs of one that lays poses, which are new ones now.
+            (refresh if system.lays_pose else refresh_changed)(other, owner)
 
 
 def refresh_changed(system, owner):

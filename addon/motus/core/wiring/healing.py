@@ -48,7 +48,7 @@ _rows = {}
 _unsettled = set()
 """(system, owner) that have asked to settle."""
 _keyed = set()
-"""Names of hubs that drive properties, whose keys they read."""
+"""Names of hubs that read keys: of properties that they drive, or of actions."""
 _resting = set()
 """(system, name and library of a hub's mesh) whose drivers of properties are at rest."""
 _given_up = set()
@@ -70,9 +70,14 @@ def note_state(place, state):
 
 def note_properties(hub):
     """Called by the solver with an evaluated hub's mesh that drives properties."""
-    _keyed.add(_key(hub))
+    note_keys(hub)
     if property_sink.is_resting(hub):
         _resting.add(_key(hub))
+
+
+def note_keys(hub):
+    """Called by the solver with an evaluated hub's mesh that reads keys: it is solved again when some are edited."""
+    _keyed.add(_key(hub))
 
 
 def watch_rows(system, name, found):

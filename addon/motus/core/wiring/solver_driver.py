@@ -3,7 +3,7 @@
 import bpy
 
 from .. import copies
-from ..system import BonesOwn, Transform, Variable, input_variables, of_owner
+from ..system import BonesOwn, Transform, Variable, input_variables, of_owner, systems
 from . import carriers, drivers, outbox, property_sink, waiting
 
 
@@ -108,6 +108,8 @@ def _call(system, owner, group, hub):
         variables[f"w{index}"] = one.variable()
     for index, one in enumerate(property_sink.waits(group)):
         variables[f"{_OF_PROPERTY}{index}"] = one
+    for index, one in enumerate(_laid(system, owner)):
+        variables[f"l{index}"] = one
     if not outbox.is_shared(system, hub.data):
         path = f"{of_owner(system, owner).path_from_id()}.influence"
         way = carriers.way_to_wait(owner, [group])
@@ -117,6 +119,13 @@ def _call(system, owner, group, hub):
             path = f'["{copies.KEY}"][0]'
         variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables
+
+
+def _laid(system, owner):
+    """Variables that wait for the systems that lay poses over the owner's bones, of one that starts from these."""
+    laying = [one for one in systems() if one.lays_pose] if system.entries and not system.lays_pose else ()
+    return [Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key))
+            for one in laying for key, hub in outbox.hubs(one, owner)]
 
 
 def reads_the_same(system, owner, mesh):

@@ -138,6 +138,8 @@ class Solver:
     def _tell_healing(self, moves):
         if self._drives_properties:
             healing.note_properties(self._carrier)
+        if self._system.lays_pose:
+            healing.note_keys(self._carrier)
         if self._place is None:
             return
         if self._reads_mesh:

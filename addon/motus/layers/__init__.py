@@ -1,0 +1,25 @@
+"""Layers: actions laid over a rig's own animation, each on the bones of a mask, by a weight that can be keyed."""
+
+from ..core.system import System
+from . import flattening, groups, list_operators, operators, overlay, panel, properties, solve
+
+SYSTEM = System(
+    name="layers",
+    label="Animation Layers",
+    settings=properties.MOTUS_PG_layers,
+    classes=(
+        # Groups before the group that holds them.
+        properties.MOTUS_PG_layers_mask, properties.MOTUS_PG_layers_entry, properties.MOTUS_PG_layers,
+        *operators.classes, *list_operators.classes, *flattening.classes, *panel.classes,
+    ),
+    solve=solve.solve,
+    problems=solve.PROBLEMS,
+    lays_pose=True,
+    members=groups.members,
+    groups=groups.groups,
+    entries=groups.entries,
+    bone_renamed=groups.bone_renamed,
+    overlay=overlay.overlay,
+    object_menu=("motus.layer_add", "motus.layer_remove", "motus.layers_flatten"),
+    pose_menu=("motus.layer_add", "motus.layer_mask_add", "motus.layer_remove", "motus.layers_flatten"),
+)

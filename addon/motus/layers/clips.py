@@ -1,0 +1,131 @@
+"""What an action says of a rig's bones, as the native module plays it: read once for each state of the action."""
+
+from collections import OrderedDict
+
+import bpy
+
+from ..core import actions, copies, native
+from ..core.lazy import numpy as np
+
+LARGEST_CACHE = 256
+MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
+"""Rotation modes by their numbers in LayerClip."""
+_EULER = 'XYZ'
+_FIRST = {"location": 0, "rotation_quaternion": 3, "rotation_euler": 3, "rotation_axis_angle": 3, "scale": 7}
+_SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotation_axis_angle": 4, "scale": 3}
+_PLAIN = 2
+"""CONSTANT, LINEAR and BEZIER, as foreach_get has them; what is above are easings."""
+_NEAR = 0.011  # frames: of keys that are nearer Blender does not go by the curve between them
+
+_clips = OrderedDict()
+
+
+class Clip:
+    """An action on a rig's bones. native: a LayerClip. first, last: its frames."""
+
+    def __init__(self, action, slot, names, modes):
+        self.first, self.last = map(float, action.frame_range)
+        self._given, keys, kinds, curves = [], [], [], []
+        found = _curves_of_bones(action, slot, names)
+        used = [_mode(mode, found.get(name, {})) for name, mode in zip(names, modes)]
+        self.keyed = {name: {_FIRST[channel] for channel in channels} for name, channels in found.items()}
+        count = 0
+        for row, name in enumerate(names):
+            for channel, index, curve in _used(found.get(name, {}), used[row]):
+                points = _points(curve)
+                number = 0 if points is None else len(points[0])
+                curves.append((row, _FIRST[channel] + index, count, number, curve.extrapolation == 'LINEAR'))
+                count += number
+                if points is None:
+                    self._given.append(curve)
+                else:
+                    keys.append(points[0])
+                    kinds.append(points[1])
+        self.native = native.module.LayerClip(
+            np.array([MODES.index(mode) for mode in used], np.int32), np.array(curves, np.int32).reshape(-1, 5),
+            np.concatenate(keys) if keys else np.empty((0, 6), np.float32),
+            np.concatenate(kinds) if kinds else np.empty(0, np.int32))
+        self._reference = None, None
+
+    @property
+    def asks_curves(self):
+        """Whether there are curves that Blender has to be asked for on each frame."""
+        return bool(self._given)
+
+    def given(self, frame):
+        """Values of the curves that Blender has to be asked for; None where there are none."""
+        if not self._given:
+            return None
+        # An F-curve may give any number where its modifiers have such settings.
+        return np.nan_to_num([curve.evaluate(frame) for curve in self._given], posinf=0.0, neginf=0.0)
+
+    def reference(self, frame):
+        """LayerClip.pose() of a frame, kept for the next call."""
+        known, pose = self._reference
+        if known != frame:
+            pose = self.native.pose(frame, self.given(frame))
+            self._reference = frame, pose
+        return pose
+
+
+def clip_of(action, slot, names, modes):
+    """The Clip of an evaluated action; kept until its keys are edited. modes: rotation modes of the bones."""
+    if not action.is_evaluated:  # an original hands its number on to all its copies
+        return Clip(action, slot, names, modes)
+    place = copies.number_of_action(action), slot, names, modes
+    found = _clips.get(place)
+    if found is None:
+        found = _clips[place] = Clip(action, slot, names, modes)
+        if len(_clips) > LARGEST_CACHE:
+            _clips.popitem(last=False)
+    return found
+
+
+def forget():
+    """Forget all that was read: it refers to F-curves."""
+    _clips.clear()
+
+
+def _curves_of_bones(action, slot, names):
+    """{bone: {channel: {index: F-curve}}} of what is not muted."""
+    wanted, found = set(names), {}
+    for curve in actions.curves_for_object(action, slot):
+        match = actions.OWN_CHANNEL.match(curve.data_path)
+        if not match or match["bone"] is None or curve.mute or (curve.group and curve.group.mute):
+            continue
+        name, channel = bpy.utils.unescape_identifier(match["bone"]), curve.data_path.rpartition(".")[2]
+        if name in wanted and channel in _SIZES and curve.array_index < _SIZES[channel]:
+            found.setdefault(name, {}).setdefault(channel, {})[curve.array_index] = curve
+    return found
+
+
+def _mode(own, channels):
+    """Rotation mode in which the action turns a bone: the bone's own, if the action has keys for it."""
+    kinds = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}
+    if kinds.get(own, "rotation_euler") in channels:
+        return own
+    others = [mode for mode, channel in (*kinds.items(), (_EULER, "rotation_euler")) if channel in channels]
+    return others[0] if others else own
+
+
+def _used(channels, mode):
+    """(channel, index, F-curve) of the channels that count in a rotation mode."""
+    turning = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}.get(mode, "rotation_euler")
+    for channel in ("location", turning, "scale"):
+        for index, curve in channels.get(channel, {}).items():
+            yield channel, index, curve
+
+
+def _points(curve):
+    """((k, 6) float32, (k,) int32) of keys that the native module can follow; None where Blender has to be asked."""
+    points, count = curve.keyframe_points, len(curve.keyframe_points)
+    if count == 0 or any(not modifier.mute for modifier in curve.modifiers):
+        return None
+    columns = np.empty((3, 2 * count), np.float32)
+    for column, name in zip(columns, ("co", "handle_left", "handle_right")):
+        points.foreach_get(name, column)
+    kinds = np.empty(count, np.int32)
+    points.foreach_get("interpolation", kinds)
+    keys = np.concatenate([column.reshape(-1, 2) for column in columns], axis=1)
+    is_plain = kinds.max() <= _PLAIN and np.isfinite(keys).all() and (np.diff(keys[:, 0]) > _NEAR).all()
+    return (np.ascontiguousarray(keys), kinds) if is_plain else None

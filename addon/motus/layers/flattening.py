@@ -1,0 +1,121 @@
+"""motus.layers_flatten: what the layers give, as one action."""
+
+import bpy
+from mathutils import Matrix
+
+from ..core import actions, rigs
+from ..core.bake.keys import write_curves
+from ..core.bake.sampling import Track
+from ..core.frames import Kept, go_to
+from ..core.operators import OBJECT_OR_POSE_MODE, object_keyword
+from ..core.over_frames import OverFrames
+from ..core.refusals import Refused, check_no_tweak_mode, check_posed
+from ..core.translations import tr
+from ..core.wiring import driven_bones
+from . import groups, targets
+
+SAME = 1e-6
+"""A channel without keys whose values differ by less needs none."""
+
+
+def flatten(scene, view_layer, rig, frames):
+    """Flatten in steps: a generator of how many frames are done. Nothing is changed before the last one."""
+    tracks = _tracks(rig)
+    if not tracks:
+        raise Refused(tr("No layer moves a bone of {object} that could have keys").format(object=rig.name))
+    kept = Kept(scene)
+    try:
+        for index, frame in enumerate(frames):
+            go_to(scene, frame)
+            _record(rig.evaluated_get(view_layer.depsgraph), tracks)
+            yield index + 1
+    finally:
+        kept.restore()
+    _apply(rig, tracks, frames)
+    kept.restore()
+
+
+def undrivable(rig):
+    """Names of the bones in masks whose own channels are driven, which no key reaches."""
+    driven = driven_bones(rig)
+    return [name for name in groups.masked(rig) if name in driven]
+
+
+def _tracks(rig):
+    driven, bones = driven_bones(rig), rig.pose.bones
+    return [Track(bones[name], groups.channels_of(bones[name])) for name in groups.masked(rig) if name not in driven]
+
+
+def _record(evaluated, tracks):
+    known = rigs.still(evaluated, rigs.names_of(evaluated))
+    rows = {name: row for row, name in enumerate(known.names)}
+    basis = rigs.basis(evaluated, known).reshape(-1, 4, 4).swapaxes(1, 2)
+    for track in tracks:
+        track.record_basis(Matrix(basis[rows[track.thing.name]].tolist()))
+
+
+def _apply(rig, tracks, frames):
+    animation = rig.animation_data or rig.animation_data_create()
+    keyed = {curve.data_path for curve in actions.fcurves(rig)}
+    for track in tracks:
+        _drop_still(track, keyed)
+    if animation.action:
+        animation.action.use_fake_user = True  # or it would be gone with the file's next saving
+    bag = actions.assign_copy(rig, f"{rig.name} Flattened")
+    write_curves(bag, tracks, frames)
+    for curve in [one for one in bag.fcurves if one.data_path.startswith(f"{targets.LIST}[") and
+                  one.data_path.endswith(".is_muted")]:
+        bag.fcurves.remove(curve)
+    if animation.nla_tracks:  # what is keyed now is what all of them gave
+        animation.action_blend_type, animation.action_influence = 'REPLACE', 1.0
+    for entry in rig.motus.layers.entries:
+        entry.is_muted = True
+    rig.update_tag()
+
+
+def _drop_still(track, keyed):
+    """Leave channels alone that neither have keys nor move."""
+    for name, rows in list(track.values.items()):
+        own = getattr(track.thing, name)
+        if track.data_path(name) not in keyed and all(
+                abs(value - rest) < SAME for row in rows for value, rest in zip(row, own)):
+            del track.values[name]
+
+
+class MOTUS_OT_layers_flatten(OverFrames, bpy.types.Operator):
+    bl_idname = "motus.layers_flatten"
+    bl_label = "Flatten Layers"
+    bl_description = "Write what the layers give into one new action, and mute them; the old action stays in the file"
+
+    object: object_keyword("Name of the armature; empty takes the active one")
+    modes = OBJECT_OR_POSE_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        _editable(context, "")
+
+    def steps(self, context, frames):
+        rig = _editable(context, self.object)
+        check_posed(rig, context.view_layer)
+        self._rig, self._frames, self._left = rig.name, frames, undrivable(rig)
+        return flatten(context.scene, context.view_layer, rig, frames)
+
+    def result(self, context):
+        self.report({'INFO'}, tr("Flattened the layers of {object} into the action {action}: {first}-{last}").format(
+            object=self._rig, action=bpy.data.objects[self._rig].animation_data.action.name,
+            first=f"{self._frames[0]:g}", last=f"{self._frames[-1]:g}"))
+        if self._left:
+            self.report({'WARNING'}, tr("Keyframes do not reach bones that have drivers: {bones}").format(
+                bones=", ".join(self._left)))
+
+
+def _editable(context, name):
+    rig = targets.layered_rig(context, name)
+    targets.check_editable(rig)
+    check_no_tweak_mode(rig)
+    if all(entry.is_muted for entry in rig.motus.layers.entries):
+        raise Refused(tr("All layers of {object} are muted").format(object=rig.name))
+    return rig
+
+
+classes = (MOTUS_OT_layers_flatten,)

@@ -1,0 +1,58 @@
+"""Which bones of a rig the mask of a layer names, and how much of the layer each of them takes."""
+
+from ..core import capabilities
+from ..core.lazy import numpy as np
+
+
+def collections(rig):
+    """{name: names of its bones} of the bone collections of a rig, or of its bone groups before Blender 4."""
+    if capabilities.has_bone_collections():
+        every = getattr(rig.data, "collections_all", rig.data.collections)
+        return {one.name: [bone.name for bone in one.bones] for one in every}
+    found = {group.name: [] for group in rig.pose.bone_groups}
+    for bone in rig.pose.bones:
+        if bone.bone_group:
+            found[bone.bone_group.name].append(bone.name)
+    return found
+
+
+def collection_names(rig):
+    """(data, name of a collection of it) that a panel searches for the name of a bone collection."""
+    return (rig.data, "collections") if capabilities.has_bone_collections() else (rig.pose, "bone_groups")
+
+
+def is_there(rig, item):
+    """Whether the rig has what an item of a mask names."""
+    return item.name in (rig.data.bones if item.kind == 'BONE' else collections(rig))
+
+
+def bones_of(rig, item):
+    """Names of the bones that an item of a mask means."""
+    bones = rig.data.bones
+    if item.kind == 'BONE':
+        found = [item.name] if item.name in bones else []
+    else:
+        found = [name for name in collections(rig).get(item.name, ()) if name in bones]
+    if not item.with_children:
+        return found
+    return list(dict.fromkeys(below for name in found for below in (name, *(
+        child.name for child in bones[name].children_recursive))))
+
+
+def names(rig, entry):
+    """Names of all bones in the mask of a layer; of one without a mask all of the rig."""
+    if not entry.mask:
+        return rig.data.bones.keys()
+    return list(dict.fromkeys(name for item in entry.mask for name in bones_of(rig, item)))
+
+
+def chosen(rig, entry, rows):
+    """(B,) how much of a layer each bone takes, before the border is made soft. rows: {name: row}."""
+    found = np.zeros(len(rows))
+    if not entry.mask:
+        found[:] = 1.0
+    for item in entry.mask:
+        for name in bones_of(rig, item):
+            if name in rows:
+                found[rows[name]] = item.weight
+    return np.clip(found, 0.0, 1.0)

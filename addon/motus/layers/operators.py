@@ -1,0 +1,129 @@
+"""Operators that lay actions over a rig's animation, and take them back."""
+
+import bpy
+
+from ..core import operators, wiring
+from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
+from ..core.rows import Row, Rows
+from ..core.translations import tr
+from . import rows, setup, targets
+from .properties import KEYWORDS, LayerKeywords
+
+MASKS = (
+    ('SELECTED', "Selected Bones", "The bones that are selected in Pose Mode; all bones of the rig in Object Mode"),
+    ('ALL', "Whole Rig", "All bones of the rig"),
+)
+
+
+class OfARig(operators.OfARig):
+    """What all these operators have."""
+
+    rig_with = staticmethod(targets.layered_rig)
+
+
+class OfALayer(OfARig):
+    """And a layer."""
+
+    layer: bpy.props.StringProperty(
+        name="Layer", description="Name of the layer; empty takes the active one", options={'SKIP_SAVE'})
+
+    def chosen(self, context):
+        """(rig, index of the layer); refuses a rig whose set-up must not be changed."""
+        rig = targets.layered_rig(context, self.object)
+        targets.check_editable(rig)
+        return rig, targets.layer_index(rig, self.layer)
+
+
+class MaskKeywords:
+    """How scripts name what a mask holds."""
+
+    bones: bpy.props.StringProperty(
+        name="Bones", description="Names of bones for the mask, with commas between", options={'SKIP_SAVE'})
+    collections: bpy.props.StringProperty(
+        name="Collections", description="Names of bone collections for the mask, with commas between",
+        options={'SKIP_SAVE'})
+    with_children: bpy.props.BoolProperty(
+        name="With Children", description="All bones below those of the mask count as well", default=True)
+
+    def items(self, context, rig, selected=True):
+        """What is named, else selected: (name, kind, with children)."""
+        bones = targets.bones_named(rig, self.bones)
+        found = targets.collections_named(rig, self.collections)
+        if not bones and not found and selected:
+            bones = targets.selected_bones(context, rig)
+        return [(name, kind, self.with_children) for kind, names in (('BONE', bones), ('COLLECTION', found))
+                for name in names]
+
+
+class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator):
+    bl_idname = "motus.layer_add"
+    bl_label = "Add Layer"
+    bl_description = "Lay an action over the rig's own animation, on the selected bones and those below, or on all bones"
+
+    action: bpy.props.StringProperty(
+        name="Action", description="Name of the action; empty leaves it to be chosen", options={'SKIP_SAVE'})
+    slot: bpy.props.StringProperty(
+        name="Slot", description="Identifier of the action's slot; empty takes the rig's own, else the first one of an object",
+        options={'SKIP_SAVE'})
+    layer: bpy.props.StringProperty(
+        name="Layer", description="Name of the layer; empty takes the action's. One that is there is changed",
+        options={'SKIP_SAVE'})
+    mask: bpy.props.EnumProperty(
+        name="Mask", description="On which bones the layer acts, where neither bones nor collections are named", items=MASKS,
+        default='SELECTED')
+    redo = (Rows((Row("mask"), Row("with_children")), title="Mask"), *rows.ALL)
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.check_editable(targets.rig_for(context, ""))
+
+    def run(self, context):
+        rig = targets.rig_for(context, self.object)
+        targets.check_editable(rig)
+        changes = self.given(KEYWORDS)
+        check_finite(self, changes)
+        action = targets.action_for(self.action)
+        targets.check_slot(action, self.slot)
+        items = self.items(context, rig, self.mask == 'SELECTED')
+        index = rig.motus.layers.entries.find(self.layer) if self.layer else -1
+        if self.action or self.slot:
+            changes |= {"action": action, "slot": self.slot or setup.slot_of(rig, action)}
+        if index >= 0:
+            has_mask = any(map(self.is_given, ("bones", "collections", "mask")))
+            setup.change(rig, index, changes, items if has_mask else None)
+        else:
+            targets.check_room(rig)
+            if not self.is_given("start"):
+                changes["start"] = float(context.scene.frame_current)
+            setup.add(rig, self.layer or self.action or tr("Layer"), changes, items)
+        settings = rig.motus.layers
+        self.report({'INFO'}, tr("{object} has the layer {layer}").format(
+            object=rig.name, layer=settings.entries[settings.active_entry].name))
+
+
+class MOTUS_OT_layer_remove(OfALayer, bpy.types.Operator):
+    bl_idname = "motus.layer_remove"
+    bl_label = "Remove Layer"
+    bl_description = "Take a layer off the rig; its action stays in the file"
+
+    def run(self, context):
+        rig, index = self.chosen(context)
+        targets.check_free_to_move(rig, index)
+        check_no_tweak_mode(rig)
+        name = rig.motus.layers.entries[index].name
+        setup.remove(rig, index)
+        self.report({'INFO'}, tr("Removed the layer {layer} of {object}").format(layer=name, object=rig.name))
+
+
+class MOTUS_OT_layers_refresh(OfARig, bpy.types.Operator):
+    bl_idname = "motus.layers_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the rig again, after its bones or bone collections were changed"
+
+    def run(self, context):
+        rig = targets.layered_rig(context, self.object)
+        check_local(rig)
+        wiring.refresh(setup.system(), rig)
+
+
+classes = (MOTUS_OT_layer_add, MOTUS_OT_layer_remove, MOTUS_OT_layers_refresh)

@@ -1,0 +1,123 @@
+"""The panel of the layers, in the sidebar's tab and in the armature's properties."""
+
+import bpy
+
+from ..core import capabilities, panels, ui
+from ..core.entries import active
+from ..core.translations import tr
+from . import mask, rows
+from .setup import system
+
+
+def active_entry(rig):
+    """The layer that the list has marked; None where there is none."""
+    return active(rig, "layers")
+
+
+def fault(rig, entry):
+    """Why a layer does not act as it should; "" where it does."""
+    if entry.action is None:
+        return tr("Choose an action for this layer")
+    missing = [item.name for item in entry.mask if not mask.is_there(rig, item)]
+    if missing:
+        return tr("{object} has not what the mask names: {names}").format(object=rig.name, names=", ".join(missing))
+    return ""
+
+
+def draw_main(layout, context):
+    """The list of layers, what is wrong, and of the active one its action and weight."""
+    rig = context.object
+    settings = rig.motus.layers
+    entry = active_entry(rig)
+    ui.draw_rig_influence(layout, settings)
+    add, remove, column = ui.draw_list(layout, "MOTUS_UL_layers_entries", settings, "entries", "active_entry",
+                                       "motus.layer_add", "motus.layer_remove", rows=4)
+    add.object = remove.object = rig.name
+    column.separator()
+    column.operator("motus.layer_duplicate", text="", icon='DUPLICATE').object = rig.name
+    for direction, icon in (('UP', 'TRIA_UP'), ('DOWN', 'TRIA_DOWN')):
+        button = column.operator("motus.layer_move", text="", icon=icon)
+        button.object, button.direction = rig.name, direction
+    ui.draw_problem(layout, context, system(), rig)
+    if entry is None:
+        return
+    words = fault(rig, entry)
+    if words:
+        ui.draw_message(layout, words, 'ERROR')
+    column = ui.split(layout)
+    column.prop(entry, "action")
+    if entry.action and capabilities.has_slotted_actions() and len(entry.action.slots) > 1:
+        column.prop_search(entry, "slot", entry.action, "slots")
+    rows.BLENDING.draw(ui.split(layout), entry)
+
+
+def draw_timing(layout, context):
+    """When the active layer plays what of its action."""
+    entry = active_entry(context.object)
+    if entry:
+        rows.TIMING.draw(ui.split(layout), entry)
+
+
+def draw_mask(layout, context):
+    """On which bones the active layer acts."""
+    rig = context.object
+    entry = active_entry(rig)
+    if entry is None:
+        return
+    add, remove, _ = ui.draw_list(layout, "MOTUS_UL_layers_mask", entry, "mask", "active_mask", "motus.layer_mask_add",
+                                  "motus.layer_mask_remove", rows=2)
+    for button in (add, remove):
+        button.object = rig.name
+    if not entry.mask:
+        ui.draw_message(layout, "The layer acts on all bones: add some to keep it to these", 'INFO')
+    elif 0 <= entry.active_mask < len(entry.mask):
+        item, column = entry.mask[entry.active_mask], ui.split(layout)
+        column.row().prop(item, "kind", expand=True)
+        data, name = (rig.data, "bones") if item.kind == 'BONE' else mask.collection_names(rig)
+        column.prop_search(item, "name", data, name)
+        column.prop(item, "with_children")
+        column.prop(item, "weight", slider=True)
+    rows.BORDER.draw(ui.split(layout), entry)
+
+
+def draw_actions(layout, context):
+    """Flattening, baking and removing."""
+    name = context.object.name
+    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    column.operator("motus.layers_flatten", icon='NLA_PUSHDOWN').object = name
+    ui.draw_bake(column, system())
+    column.operator("motus.layer_remove", text="Remove", icon='X').object = name
+
+
+class MOTUS_UL_layers_entries(bpy.types.UIList):
+    def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
+        row = layout.row(align=True)
+        row.active = not entry.is_muted
+        row.prop(entry, "name", text="", emboss=False, icon='ACTION' if entry.action else 'ERROR')
+        field = row.row()
+        field.scale_x = 0.8
+        field.prop(entry, "weight", text="", slider=True)
+        row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
+
+
+class MOTUS_UL_layers_mask(bpy.types.UIList):
+    def draw_item(self, context, layout, _entry, item, _icon, _active, _name, _index):
+        row = layout.row(align=True)
+        icon = 'ERROR' if not mask.is_there(context.object, item) else 'BONE_DATA' if item.kind == 'BONE' else 'GROUP_BONE'
+        row.label(text=item.name, icon=icon, translate=False)
+        row.prop(item, "with_children", text="", icon='OUTLINER', emboss=item.with_children)
+        field = row.row()
+        field.scale_x = 0.6
+        field.prop(item, "weight", text="", slider=True)
+
+
+PANEL = panels.SystemPanel(
+    name="layers", prefix="MOTUS_PT_layers", label="Animation Layers",
+    editors={"": ui.Sidebar, "_data": ui.ArmatureData},
+    suits=lambda obj: obj.type == 'ARMATURE',
+    is_used=lambda rig: rig.motus.layers.is_active,
+    draw=draw_main,
+    parts=(panels.Part("mask", "Mask", draw_mask, is_open=True), panels.Part("timing", "Timing", draw_timing, is_open=True)),
+    actions=draw_actions, refresh="motus.layers_refresh", adders=("motus.layer_add",))
+
+classes = (MOTUS_UL_layers_entries, MOTUS_UL_layers_mask, *panels.classes(PANEL))

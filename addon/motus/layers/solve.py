@@ -1,0 +1,128 @@
+"""Layers: what a group's solver reads of Blender, and the one call of the native module."""
+
+from ..core import native, rigs, stored
+from ..core.lazy import numpy as np
+from ..core.system import Problem
+from . import clips, mask
+from .groups import LOOPED, PLAN
+
+SOME_ARE_OFF = Problem("Some layers have no action, or one without keys for their bones: the list says which", blocking=False)
+LOOPED_BONES = Problem("Drivers of some bones read bones that layers move: layers leave those alone", blocking=False)
+BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
+PROBLEMS = (SOME_ARE_OFF, LOOPED_BONES, BONES_CHANGED)
+
+_AFTERS = {'STOP': 0.0, 'HOLD': 1.0, 'REPEAT': 2.0}
+_FORM = {"fingerprint": int, "bones": [str], "unknown": [str]}
+"""Of what groups.py notes."""
+_NOTHING_MOVES = np.eye(4, dtype=np.float32).ravel
+
+
+class Wired:
+    """What is known of a group between two changes of the rig: its rows of the rig's arrays."""
+
+    def __init__(self, rig, rows, text):
+        known = stored.parse(text, _FORM)
+        self.still = rigs.still(rig, tuple(rows))
+        self.rows = np.array([rows[name] for name in known["bones"]], np.int32)
+        self.unknown = np.array([rows[name] for name in known["unknown"]], np.int32)
+        self.parents = rigs.parents(rig, list(rows))
+        self.places = rows
+        self._stack = None, None
+
+    @property
+    def stack(self):
+        """The LayerStack of the bones at rest."""
+        still, stack = self._stack
+        if still is not self.still:  # rigs.plan() has found the armature edited
+            still = self.still
+            stack = native.module.LayerStack(self.parents, still.rest, still.inheritance)
+            self._stack = still, stack
+        return stack
+
+
+class _Source:
+    """An evaluated copy of a rig: what nothing but an edit changes of its layers."""
+
+    def __init__(self, rig, wired):
+        self.wired = wired
+        self.entries = list(rig.motus.layers.entries)
+        self.modes = tuple(bone.rotation_mode for bone in rig.pose.bones)
+        masks = [native.module.layer_mask(wired.parents, mask.chosen(rig, entry, wired.places), entry.feather)
+                 for entry in self.entries]
+        self.masks = np.array(masks).reshape(len(masks), len(wired.places))
+
+    def clips(self):
+        """The Clip of each layer; None where it has no action. An action is edited without its users."""
+        return [entry.action and clips.clip_of(entry.action, entry.slot, self.wired.still.names, self.modes)
+                for entry in self.entries]
+
+
+def solve(context):
+    """What the group's bones do beyond their own animation at the context's frame. Never raises for a user's error."""
+    text, looped = context.data.get(PLAN), context.data.get(LOOPED)
+    rig = context.owner
+    try:
+        source = rigs.source(rig, text, lambda rig, rows: Wired(rig, rows, text), _Source)
+    except KeyError:
+        rigs.lay(rig, context.group, [], np.empty((0, 16), np.float32))
+        return BONES_CHANGED
+    wired = source.wired
+    if len(wired.rows) != len(context.rotations):
+        raise stored.Damaged("another number of members")
+    found = source.clips()
+    settings = context.kept("layers", (source, tuple(found)), lambda: _settings(context.settings, found))
+    lay(rig, context, source, found, settings)
+    if any(clip is None or not clip.native.bones for clip in found):
+        return SOME_ARE_OFF
+    return LOOPED_BONES if looped else None
+
+
+def lay(rig, context, source, found, settings):
+    """Fill what the context's members do, and note what that makes of their own transforms."""
+    wired = source.wired
+    basis = rigs.own_basis(rig, wired.still)
+    basis[wired.unknown] = _NOTHING_MOVES()
+    playing = [row for row, clip in enumerate(found) if clip is not None and settings[row, WEIGHT] > 0.0]
+    numbers = settings[playing]
+    given = [None] * len(playing)
+    if any(found[row].asks_curves for row in playing):
+        frames = native.module.layer_moments(numbers, context.frame)[:, 0].tolist()
+        given = [found[row].given(frame) for row, frame in zip(playing, frames)]
+    laid = np.empty((len(wired.rows), 16), np.float32)
+    wired.stack.solve(
+        context.frame, basis, [found[row].native for row in playing], numbers, source.masks[playing],
+        [_reference(source.entries[row], found[row]) for row in playing], given, wired.rows, context.locations,
+        context.rotations, context.scales, laid)
+    rigs.lay(rig, context.group, wired.rows, laid)
+
+
+def _reference(entry, clip):
+    """What an additive layer starts from; None for the rest pose."""
+    if entry.mode != 'ADDITIVE' or entry.reference == 'REST':
+        return None
+    return clip.reference(entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip)[0])
+
+
+def span(entry, clip):
+    """(first, last) frame of the action that a layer plays."""
+    if not entry.use_range:
+        return clip.first, clip.last
+    return entry.first_frame, max(entry.first_frame, entry.last_frame)
+
+
+def _settings(settings, found):
+    """(L, columns) numbers, as LayerStack wants them."""
+    rows = [_numbers(entry, clip) for entry, clip in zip(settings.entries, found)]
+    values = np.array(rows, float).reshape(-1, COLUMNS)
+    values[:, WEIGHT] *= settings.influence
+    return values
+
+
+def _numbers(entry, clip):
+    first, last = span(entry, clip) if clip else (1.0, 1.0)
+    return (entry.start, first, last, entry.speed, _AFTERS[entry.after], entry.blend_in, entry.blend_out,
+            0.0 if entry.is_muted else entry.weight, entry.mode == 'ADDITIVE', entry.in_armature)
+
+
+COLUMNS, WEIGHT = 10, 7
+"""How many LayerStack.SETTINGS there are, and which of them is "weight"."""

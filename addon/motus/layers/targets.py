@@ -1,0 +1,107 @@
+"""Which rig, layer, action and bones an operator works on: by name from scripts, else by selection. Refusals are sentences."""
+
+import bpy
+
+from ..core import actions, capabilities, libraries
+from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..core.translations import tr
+from . import mask
+from .properties import MOST_LAYERS
+
+LIST = "motus.layers.entries"
+"""Data path of the list of layers."""
+
+
+def rig_for(context, name):
+    """The armature object by name; else the active one."""
+    found = named(name) if name else context.object
+    if found is None:
+        raise Refused(tr("Select the armature that shall have layers"))
+    if found.type != 'ARMATURE':
+        raise Refused(tr("{object} is not an armature").format(object=found.name))
+    return found
+
+
+def layered_rig(context, name):
+    """The same, where it has layers."""
+    found = named(name) if name else context.object
+    if found is None or found.type != 'ARMATURE' or not found.motus.layers.entries:
+        raise Refused(tr("Nothing here has layers"))
+    return found
+
+
+def layer_index(rig, name):
+    """Index of the layer of this name; of the active one without a name."""
+    settings = rig.motus.layers
+    if not name:
+        return max(0, min(settings.active_entry, len(settings.entries) - 1))
+    index = settings.entries.find(name)
+    if index < 0:
+        raise Refused(tr("{object} has no layer {layer}").format(object=rig.name, layer=name))
+    return index
+
+
+def action_for(name):
+    """The action of this name; None without a name."""
+    if not name:
+        return None
+    found = bpy.data.actions.get(name)
+    if found is None:
+        raise Refused(tr("There is no action {action}").format(action=name))
+    return found
+
+
+def check_slot(action, slot):
+    """Refuse a slot that the action has not, or that is of no object."""
+    if not slot:
+        return
+    if action is None or not capabilities.has_slotted_actions():
+        raise Refused(tr("There is no slot {slot}").format(slot=slot))
+    if slot not in [one.identifier for one in actions.slots_for_objects(action)]:
+        raise Refused(tr("There is no slot {slot}").format(slot=slot))
+
+
+def selected_bones(context, rig):
+    """Names of the bones that are selected in Pose Mode, without those below other ones of them."""
+    if context.mode != 'POSE':
+        return []
+    found = {bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig}
+    return [bone.name for bone in rig.data.bones
+            if bone.name in found and not found & {above.name for above in bone.parent_recursive}]
+
+
+def bones_named(rig, names):
+    """Names of bones from a list with commas between."""
+    found = [name.strip() for name in names.split(",") if name.strip()]
+    for name in found:
+        check_bone(rig, name)
+    return found
+
+
+def collections_named(rig, names):
+    """Names of bone collections from such a list."""
+    found, known = [name.strip() for name in names.split(",") if name.strip()], mask.collections(rig)
+    for name in found:
+        if name not in known:
+            raise Refused(tr("{object} has no bone collection {collection}").format(object=rig.name, collection=name))
+    return found
+
+
+def check_room(rig):
+    """Refuse one layer more than there may be."""
+    if len(rig.motus.layers.entries) >= MOST_LAYERS:
+        raise Refused(tr("{object} has {count} layers already: flatten some first").format(
+            object=rig.name, count=MOST_LAYERS))
+
+
+def check_free_to_move(rig, index):
+    """Refuse to remove or move a layer that an override has from its library."""
+    if index < libraries.count_from_library(rig, LIST):
+        raise Refused(tr("{layer} of {object} is from its library and stays where it is: mute it").format(
+            layer=rig.motus.layers.entries[index].name, object=rig.name))
+
+
+def check_editable(rig):
+    """Refuse a rig whose set-up must not be changed."""
+    check_local(rig)
+    check_unbaked(rig, rig.motus.layers)

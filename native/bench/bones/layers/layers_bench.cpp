@@ -1,0 +1,89 @@
+// Layers of animation: what a frame of one rig costs.
+#include <array>
+#include <cstdio>
+#include <glm/gtc/quaternion.hpp>
+#include <vector>
+
+#include "motus/bones/layers/stack.hpp"
+#include "random.hpp"
+#include "stopwatch.hpp"
+
+using namespace motus;
+using namespace motus::bones;
+using namespace motus::bones::layers;
+
+namespace {
+
+constexpr int bone_count = 200;
+constexpr int key_count = 12;
+
+/// Chains of ten bones, each of which has keys of location and quaternion.
+struct Rig {
+    std::vector<int> parents;
+    std::vector<glm::dquat> rest;
+    std::vector<char> inherits;
+    std::vector<Transform> pose;
+    std::vector<double> mask;
+
+    Rig() : inherits(bone_count, 1), mask(bone_count, 0.8) {
+        test::Random random(1);
+        for (int bone = 0; bone < bone_count; ++bone) {
+            parents.push_back(bone % 10 == 0 ? -1 : bone - 1);
+            rest.push_back(glm::angleAxis(random.between(-1.0, 1.0), glm::normalize(random.around_origin())));
+            pose.push_back({random.in_cube(), rest.back(), {1, 1, 1}});
+        }
+    }
+};
+
+Clip make_clip() {
+    test::Random random(2);
+    const std::vector<Rotation> modes(bone_count, Rotation::quaternion);
+    std::vector<Curve> curves;
+    std::vector<Key> keys;
+    for (int bone = 0; bone < bone_count; ++bone) {
+        for (int channel = 0; channel < 7; ++channel) {
+            curves.push_back({bone, channel, static_cast<int>(keys.size()), key_count, false});
+            for (int i = 0; i < key_count; ++i) {
+                const glm::dvec2 place(8.0 * i, random.between(-1.0, 1.0));
+                keys.push_back({place, place - glm::dvec2(2.6, 0.0), place + glm::dvec2(2.6, 0.0)});
+            }
+        }
+    }
+    return {modes, curves, keys};
+}
+
+void row(const char* name, const Rig& rig, std::size_t count, const Layer& layer) {
+    const Stack stack(rig.parents, rig.rest, rig.inherits);
+    const std::vector<Layer> layers(count, layer);
+    std::vector<Transform> result(bone_count);
+    std::vector<char> changed(bone_count);
+    const double taken = bench::nanoseconds(
+        [&] {
+            stack.solve(30.3, layers, rig.pose, result, changed);
+            bench::keep(result);
+        },
+        100);
+    std::printf("  %-38s %10.1f %10.1f\n", name, taken / 1e3,
+                taken / static_cast<double>(bone_count * count));
+}
+
+}  // namespace
+
+int main() {
+    const Rig rig;
+    const Clip clip = make_clip();
+    Layer layer;
+    layer.clip = &clip;
+    layer.mask = rig.mask;
+    layer.timing = {1.0, 0.0, 88.0, 1.0, After::repeat, 0.0, 0.0};
+    std::printf("Layers: us a frame of %d bones, ns a bone and layer; one thread, best of 100.\n\n",
+                bone_count);
+    row("8 layers, override", rig, 8, layer);
+    row("3 layers, override", rig, 3, layer);
+    layer.mode = Mode::additive;
+    row("8 layers, additive", rig, 8, layer);
+    layer.mode = Mode::override;
+    layer.in_armature = true;
+    row("8 layers, in the armature", rig, 8, layer);
+    return 0;
+}

@@ -1,0 +1,394 @@
+// Masked layers of animation: clips, masks, when they play, and what they make of a rig's pose.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "areas.hpp"
+#include "bones/rig_arrays.hpp"
+#include "core/arguments.hpp"
+#include "core/arrays.hpp"
+#include "core/rotations.hpp"
+#include "motus/bones/layers/clip.hpp"
+#include "motus/bones/layers/mask.hpp"
+#include "motus/bones/layers/stack.hpp"
+#include "motus/bones/layers/timing.hpp"
+#include "motus/bones/turns.hpp"
+#include "motus/core/numeric.hpp"
+
+namespace motus::bindings {
+namespace {
+
+namespace layers = bones::layers;
+using layers::Transform;
+
+using namespace pybind11::literals;
+
+constexpr double bone_cost = 200.0;  // ns, rough
+constexpr std::size_t row_size = 10;
+
+// --- LayerClip -------------------------------------------------------------------------------------------
+
+constexpr std::size_t curve_size = 5, key_size = 6;
+
+[[nodiscard]] std::vector<layers::Rotation> rotation_modes(const py::object& given) {
+    std::vector<layers::Rotation> result;
+    for (const int mode : whole_numbers(given, "rotations")) {
+        if (mode < 0 || mode > 7) value_error("rotations", "a mode must be 0 to 7");
+        result.push_back(static_cast<layers::Rotation>(mode));
+    }
+    return result;
+}
+
+[[nodiscard]] std::size_t rows_of(const py::object& given, std::string_view name) {
+    const py::array array = py::array::ensure(given);
+    if (!array || array.ndim() < 1) value_error(name, "must be an array of rows");
+    return static_cast<std::size_t>(array.shape(0));
+}
+
+[[nodiscard]] std::vector<layers::Key> read_keys(const py::object& given, const py::object& interpolations) {
+    const std::size_t count = rows_of(given, "keys");
+    const std::span<const float> rows = elements<float>(given, "keys", {count, key_size});
+    const std::span<const int> kinds = elements<int>(interpolations, "interpolations", {count});
+    std::vector<layers::Key> result;
+    result.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (kinds[i] < 0 || kinds[i] > 2) value_error("interpolations", "must be 0, 1 or 2");
+        const std::span<const float> row = rows.subspan(i * key_size, key_size);
+        if (!are_finite(row)) value_error("keys", "every value must be finite");
+        result.push_back({{row[0], row[1]},
+                          {row[2], row[3]},
+                          {row[4], row[5]},
+                          static_cast<layers::Interpolation>(kinds[i])});
+    }
+    return result;
+}
+
+[[nodiscard]] layers::Clip make_clip(const py::object& rotations, const py::object& curves,
+                                     const py::object& keys, const py::object& interpolations) {
+    const std::size_t count = rows_of(curves, "curves");
+    const std::span<const int> rows = elements<int>(curves, "curves", {count, curve_size});
+    std::vector<layers::Curve> read;
+    read.reserve(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::span<const int> row = rows.subspan(i * curve_size, curve_size);
+        read.push_back({row[0], row[1], row[2], row[3], row[4] != 0});
+    }
+    return {rotation_modes(rotations), read, read_keys(keys, interpolations)};
+}
+
+void write_row(const Transform& transform, std::span<double> row) {
+    const glm::dquat& q = transform.rotation;
+    const double numbers[row_size] = {
+        transform.location.x, transform.location.y, transform.location.z, q.w, q.x, q.y, q.z,
+        transform.scale.x,    transform.scale.y,    transform.scale.z};
+    std::copy(std::begin(numbers), std::end(numbers), row.begin());
+}
+
+[[nodiscard]] Transform read_row(std::span<const double> row) {
+    return {{row[0], row[1], row[2]}, {row[3], row[4], row[5], row[6]}, {row[7], row[8], row[9]}};
+}
+
+[[nodiscard]] std::vector<double> given_values(const py::object& given, std::size_t count) {
+    if (given.is_none() && count == 0) return {};
+    const DoubleArray array = doubles(given, "given");
+    if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != count)
+        value_error("given", "must have the shape (" + std::to_string(count) + ",)");
+    return {array.data(), array.data() + array.size()};
+}
+
+DoubleArray clip_pose(const layers::Clip& clip, const py::object& frame, const py::object& given) {
+    const std::vector<double> values = given_values(given, clip.given_count());
+    std::vector<Transform> pose(clip.bones().size());
+    clip.evaluate(number(frame, "frame"), values, pose);
+    DoubleArray result = new_array({pose.size(), row_size});
+    const std::span<double> rows = values_of(result);
+    for (std::size_t i = 0; i < pose.size(); ++i) write_row(pose[i], rows.subspan(i * row_size, row_size));
+    return result;
+}
+
+// --- layer_moments, layer_mask ---------------------------------------------------------------------------
+
+/// Columns of settings.
+enum Column : std::size_t {
+    start,
+    first,
+    last,
+    speed,
+    after,
+    blend_in,
+    blend_out,
+    weight,
+    mode,
+    in_armature,
+    column_count
+};
+
+[[nodiscard]] py::tuple setting_names() {
+    return py::make_tuple("start", "first", "last", "speed", "after", "blend_in", "blend_out", "weight",
+                          "mode", "in_armature");
+}
+
+[[nodiscard]] layers::Timing timing_of(std::span<const double> row) {
+    const double kind = row[after];
+    layers::Timing timing{
+        row[start],    row[first],    std::max(row[first], row[last]), row[speed], layers::After::nothing,
+        row[blend_in], row[blend_out]};
+    if (kind == 1.0) timing.after = layers::After::hold;
+    if (kind == 2.0) timing.after = layers::After::repeat;
+    return timing;
+}
+
+[[nodiscard]] std::span<const double> setting_rows(const py::object& settings, std::size_t count) {
+    const std::span<const double> rows = elements<double>(settings, "settings", {count, column_count});
+    if (!are_finite(rows)) value_error("settings", "every value must be finite");
+    return rows;
+}
+
+DoubleArray moments(const py::object& settings, const py::object& frame) {
+    const std::size_t count = rows_of(settings, "settings");
+    const std::span<const double> rows = setting_rows(settings, count);
+    const double at = number(frame, "frame");
+    DoubleArray result = new_array({count, 2});
+    const std::span<double> out = values_of(result);
+    for (std::size_t i = 0; i < count; ++i) {
+        const layers::Moment moment = layers::moment_of(timing_of(rows.subspan(i * column_count)), at);
+        out[2 * i] = moment.frame;
+        out[2 * i + 1] = moment.weight;
+    }
+    return result;
+}
+
+DoubleArray mask(const py::object& parents, const py::object& chosen, const py::object& feather) {
+    const std::vector<int> above = whole_numbers(parents, "parents");
+    const DoubleArray weights = doubles(chosen, "chosen");
+    if (weights.ndim() != 1 || static_cast<std::size_t>(weights.size()) != above.size())
+        value_error("chosen", "must have the shape (" + std::to_string(above.size()) + ",)");
+    const std::span<const double> values{weights.data(), above.size()};
+    if (std::ranges::any_of(values, [](double value) { return value < 0.0 || value > 1.0; }))
+        value_error("chosen", "must lie in [0, 1]");
+    const int width = whole_number(feather, "feather");
+    if (width < 0) value_error("feather", "must be >= 0");
+    DoubleArray result = new_array({above.size()});
+    layers::feathered(above, layers::parents_first(above), values, width, values_of(result));
+    return result;
+}
+
+// --- LayerStack ------------------------------------------------------------------------------------------
+
+[[nodiscard]] glm::dmat4 matrix_in(std::span<const float> matrices, std::size_t bone) {
+    return bones::matrix_at(matrices, bone);
+}
+
+[[nodiscard]] layers::Stack make_stack(const py::object& parents, const py::object& rest,
+                                       const py::object& inheritance) {
+    const std::vector<int> above = whole_numbers(parents, "parents");
+    const bones::RigView rig = rig_at_rest(above, rest, inheritance);
+    if (!are_finite(rig.rest)) value_error("rest", "every value must be finite");
+    std::vector<glm::dquat> turns;
+    std::vector<char> inherits;
+    for (std::size_t bone = 0; bone < above.size(); ++bone) {
+        turns.push_back(bones::frame_of(glm::dmat3(matrix_in(rig.rest, bone))));
+        inherits.push_back((rig.inheritance[bone] & bones::inherits_rotation) != 0 ? 1 : 0);
+    }
+    return {above, turns, inherits};
+}
+
+/// The arguments of solve that are lists with an item a layer, copied and checked.
+class Layers {
+  public:
+    Layers(const layers::Stack& stack, const py::list& clips, const py::object& settings,
+           const py::object& masks, const py::list& references, const py::list& given) {
+        const std::size_t count = clips.size();
+        if (references.size() != count) value_error("references", "must have one item for each clip");
+        if (given.size() != count) value_error("given", "must have one item for each clip");
+        const std::span<const double> rows = setting_rows(settings, count);
+        masks_ = copied(elements<double>(masks, "masks", {count, stack.size()}));
+        if (std::ranges::any_of(masks_, [](double value) { return !(value >= 0.0 && value <= 1.0); }))
+            value_error("masks", "must lie in [0, 1]");
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& clip = instance<layers::Clip>(clips[i], "clips", "a LayerClip");
+            if (clip.bone_count() != stack.size()) value_error("clips", "another number of bones");
+            given_.push_back(given_values(given[i], clip.given_count()));
+            references_.push_back(reference_of(references[i], clip.bones().size()));
+            layers_.push_back(layer_of(rows.subspan(i * column_count, column_count), clip));
+        }
+        for (std::size_t i = 0; i < count; ++i) {
+            layers_[i].given = given_[i];
+            layers_[i].reference = references_[i];
+            layers_[i].mask = std::span(masks_).subspan(i * stack.size(), stack.size());
+            bones_ += layers_[i].clip->bones().size();
+        }
+    }
+
+    [[nodiscard]] std::span<const layers::Layer> values() const { return layers_; }
+    [[nodiscard]] std::size_t bones() const { return bones_; }
+
+  private:
+    [[nodiscard]] static layers::Layer layer_of(std::span<const double> row, const layers::Clip& clip) {
+        layers::Layer layer;
+        layer.clip = &clip;
+        layer.timing = timing_of(row);
+        layer.weight = std::clamp(row[weight], 0.0, 1.0);
+        layer.mode = row[mode] != 0.0 ? layers::Mode::additive : layers::Mode::override;
+        layer.in_armature = row[in_armature] != 0.0;
+        return layer;
+    }
+
+    [[nodiscard]] static std::vector<Transform> reference_of(const py::object& given, std::size_t count) {
+        if (given.is_none()) return {};
+        const std::span<const double> rows = elements<double>(given, "references", {count, row_size});
+        if (!are_finite(rows)) value_error("references", "every value must be finite");
+        std::vector<Transform> result;
+        for (std::size_t i = 0; i < count; ++i)
+            result.push_back(read_row(rows.subspan(i * row_size, row_size)));
+        return result;
+    }
+
+    std::vector<double> masks_;
+    std::vector<std::vector<double>> given_;
+    std::vector<std::vector<Transform>> references_;
+    std::vector<layers::Layer> layers_;
+    std::size_t bones_ = 0;
+};
+
+/// Where the result goes.
+struct Moves {
+    py::array_t<double, py::array::c_style> locations, rotations, scales;
+
+    Moves(const py::object& to_locations, const py::object& to_rotations, const py::object& to_scales,
+          std::size_t count)
+        : locations(output<double>(to_locations, "locations", {static_cast<py::ssize_t>(count), 3})),
+          rotations(output<double>(to_rotations, "rotations", {static_cast<py::ssize_t>(count), 4})),
+          scales(output<double>(to_scales, "scales", {static_cast<py::ssize_t>(count), 3})) {}
+
+    void set(std::size_t i, const Transform& move) {
+        const glm::dquat& q = move.rotation;
+        double* const place = locations.mutable_data() + 3 * i;
+        double* const turn = rotations.mutable_data() + 4 * i;
+        double* const size = scales.mutable_data() + 3 * i;
+        for (int axis = 0; axis < 3; ++axis) {
+            place[axis] = move.location[axis];
+            size[axis] = move.scale[axis];
+        }
+        const double numbers[4] = {q.w, q.x, q.y, q.z};
+        std::copy(std::begin(numbers), std::end(numbers), turn);
+    }
+};
+
+[[nodiscard]] std::vector<int> member_rows(const py::object& rows, std::size_t count) {
+    std::vector<int> result = whole_numbers(rows, "rows");
+    for (const int row : result)
+        if (row < 0 || std::cmp_greater_equal(row, count)) value_error("rows", "a bone is not there");
+    return result;
+}
+
+void solve_stack(const layers::Stack& stack, const py::object& frame, const py::object& basis,
+                 const py::list& clips, const py::object& settings, const py::object& masks,
+                 const py::list& references, const py::list& given, const py::object& rows,
+                 const py::object& locations, const py::object& rotations, const py::object& scales,
+                 const py::object& laid) {
+    const std::size_t count = stack.size();
+    const double at = number(frame, "frame");
+    const std::vector<float> own = copied(elements<float>(basis, "basis", {count, 16}));
+    const Layers all(stack, clips, settings, masks, references, given);
+    const std::vector<int> members = member_rows(rows, count);
+    Moves moves(locations, rotations, scales, members.size());
+    auto whole = output<float>(laid, "laid", {static_cast<py::ssize_t>(members.size()), 16});
+    std::vector<Transform> base(count), result(count);
+    std::vector<char> changed(count);
+    {
+        const ReleaseGil released(count + all.bones(), bone_cost);
+        for (std::size_t bone = 0; bone < count; ++bone)
+            base[bone] = layers::transform_of(matrix_in(own, bone));
+        stack.solve(at, all.values(), base, result, changed);
+    }
+    for (std::size_t i = 0; i < members.size(); ++i) {
+        const auto bone = static_cast<std::size_t>(members[i]);
+        const bool moves_it = changed[bone] != 0;
+        moves.set(i, moves_it ? layers::between_transforms(base[bone], result[bone]) : Transform{});
+        float* const columns = whole.mutable_data() + 16 * i;
+        if (!moves_it) {
+            std::copy_n(own.data() + 16 * bone, 16, columns);
+            continue;
+        }
+        const glm::dmat4 matrix = layers::matrix_of(result[bone]);
+        for (int k = 0; k < 16; ++k) columns[k] = static_cast<float>(matrix[k / 4][k % 4]);
+    }
+}
+
+[[nodiscard]] py::tuple bones_of(const layers::Clip& clip) {
+    py::tuple result(clip.bones().size());
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = clip.bones()[i];
+    return result;
+}
+
+[[nodiscard]] py::tuple channels_of(const layers::Clip& clip) {
+    py::tuple result(clip.channels().size());
+    for (std::size_t i = 0; i < result.size(); ++i) result[i] = clip.channels()[i];
+    return result;
+}
+
+void bind_clip(py::module_& m) {
+    py::class_<layers::Clip>(m, "LayerClip", py::module_local(), R"(
+What an action says of a rig's bones: its F-curves as plain arrays. Immutable.
+
+rotations: (B,), rotation mode of each bone: 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle.
+curves: (C, 5) int32: bone; channel, 0-2 location, 3-6 the numbers of its rotation mode, 7-9 scale; index of its first key;
+how many it has, 0 where the caller gives its value; whether it goes on beyond them as a straight line.
+keys: (K, 6) float32: frame and value of the key, of its left handle, of its right one.  interpolations: (K,) int32: 0
+constant, 1 linear, 2 Bezier.
+bones: those that it animates.  channels: of each a sum of 1 location, 2 rotation, 4 scale.  given: how many curves have no
+keys.
+Raises ValueError or TypeError that names the argument.)")
+        .def(py::init(&make_clip), "rotations"_a, "curves"_a, "keys"_a, "interpolations"_a)
+        .def_property_readonly("bones", &bones_of)
+        .def_property_readonly("channels", &channels_of)
+        .def_property_readonly("given", &layers::Clip::given_count)
+        .def("pose", &clip_pose, "frame"_a, "given"_a = py::none(), R"(
+(n, 10) of the bones at a frame of the action: location, unit quaternion w, x, y, z, scale; at rest what it says nothing of.
+
+given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.)");
+}
+
+}  // namespace
+
+void bind_layers(py::module_& m) {
+    bind_clip(m);
+    m.def("layer_moments", &moments, "settings"_a, "frame"_a, R"(
+When layers play what: (L, 2), frame of the action and weight, at a frame of the scene.
+
+settings: (L, 10), see LayerStack.SETTINGS.  Raises ValueError or TypeError that names the argument.)");
+    m.def("layer_mask", &mask, "parents"_a, "chosen"_a, "feather"_a = 0, R"(
+Weights of a mask with a soft border: (B,).
+
+parents: (B,), index of each bone's parent, -1 for none.  chosen: (B,), in [0, 1]; 0 is outside.  feather: over how many
+bones from the border on, >= 0, the weight rises: at the first one it is chosen / (feather + 1).
+Raises ValueError or TypeError that names the argument.)");
+    py::class_<layers::Stack> stack(m, "LayerStack", py::module_local(), R"(
+What the bones of one rig hang on, for layers of animation over its pose. Immutable.
+
+parents: (B,), index of each bone's parent, -1 for none.  rest: (B, 16) float32, Bone.matrix_local, column by column.
+inheritance: (B,) int32: 8 where the bone turns along with its parent.  SETTINGS: names of columns.
+Raises ValueError or TypeError that names the argument.)");
+    stack.def(py::init(&make_stack), "parents"_a, "rest"_a, "inheritance"_a);
+    stack.attr("SETTINGS") = setting_names();
+    stack.def("solve", &solve_stack, "frame"_a, "basis"_a, "clips"_a, "settings"_a, "masks"_a, "references"_a,
+              "given"_a, "rows"_a, "locations"_a, "rotations"_a, "scales"_a, "laid"_a, R"(
+Lays layers, the lowest first, over the bones' own transforms at a frame of the scene, and writes what comes on top of these.
+
+basis: (B, 16) float32, PoseBone.matrix_basis, column by column.  clips: (L) LayerClip.  settings: (L, 10), see SETTINGS: start
+frame; first and last frame of the action; speed; after: 0 it ends, 1 it holds, 2 it repeats; blend_in and blend_out, frames
+of the scene; weight; mode: 0 override, 1 additive; in_armature: not 0, rotations are blended as they are in the armature.
+masks: (L, B), in [0, 1].  references: of each layer the pose() that an additive one starts from, None for the rest pose.
+given: of each layer the values of its clip's curves without keys, or None.
+rows: (R,) bones.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64: written into; location to add, rotation
+after the bone's own, scale to multiply by.  laid: (R, 16) float32, written into: the bone's own transform with all layers.
+Raises ValueError or TypeError that names the argument; transforms that are not finite stay as they are.)");
+}
+
+}  // namespace motus::bindings

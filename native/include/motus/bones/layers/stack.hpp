@@ -1,0 +1,62 @@
+// Layers of animation over the pose that a rig has by itself.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <span>
+#include <vector>
+
+#include "motus/bones/layers/clip.hpp"
+#include "motus/bones/layers/timing.hpp"
+#include "motus/bones/layers/transform.hpp"
+
+namespace motus::bones::layers {
+
+/// How a layer acts on what lies beneath it.
+enum class Mode : int {
+    override = 0,  ///< takes its place
+    additive = 1   ///< what its action does beyond the reference comes on top
+};
+
+/// One layer at one moment; views of somebody's memory.
+struct Layer {
+    const Clip* clip = nullptr;
+    std::span<const double> given;  ///< values of the clip's curves without keys
+    std::span<const double> mask;   ///< one for each bone of the rig, 0 to 1
+    std::span<const Transform>
+        reference;  ///< one for each bone of the clip, or none: the rest pose; of an additive layer
+    Timing timing;
+    double weight = 1.0;  ///< 0 to 1
+    Mode mode = Mode::override;
+    /// Rotations are laid over each other as they are in the armature, so that bones outside of the mask do
+    /// not turn those inside: bones above that the clip does not rotate count as being at rest.
+    bool in_armature = false;
+};
+
+/// What the bones of one rig hang on. Immutable.
+class Stack {
+  public:
+    /// parents: index of each bone's parent, -1 for none. rest: rotation of each bone in the armature at
+    /// rest, unit quaternions. inherits: whether each bone turns along with its parent; not 0: it does.
+    /// std::invalid_argument where there are more or fewer, or a parent is none.
+    Stack(std::span<const int> parents, std::span<const glm::dquat> rest, std::span<const char> inherits);
+
+    [[nodiscard]] std::size_t size() const noexcept { return parents_.size(); }
+    [[nodiscard]] std::span<const int> parents() const noexcept { return parents_; }
+    [[nodiscard]] std::span<const int> order() const noexcept { return order_; }
+
+    /// Lays the layers, the lowest first, over the bones' own transforms, at a frame of the scene. base and
+    /// result: one for each bone of the rig; result may be base. changed: for each bone not 0 where a layer
+    /// has laid something on it; all others are bit for bit what they were. A bone with numbers that are not
+    /// finite stays as it is. std::invalid_argument where sizes do not fit.
+    void solve(double frame, std::span<const Layer> layers, std::span<const Transform> base,
+               std::span<Transform> result, std::span<char> changed) const;
+
+  private:
+    class Solver;
+    std::vector<int> parents_, order_;
+    std::vector<glm::dquat>
+        from_parent_;  ///< rest in the parent's axes; of what does not turn with it, in the armature's
+    std::vector<char> follows_;  ///< whether the bone turns along with a parent
+};
+
+}  // namespace motus::bones::layers

@@ -1,0 +1,240 @@
+#include "motus/bones/layers/stack.hpp"
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+#include "allocations.hpp"
+#include "motus/bones/layers/mask.hpp"
+#include "random.hpp"
+
+using namespace motus;
+using namespace motus::bones;
+using namespace motus::bones::layers;
+
+namespace {
+
+const glm::dvec3 x(1, 0, 0), z(0, 0, 1);
+
+double distance(const glm::dquat& a, const glm::dquat& b) {
+    return angle_of_turn(glm::conjugate(a) * b);
+}
+
+/// Root, hips, chest, arm: one below the other; each is turned about Z by its clip, 0.1 rad a frame.
+struct Figure {
+    std::array<int, 4> parents{-1, 0, 1, 2};
+    std::array<char, 4> inherits{1, 1, 1, 1};
+    std::vector<glm::dquat> rest;
+    std::vector<double> mask{0, 0, 1, 1};
+    Clip clip;
+    Layer layer;
+
+    Figure() : clip(clip_of({0, 1, 2, 3})) {
+        for (int bone = 0; bone < 4; ++bone) rest.push_back(glm::angleAxis(0.4 * bone, x));
+        layer.clip = &clip;
+        layer.mask = mask;
+        layer.timing.after = After::hold;
+        layer.timing.last = 101;
+    }
+    Figure(const Figure&) = delete;
+    Figure& operator=(const Figure&) = delete;
+
+    static Clip clip_of(const std::vector<int>& bones) {
+        const std::array modes{Rotation::xyz, Rotation::xyz, Rotation::xyz, Rotation::xyz};
+        const std::array keys{Key{{1, 0}, {0, 0}, {2, 0}, Interpolation::linear},
+                              Key{{101, 10}, {100, 10}, {102, 10}, Interpolation::linear}};
+        std::vector<Curve> curves;
+        for (const int bone : bones) curves.push_back({bone, 5, 0, 2, false});
+        return {modes, curves, keys};
+    }
+
+    [[nodiscard]] std::vector<Transform> lay(double frame, const std::vector<Layer>& layers,
+                                             const std::vector<Transform>& base) const {
+        std::vector<Transform> result(4);
+        std::vector<char> changed(4);
+        Stack(parents, rest, inherits).solve(frame, layers, base, result, changed);
+        return result;
+    }
+
+    /// Rotation of each bone in the armature.
+    [[nodiscard]] std::vector<glm::dquat> standing(const std::vector<Transform>& pose) const {
+        std::vector<glm::dquat> turned;
+        for (std::size_t bone = 0; bone < 4; ++bone) {
+            const glm::dquat from = bone == 0 ? rest[0] : glm::conjugate(rest[bone - 1]) * rest[bone];
+            turned.push_back((bone == 0 ? no_turn : turned[bone - 1]) * from * pose[bone].rotation);
+        }
+        return turned;
+    }
+};
+
+std::vector<Transform> walking() {
+    std::vector<Transform> base(4);
+    for (std::size_t bone = 0; bone < 4; ++bone) base[bone].rotation = glm::angleAxis(0.2, x);
+    return base;
+}
+
+}  // namespace
+
+TEST_CASE("a layer acts where its mask is, by weight times mask", "[layers]") {
+    Figure figure;
+    figure.mask = {0, 0, 0.5, 1};
+    figure.layer.mask = figure.mask;
+    figure.layer.weight = 0.5;
+    const std::vector<Transform> base = walking();
+    const std::vector<Transform> found = figure.lay(6.0, {figure.layer}, base);
+    CHECK(found[0].rotation == base[0].rotation);
+    CHECK(found[1].rotation == base[1].rotation);
+    const glm::dquat way = glm::conjugate(base[2].rotation) * glm::angleAxis(0.5, z);
+    CHECK(distance(found[2].rotation, base[2].rotation * part_of_turn(way, 0.25)) < 1e-7);
+    CHECK(distance(found[3].rotation, base[3].rotation * part_of_turn(way, 0.5)) < 1e-7);
+}
+
+TEST_CASE("layers are laid one over the other", "[layers]") {
+    Figure figure;
+    Layer additive = figure.layer;
+    additive.mode = Mode::additive;
+    const std::vector<Transform> found = figure.lay(4.0, {figure.layer, additive, additive}, walking());
+    CHECK(distance(found[3].rotation, glm::angleAxis(0.9, z)) < 1e-7);
+}
+
+TEST_CASE("a reference is what an additive layer starts from", "[layers]") {
+    Figure figure;
+    std::vector<Transform> reference(4);
+    figure.clip.evaluate(3.0, {}, reference);
+    figure.layer.reference = reference;
+    figure.layer.mode = Mode::additive;
+    const std::vector<Transform> base = walking();
+    const std::vector<Transform> found = figure.lay(5.0, {figure.layer}, base);
+    CHECK(distance(found[3].rotation, base[3].rotation * glm::angleAxis(0.2, z)) < 1e-7);
+}
+
+TEST_CASE("without weight a layer leaves every bit", "[layers]") {
+    Figure figure;
+    figure.layer.in_armature = true;
+    const std::vector<Transform> base = walking();
+    for (const double weight : {0.0, -1.0}) {
+        figure.layer.weight = weight;
+        const std::vector<Transform> found = figure.lay(6.0, {figure.layer}, base);
+        for (std::size_t bone = 0; bone < 4; ++bone) CHECK(found[bone].rotation == base[bone].rotation);
+    }
+}
+
+TEST_CASE("in the armature hips do not turn what the layer holds", "[layers]") {
+    Figure figure;
+    figure.layer.in_armature = true;
+    std::vector<Transform> still(4);
+    const std::vector<Transform> wanted = figure.lay(6.0, {figure.layer}, still);
+    const std::vector<Transform> found = figure.lay(6.0, {figure.layer}, walking());
+    // The clip turns root and hips as well, so that the chest stands as in the clip alone.
+    std::vector<Transform> all(4);
+    for (Transform& bone : all) bone.rotation = glm::angleAxis(0.5, z);
+    for (std::size_t bone = 2; bone < 4; ++bone) {
+        CHECK(distance(figure.standing(found)[bone], figure.standing(wanted)[bone]) < 1e-7);
+        CHECK(distance(figure.standing(found)[bone], figure.standing(all)[bone]) < 1e-7);
+    }
+    CHECK(found[1].rotation == walking()[1].rotation);
+}
+
+TEST_CASE("in the armature a share of the way is one of the standing rotations", "[layers]") {
+    Figure figure;
+    figure.layer.in_armature = true;
+    figure.layer.weight = 0.3;
+    const std::vector<Transform> base = walking();
+    const std::vector<glm::dquat> beneath = figure.standing(base);
+    figure.layer.weight = 1.0;
+    const std::vector<glm::dquat> above = figure.standing(figure.lay(6.0, {figure.layer}, base));
+    figure.layer.weight = 0.3;
+    const std::vector<glm::dquat> found = figure.standing(figure.lay(6.0, {figure.layer}, base));
+    for (std::size_t bone = 2; bone < 4; ++bone)
+        CHECK(distance(found[bone], part_of_turn(above[bone] * glm::conjugate(beneath[bone]), 0.3) *
+                                        beneath[bone]) < 1e-7);
+}
+
+TEST_CASE("in the armature an additive layer turns by what it turns there", "[layers]") {
+    Figure figure;
+    figure.layer.in_armature = true;
+    figure.layer.mode = Mode::additive;
+    const std::vector<Transform> base = walking();
+    std::vector<Transform> source(4);
+    for (Transform& bone : source) bone.rotation = glm::angleAxis(0.5, z);
+    const std::vector<glm::dquat> said = figure.standing(source);
+    const std::vector<glm::dquat> rest = figure.standing(std::vector<Transform>(4));
+    const std::vector<glm::dquat> beneath = figure.standing(base);
+    const std::vector<glm::dquat> found = figure.standing(figure.lay(6.0, {figure.layer}, base));
+    for (std::size_t bone = 2; bone < 4; ++bone)
+        CHECK(distance(found[bone], said[bone] * glm::conjugate(rest[bone]) * beneath[bone]) < 1e-7);
+}
+
+TEST_CASE("bones that do not turn with their parents do not in the armature", "[layers]") {
+    Figure figure;
+    figure.inherits = {1, 1, 0, 1};
+    figure.layer.in_armature = true;
+    const std::vector<Transform> found = figure.lay(6.0, {figure.layer}, walking());
+    CHECK(distance(found[2].rotation, glm::angleAxis(0.5, z)) < 1e-7);
+}
+
+TEST_CASE("bones whose numbers are not finite stay", "[layers]") {
+    Figure figure;
+    std::vector<Transform> base = walking();
+    base[3].location.x = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<Transform> found = figure.lay(6.0, {figure.layer}, base);
+    CHECK(found[3].rotation == base[3].rotation);
+    CHECK(distance(found[2].rotation, glm::angleAxis(0.5, z)) < 1e-7);
+}
+
+TEST_CASE("the work allocates once, not by bone", "[layers]") {
+    Figure figure;
+    const Stack stack(figure.parents, figure.rest, figure.inherits);
+    const std::vector<Layer> few(2, figure.layer), many(50, figure.layer);
+    const std::vector<Transform> base = walking();
+    std::vector<Transform> result(4);
+    std::vector<char> changed(4);
+    const auto taken = [&](const std::vector<Layer>& layers) {
+        return test::bytes_allocated_by([&] { stack.solve(6.0, layers, base, result, changed); });
+    };
+    CHECK(taken(few) == taken(many));
+}
+
+TEST_CASE("a stack refuses what does not fit", "[layers]") {
+    Figure figure;
+    std::vector<Transform> base(3);
+    std::vector<char> changed(3);
+    const Stack stack(figure.parents, figure.rest, figure.inherits);
+    CHECK_THROWS_AS(stack.solve(1.0, {}, base, base, changed), std::invalid_argument);
+    base.resize(4);
+    changed.resize(4);
+    Layer bad = figure.layer;
+    bad.mask = std::span(figure.mask).first(3);
+    CHECK_THROWS_AS(stack.solve(1.0, std::array{bad}, base, base, changed), std::invalid_argument);
+    bad = figure.layer;
+    bad.clip = nullptr;
+    CHECK_THROWS_AS(stack.solve(1.0, std::array{bad}, base, base, changed), std::invalid_argument);
+    CHECK_THROWS_AS(parents_first(std::array{1, 0}), std::invalid_argument);
+    CHECK_THROWS_AS(parents_first(std::array{2, -1}), std::invalid_argument);
+}
+
+TEST_CASE("parents come first", "[layers]") {
+    CHECK(parents_first(std::array{2, -1, 1, 0}) == std::vector<int>{1, 2, 0, 3});
+}
+
+TEST_CASE("a border is soft over so many bones", "[layers]") {
+    //   0 - 1 - 2 - 3 - 4, and 5 with 6 on its own
+    const std::array parents{-1, 0, 1, 2, 3, -1, 5};
+    const std::array chosen{0.0, 1.0, 1.0, 0.5, 1.0, 1.0, 1.0};
+    std::vector<double> mask(7);
+    const auto soften = [&](int feather) {
+        feathered(parents, parents_first(parents), chosen, feather, mask);
+        return mask;
+    };
+    CHECK(soften(0) == std::vector<double>(chosen.begin(), chosen.end()));
+    CHECK(soften(1) == std::vector<double>{0, 0.5, 1, 0.5, 1, 1, 1});
+    const std::vector<double> wide = soften(3);
+    CHECK(wide[1] == Approx(0.25));
+    CHECK(wide[2] == Approx(0.5));
+    CHECK(wide[3] == Approx(0.375));
+    CHECK(wide[4] == Approx(1.0));
+    CHECK(wide[5] == 1.0);  // without a bone above there is no border
+}
