@@ -332,6 +332,58 @@ class LookAtPlan:
         rotations: _Array | None = None,  # (rows, 4), C-contiguous, written into
     ) -> _Array: ...
 
+class LayerClip:
+    """What an action says of a rig's bones: its F-curves as plain arrays. Immutable."""
+
+    def __init__(
+        self,
+        rotations: ArrayLike,  # (B,): 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle
+        curves: NDArray[np.int32],  # (C, 5): bone, channel 0-9, first key, how many (0: given), goes on straight
+        keys: NDArray[np.float32],  # (K, 6): frame and value of the key, its left handle, its right one
+        interpolations: NDArray[np.int32],  # (K,): 0 constant, 1 linear, 2 Bezier
+    ) -> None: ...
+    @property
+    def bones(self) -> tuple[int, ...]: ...
+    @property
+    def channels(self) -> tuple[int, ...]: ...  # of each bone a sum of 1 location, 2 rotation, 4 scale
+    @property
+    def given(self) -> int: ...  # curves without keys
+    # (n, 10): location, quaternion, scale of its bones at a frame of the action.
+    def pose(self, frame: float, given: ArrayLike | None = None) -> _Array: ...
+
+class LayerStack:
+    """What the bones of one rig hang on, for layers of animation over its pose. Immutable."""
+
+    SETTINGS: tuple[str, ...]
+
+    def __init__(
+        self,
+        parents: ArrayLike,  # (B,), -1 for none
+        rest: NDArray[np.float32],  # (B, 16), columns
+        inheritance: NDArray[np.int32],  # (B,): 8 turns along with its parent
+    ) -> None: ...
+    def solve(
+        self,
+        frame: float,  # of the scene
+        basis: NDArray[np.float32],  # (B, 16), columns
+        clips: Sequence[LayerClip],  # the lowest first
+        settings: _Array,  # (L, 10), see SETTINGS
+        masks: _Array,  # (L, B), in [0, 1]
+        references: Sequence[_Array | None],  # (n, 10) of LayerClip.pose(), None for the rest pose
+        given: Sequence[ArrayLike | None],  # values of the clips' curves without keys
+        rows: ArrayLike,  # (R,) bones that are written
+        locations: _Array,  # (R, 3), written into: to be added
+        rotations: _Array,  # (R, 4), written into: after the bone's own
+        scales: _Array,  # (R, 3), written into: to multiply by
+        laid: NDArray[np.float32],  # (R, 16), columns, written into: the bones' own transforms with all layers
+    ) -> None: ...
+
+# (B,): chosen, with a border that rises over `feather` bones.
+def layer_mask(parents: ArrayLike, chosen: ArrayLike, feather: int = 0) -> _Array: ...
+
+# (L, 2): frame of the action and weight, at a frame of the scene; settings (L, 10), see LayerStack.SETTINGS.
+def layer_moments(settings: _Array, frame: float) -> _Array: ...
+
 _Inherit = Literal["FULL", "FIX_SHEAR", "ALIGNED", "AVERAGE", "NONE", "NONE_LEGACY"]
 
 class IkRest:

@@ -78,4 +78,12 @@ SCENES = (
         film=(0.0, 71 / 24),
         ambience=2.0,
     ),
+    DemoScene(
+        name="layers", identifier="LAYERS", module="layered", label="Walk on a Small Planet",
+        description="A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane and jumps by layers of "
+                    "animation",
+        stills=(("Planet Camera", 2.62), ("Planet Camera", 6.15), ("Planet Camera", 0.5)),
+        film=(0.0, 9.0),
+        ambience=0.5,
+    ),
 )

@@ -1,5 +1,7 @@
 """Setting layers up and taking them back: plain functions behind the operators."""
 
+import re
+
 from ..core import actions, entries, entry_keys
 from ..core.system import registered
 from .properties import KEYWORDS
@@ -40,9 +42,10 @@ def change(rig, index, changes, items=None):
 def free_name(layers, wanted):
     """A name that no layer has yet."""
     taken, name, number = set(layers.keys()), wanted, 0
+    stem = re.sub(r"\.\d{3,}$", "", wanted)
     while name in taken:
         number += 1
-        name = f"{wanted}.{number:03d}"
+        name = f"{stem}.{number:03d}"
     return name
 
 

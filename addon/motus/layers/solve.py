@@ -7,7 +7,7 @@ from . import clips, mask
 from .groups import LOOPED, PLAN
 
 SOME_ARE_OFF = Problem("Some layers have no action, or one without keys for their bones: the list says which", blocking=False)
-LOOPED_BONES = Problem("Drivers of some bones read bones that layers move: layers leave those alone", blocking=False)
+LOOPED_BONES = Problem("Drivers of bones or of layers read bones that layers move: layers leave these alone", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (SOME_ARE_OFF, LOOPED_BONES, BONES_CHANGED)
 

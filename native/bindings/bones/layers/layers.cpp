@@ -94,10 +94,13 @@ void write_row(const Transform& transform, std::span<double> row) {
 }
 
 [[nodiscard]] std::vector<double> given_values(const py::object& given, std::size_t count) {
-    if (given.is_none() && count == 0) return {};
+    const std::string wanted = "must have the shape (" + std::to_string(count) + ",)";
+    if (given.is_none()) {
+        if (count > 0) value_error("given", wanted);
+        return {};
+    }
     const DoubleArray array = doubles(given, "given");
-    if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != count)
-        value_error("given", "must have the shape (" + std::to_string(count) + ",)");
+    if (array.ndim() != 1 || static_cast<std::size_t>(array.size()) != count) value_error("given", wanted);
     return {array.data(), array.data() + array.size()};
 }
 

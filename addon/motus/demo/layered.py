@@ -1,0 +1,108 @@
+"""The scene "Motus Layers": a wooden pilot walks on a small planet, and throws and jumps without leaving off to walk."""
+
+import bpy
+from mathutils import Matrix, Vector
+
+from . import (
+    aeroplane, character, character_rig, layered_clips, layered_planet, lighting, shapes, staging,
+)
+
+SCENE_NAME = "Motus Layers"
+FRAMES_PER_SECOND, LAST_FRAME = 24, 216
+THROW_START, JUMP_START = 44.0, 128.0
+TOY_SIZE = 0.075  # of the aeroplane that the pilots fly
+TOY_IN_HAND = Matrix.Translation((0.0, 0.085, 0.0)) @ Matrix.Rotation(1.2, 4, 'X')
+FLIGHT = ((10, (-0.3, -2.6, 2.30)), (26, (-0.9, -6.5, 2.55)), (52, (-2.4, -14.0, 3.6)))  # frames after the release, places
+
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-3.30, -5.30, 1.75), (-0.06, -0.25, 0.86), 40.0
+CAMERA_DRIFT = (1.15, 0.55, 0.15)  # m over the scene
+
+
+def build(context):
+    """Build the scene, show it in the window and return it."""
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, LAST_FRAME)
+    land, figure, views = (staging.new_collection(scene, name) for name in ("Planet", "Walker", "Views"))
+    sky = lighting.build_sky_group()
+    scene.world = lighting.build_world(sky)
+    lighting.add_sun(land)
+    lighting.set_color_management(scene)
+    ahead = 2.0 * layered_clips.STEP[0][1] / (layered_clips.STRIDE / 2)  # m a frame
+    layered_planet.build(land, ahead / layered_planet.RADIUS)
+    stage = shapes.link_object(figure, "Walker Stage", None)
+    rig = character_rig.build(context, figure, stage)
+    character.build(figure, rig)
+    _animate(rig)
+    _add_toy(scene, figure, rig)
+    _add_camera(scene, views)
+    scene.frame_set(1)
+    return scene
+
+
+def _animate(rig):
+    """Three layers, added by the public operators: the walk over and over, and now and then a throw or a jump."""
+    clips = {"Throw": layered_clips.throw(rig), "Jump": layered_clips.jump(rig), "Walk": layered_clips.walk(rig)}
+    _add_layer(rig, clips["Walk"], mask='ALL', start=1.0, after='REPEAT')
+    _add_layer(rig, clips["Throw"], bones="spine.002", start=THROW_START, blend_in=7.0, blend_out=10.0, feather=1,
+               in_armature=True)
+    _add_layer(rig, clips["Jump"], mask='ALL', start=JUMP_START, blend_in=5.0, blend_out=6.0)
+
+
+def _add_layer(rig, action, **keywords):
+    if bpy.ops.motus.layer_add(object=rig.name, action=action.name, **keywords) != {"FINISHED"}:
+        raise RuntimeError(f"{rig.name} could not be given the layer {action.name}")
+
+
+def _add_toy(scene, collection, rig):
+    """The small aeroplane: in the hand until it is let go, then on its way."""
+    toy = shapes.link_object(collection, "Toy", None)
+    aeroplane.build(collection).parent = toy
+    toy.scale = 3 * [TOY_SIZE]
+    release = int(THROW_START) + layered_clips.RELEASE - 1
+    scene.frame_set(release)
+    hand = rig.matrix_world @ rig.evaluated_get(bpy.context.evaluated_depsgraph_get()).pose.bones["hand.R"].matrix
+    held = toy.constraints.new("CHILD_OF")
+    held.target, held.subtarget, held.inverse_matrix = rig, "hand.R", Matrix()
+    held.use_scale_x = held.use_scale_y = held.use_scale_z = False
+    for frame, influence in ((1, 1.0), (release, 0.0)):
+        held.influence = influence
+        held.keyframe_insert("influence", frame=frame)
+    _set_steps(toy)
+    _key_place(toy, TOY_IN_HAND, 1)
+    _key_place(toy, TOY_IN_HAND, release - 1)
+    _key_place(toy, hand @ TOY_IN_HAND, release)
+    place = (hand @ TOY_IN_HAND).translation
+    for after, goal in FLIGHT:
+        way = Vector(goal) - place
+        place = Vector(goal)
+        _key_place(toy, Matrix.Translation(goal) @ way.to_track_quat('Y', 'Z').to_matrix().to_4x4(), release + after)
+
+
+def _key_place(toy, matrix, frame):
+    toy.location, toy.rotation_mode = matrix.translation, "QUATERNION"
+    toy.rotation_quaternion = matrix.to_quaternion()
+    toy.keyframe_insert("location", frame=frame)
+    toy.keyframe_insert("rotation_quaternion", frame=frame)
+
+
+def _set_steps(thing):
+    """Keys that were set until now hold their value."""
+    from ..core import actions
+    for curve in actions.fcurves(thing):
+        for point in curve.keyframe_points:
+            point.interpolation = "CONSTANT"
+
+
+def _add_camera(scene, collection):
+    """A camera that drifts along with the walker."""
+    aim = shapes.link_object(collection, "Walker Aim", None)
+    aim.location = CAMERA_AIM
+    aim.empty_display_size = 0.1
+    data = bpy.data.cameras.new("Planet Camera")
+    data.lens = CAMERA_LENS
+    camera = shapes.link_object(collection, "Planet Camera", data)
+    constraint = camera.constraints.new("TRACK_TO")
+    constraint.target, constraint.track_axis, constraint.up_axis = aim, "TRACK_NEGATIVE_Z", "UP_Y"
+    for frame, part in ((1, 0.0), (LAST_FRAME, 1.0)):
+        camera.location = Vector(CAMERA_PLACE) + part * Vector(CAMERA_DRIFT)
+        camera.keyframe_insert("location", frame=frame)
+    scene.camera = camera

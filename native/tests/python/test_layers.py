@@ -1,0 +1,124 @@
+"""LayerClip, LayerStack, layer_mask and layer_moments as Python sees them."""
+
+import unittest
+
+import motus_native as native
+import numpy as np
+
+PLAIN = 8 | 16
+KEYS = np.array([[1, 0, 0, 0, 2, 0], [11, 1, 10, 1, 12, 1]], np.float32)
+LINEAR = np.array([1, 1], np.int32)
+EYE = np.eye(4, dtype=np.float32).ravel()
+
+
+def clip(bones=3, curves=((1, 5, 0, 2, 0),), mode=1):
+    return native.LayerClip([mode] * bones, np.array(curves, np.int32), KEYS, LINEAR)
+
+
+def about_z(angle):
+    return np.array((np.cos(angle / 2), 0.0, 0.0, np.sin(angle / 2)))
+
+
+def settings(**given):
+    names = native.LayerStack.SETTINGS
+    values = dict.fromkeys(names, 0.0) | {"start": 1.0, "first": 1.0, "last": 11.0, "speed": 1.0, "after": 1.0, "weight": 1.0}
+    return np.array([[(values | given)[name] for name in names]])
+
+
+class Stack:
+    """Three bones, each below the one before."""
+
+    def __init__(self):
+        self.stack = native.LayerStack([-1, 0, 1], np.tile(EYE, (3, 1)), np.full(3, PLAIN, np.int32))
+        self.arguments = {
+            "basis": np.tile(EYE, (3, 1)), "clips": [clip()], "settings": settings(), "masks": np.ones((1, 3)), "references": [None],
+            "given": [None], "rows": [0, 1]}
+
+    def solve(self, frame=6.0, **given):
+        found = {"locations": np.empty((2, 3)), "rotations": np.empty((2, 4)), "scales": np.empty((2, 3)),
+                 "laid": np.empty((2, 16), np.float32)}
+        self.stack.solve(frame, **(self.arguments | found | given))
+        return found
+
+
+class Clips(unittest.TestCase):
+    def test_what_it_says(self):
+        found = clip()
+        self.assertEqual((found.bones, found.channels, found.given), ((1,), (2,), 0))
+        np.testing.assert_allclose(found.pose(6.0), [[0, 0, 0, *about_z(0.5), 1, 1, 1]], atol=1e-15)
+
+    def test_values_that_are_given(self):
+        found = clip(curves=((0, 1, 0, 0, 0), (2, 7, 0, 2, 0)))
+        self.assertEqual((found.bones, found.given), ((0, 2), 1))
+        pose = found.pose(11.0, [3.0])
+        self.assertEqual(pose[0, 1], 3.0)
+        self.assertEqual(pose[1, 7], 1.0)
+        with self.assertRaisesRegex(ValueError, "^given: "):
+            found.pose(11.0)
+
+    def test_refusals(self):
+        good = {"rotations": [1], "curves": np.array([[0, 5, 0, 2, 0]], np.int32), "keys": KEYS, "interpolations": LINEAR}
+        bad = (
+            ("rotations", ValueError, [8]), ("curves", ValueError, np.zeros((1, 4), np.int32)),
+            ("curves", TypeError, np.zeros((1, 5))), ("curves", ValueError, np.array([[1, 5, 0, 2, 0]], np.int32)),
+            ("curves", ValueError, np.array([[0, 5, 1, 2, 0]], np.int32)), ("keys", ValueError, np.zeros((2, 5), np.float32)),
+            ("keys", ValueError, KEYS[::-1].copy()), ("keys", ValueError, np.full((2, 6), np.inf, np.float32)),
+            ("interpolations", ValueError, np.array([1, 3], np.int32)), ("interpolations", ValueError, LINEAR[:1].copy()))
+        for name, error, value in bad:
+            with self.subTest(name), self.assertRaisesRegex(error, f"^{name}: "):
+                native.LayerClip(**(good | {name: value}))
+
+
+class Stacks(unittest.TestCase):
+    def test_what_comes_on_top(self):
+        found = Stack().solve()
+        np.testing.assert_array_equal(found["rotations"][0], (1, 0, 0, 0))
+        np.testing.assert_allclose(found["rotations"][1], about_z(0.5), atol=1e-15)
+        np.testing.assert_array_equal(found["locations"], np.zeros((2, 3)))
+        np.testing.assert_array_equal(found["scales"], np.ones((2, 3)))
+        np.testing.assert_array_equal(found["laid"][0], EYE)
+        np.testing.assert_allclose(found["laid"][1, :2], (np.cos(0.5), np.sin(0.5)), atol=1e-7)
+
+    def test_a_reference(self):
+        found = Stack().solve(settings=settings(mode=1.0), references=[clip().pose(3.0)])
+        np.testing.assert_allclose(found["rotations"][1], about_z(0.3), atol=1e-15)
+
+    def test_no_layers(self):
+        found = Stack().solve(clips=[], settings=np.empty((0, 10)), masks=np.empty((0, 3)), references=[], given=[])
+        np.testing.assert_array_equal(found["laid"], [EYE, EYE])
+
+    def test_refusals(self):
+        bad = (
+            ("frame", ValueError, np.nan), ("basis", ValueError, np.tile(EYE, (2, 1))), ("basis", TypeError, np.eye(16)),
+            ("clips", TypeError, [3]), ("clips", ValueError, [clip(4)]), ("settings", ValueError, np.ones((1, 9))),
+            ("settings", ValueError, settings(speed=np.inf)), ("masks", ValueError, np.ones((1, 2))),
+            ("masks", ValueError, np.full((1, 3), 1.5)), ("references", ValueError, []),
+            ("references", ValueError, [np.zeros((2, 10))]), ("given", ValueError, [[1.0]]), ("given", ValueError, []),
+            ("rows", ValueError, [0, 3]), ("locations", ValueError, np.empty((3, 3))), ("rotations", TypeError, np.empty((2, 4), np.float32)),
+            ("scales", TypeError, [1.0]), ("laid", ValueError, np.empty((1, 16), np.float32)))
+        for name, error, value in bad:
+            with self.subTest(name), self.assertRaisesRegex(error, f"^{name}: "):
+                frame = value if name == "frame" else 6.0
+                Stack().solve(frame, **({} if name == "frame" else {name: value}))
+        with self.assertRaisesRegex(ValueError, "^parents: "):
+            native.LayerStack([1, 0], np.tile(EYE, (2, 1)), np.full(2, PLAIN, np.int32))
+
+
+class MasksAndMoments(unittest.TestCase):
+    def test_a_soft_border(self):
+        np.testing.assert_allclose(native.layer_mask([-1, 0, 1, 2], [0, 1, 1, 1], 1), (0, 0.5, 1, 1))
+        for name, arguments in (("chosen", ([-1], [2.0])), ("chosen", ([-1], [1.0, 0.0])), ("parents", ([0], [1.0])),
+                                ("feather", ([-1], [1.0], -1))):
+            with self.subTest(name), self.assertRaisesRegex(ValueError, f"^{name}: "):
+                native.layer_mask(*arguments)
+
+    def test_moments(self):
+        row = settings(speed=2.0, after=2.0, blend_in=4.0)
+        np.testing.assert_allclose(native.layer_moments(row, 3.0), [[5.0, 0.5]])
+        np.testing.assert_allclose(native.layer_moments(row, 8.0), [[5.0, 1.0]])
+        with self.assertRaisesRegex(ValueError, "^settings: "):
+            native.layer_moments(row[:, :5].copy(), 1.0)
+
+
+if __name__ == "__main__":
+    unittest.main()
