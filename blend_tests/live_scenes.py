@@ -4,6 +4,7 @@ import bpy
 from dynamics import dynamics_cases
 from ik import ik_cases
 from lattice import lattice_cases
+from layers import layer_cases
 from look_at import look_at_cases
 import numpy as np
 from path import path_cases
@@ -13,7 +14,7 @@ FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo camera; and users' drivers."""
+    """A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo camera; and users' drivers."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
     for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
         target.location = place
@@ -55,6 +56,13 @@ def _rigs():
     figure = look_at_cases.build_rig(name="Figure")
     figure.location.x = 3.0
     bpy.ops.motus.look_at_add(object=figure.name, bone="Head", target="Target")
+    puppet = look_at_cases.build_rig(name="Puppet")
+    puppet.location.x = 6.0
+    layer_cases.turning("Wave", layer_cases.THROWING)
+    bpy.ops.motus.layer_add(object=puppet.name, action="Wave", bones="Chest", after='REPEAT', in_armature=True)
+    for frame, weight in ((1, 0.3), (40, 1.0)):
+        puppet.motus.layers.entries[0].weight = weight
+        puppet.keyframe_insert("motus.layers.entries[0].weight", frame=frame)
 
 
 def _dynamics():

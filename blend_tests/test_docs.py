@@ -65,6 +65,25 @@ class ExamplesTest(support.SceneTestCase):
         self.assertEqual([key for key in rig.keys() if key.startswith("motus_")], [])
         self.assertEqual({obj.name for obj in bpy.data.objects}, {"Arm", "Goal"})
 
+    def test_the_scripted_example_of_layers_throws_while_it_walks(self):
+        scripted, = [code for code in examples(DOCS / "layers.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": seen.append}
+        exec(compile(scripted, "layers.md", "exec"), scope)
+        leg, arm = seen
+        self.assertAlmostEqual(leg, 0.5, places=5)
+        self.assertAlmostEqual(arm, 2.5, places=5)
+        puppet = scope["puppet"]
+        self.assertFalse(puppet.motus.layers.entries)
+        self.assertFalse(any(bone.constraints for bone in puppet.pose.bones))
+        self.assertEqual(puppet.animation_data.action.name, "Puppet Flattened")
+        bpy.context.scene.frame_set(13)
+        self.assertAlmostEqual(puppet.pose.bones["Arm"].rotation_euler.x, 2.5, places=5)
+
+    @support.in_one_blender
+    def test_the_native_example_of_layers_runs(self):
+        self.run_native("layers.md")
+
     def test_the_scripted_example_pulls_and_pins(self):
         scripted, = [code for code in examples(DOCS / "pull.md") if "bpy.ops.motus" in code]
         seen = []
@@ -231,7 +250,7 @@ SYMBOLS = {"X", "Y", "Z"}
 """Labels that are the same in every language."""
 
 
-SYSTEMS = ("path", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "pendulums", "snow", "stereo", "chroma")
+SYSTEMS = ("path", "layers", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "pendulums", "snow", "stereo", "chroma")
 """Pages for artists, whose words in italics are labels of the interface."""
 OF_BLENDER = {
     "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",

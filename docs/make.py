@@ -14,6 +14,7 @@ import demo_pictures  # noqa: E402
 import dynamics_pictures  # noqa: E402
 import ik_pictures  # noqa: E402
 import lattice_pictures  # noqa: E402
+import layers_pictures  # noqa: E402
 import look_at_pictures  # noqa: E402
 import operator_page  # noqa: E402
 import path_pictures  # noqa: E402
@@ -28,7 +29,7 @@ support.enable()
 print("docs/operators.md")
 pictures = HERE / "pictures"
 for render in (
-        path_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
+        path_pictures.render_all, layers_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
         lattice_pictures.render_all, dynamics_pictures.render_all, pendulum_pictures.render_all,
         snow_pictures.render_all, stereo_pictures.render_all, chroma_pictures.render_all, demo_pictures.render_all):
     for picture in render(pictures):

@@ -260,7 +260,7 @@ class Curves(LayerTestCase):
                 self.go(frame)
                 found = self.own("UpperArm.L")
                 numbers = [curve.evaluate(frame) for curve in self.actions.curves_for_object(action)]
-                posed = bone.copy() if False else self.rig.pose.bones["LowerArm.L"]
+                posed = self.rig.pose.bones["LowerArm.L"]
                 posed.rotation_mode = mode
                 setattr(posed, name, numbers)
                 wanted = posed.matrix_basis.copy()
@@ -338,7 +338,7 @@ class WithOthers(LayerTestCase):
         wanted = Quaternion((1.0, 0.4, 0.0, 0.0)).normalized() @ Quaternion((0, 1, 0), 0.8)
         self.assertSameTurn(self.own("Neck"), wanted.to_matrix())
 
-    def test_drivers_in_a_circle_are_left_alone(self):
+    def test_a_driver_that_reads_a_bone_of_the_mask(self):
         curve = self.rig.driver_add('pose.bones["LowerArm.L"].rotation_quaternion', 1)
         variable = curve.driver.variables.new()
         variable.type = 'TRANSFORMS'
@@ -348,8 +348,32 @@ class WithOthers(LayerTestCase):
         self.add(bones="UpperArm.L")
         throw = self.played(self.throw, 21)
         self.go(21)
-        self.assertSameTurn(self.own("UpperArm.L"), throw["UpperArm.L"])
+        for name in ARM:
+            self.assertSameTurn(self.own(name), throw[name])
         self.assertIsNone(self.sentence())
+
+    def test_a_weight_that_reads_a_bone_of_the_mask_leaves_all_alone(self):
+        entry = self.add(bones="UpperArm.L")
+        curve = self.rig.driver_add("motus.layers.entries[0].weight")
+        variable = curve.driver.variables.new()
+        variable.type = 'TRANSFORMS'
+        variable.targets[0].id, variable.targets[0].bone_target = self.rig, "UpperArm.L"
+        curve.driver.expression = "var"
+        self.assertEqual(bpy.ops.motus.layers_refresh(object="Rig"), {'FINISHED'})
+        walk = self.played(self.walk, 21)
+        self.go(21)
+        self.assertSameTurn(self.own("UpperArm.L"), walk["UpperArm.L"])
+        self.assertIn("leave these alone", self.sentence())
+        self.assertEqual(entry.name, "Throw")
+
+    def test_keys_beneath_layers_cannot_be_matched(self):
+        grip = self.link("Grip")
+        grip.location = (0.45, -0.3, 1.35)
+        bpy.ops.motus.ik_add(object="Rig", bone="LowerArm.L", target="Grip", chain_length=2)
+        entry = self.add(bones="UpperArm.L")
+        self.assertRefused("flatten or mute", bpy.ops.motus.fk_match_ik, object="Rig", frame_start=20, frame_end=21)
+        entry.is_muted = True
+        self.assertEqual(bpy.ops.motus.fk_match_ik(object="Rig", frame_start=20, frame_end=21), {'FINISHED'})
 
     def test_nla_strips_lie_beneath(self):
         animation = self.rig.animation_data

@@ -143,6 +143,13 @@ def lay(rig, key, rows, matrices):
         copy.found[LAID] = copy.found.get(LAID, {}) | {key: (rows, matrices)}
 
 
+def laid_bones(rig):
+    """Names of the bones of an evaluated rig whose own transforms are other ones now by what lay() was told."""
+    known = still(rig, names_of(rig))
+    own = own_basis(rig, known).copy()
+    return {known.names[row] for row in np.flatnonzero((basis(rig, known) != own).any(axis=1))}
+
+
 def is_laid(copy):
     """Whether a system lays poses over bones of an evaluated rig's Copy."""
     return LAID in copy.found

@@ -14,16 +14,15 @@ TOY_SIZE = 0.075  # of the aeroplane that the pilots fly
 TOY_IN_HAND = Matrix.Translation((0.0, 0.085, 0.0)) @ Matrix.Rotation(1.2, 4, 'X')
 FLIGHT = ((10, (-0.3, -2.6, 2.30)), (26, (-0.9, -6.5, 2.55)), (52, (-2.4, -14.0, 3.6)))  # frames after the release, places
 
-CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-3.30, -5.30, 1.75), (-0.06, -0.25, 0.86), 40.0
-CAMERA_DRIFT = (1.15, 0.55, 0.15)  # m over the scene
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-3.10, -4.95, 1.30), (0.02, -0.20, 1.16), 38.0
+CAMERA_DRIFT = (1.45, -0.35, 0.20)  # m over the scene
 
 
 def build(context):
     """Build the scene, show it in the window and return it."""
     scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, LAST_FRAME)
     land, figure, views = (staging.new_collection(scene, name) for name in ("Planet", "Walker", "Views"))
-    sky = lighting.build_sky_group()
-    scene.world = lighting.build_world(sky)
+    scene.world = layered_planet.build_world()
     lighting.add_sun(land)
     lighting.set_color_management(scene)
     ahead = 2.0 * layered_clips.STEP[0][1] / (layered_clips.STRIDE / 2)  # m a frame

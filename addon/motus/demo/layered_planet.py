@@ -6,13 +6,23 @@ import random
 import numpy as np
 from mathutils import Matrix, Vector
 
-from . import materials, shapes, woods
+from . import lighting, materials, shapes, woods
 
 RADIUS = 6.0  # m
 PATH_WIDTH, PATH_RISE = 0.52, 0.006  # m
 TREES, HOUSES, STONES = 210, 9, 46
 CLEAR = 0.80  # m from the middle of the path where nothing stands
 SEED = 5
+# Half of the sine of the elevation, and linear rgb: a warm band above a horizon that lies far below.
+SKY_STOPS = (
+    (0.36, (0.97, 0.62, 0.40)), (0.49, (0.98, 0.80, 0.62)), (0.55, (0.66, 0.77, 0.86)), (0.66, (0.27, 0.50, 0.80)),
+    (1.0, (0.06, 0.19, 0.50)),
+)
+SKY_STRENGTH = 0.85
+CLOUDS = ((-7.5, 9.0, 2.3, 1.0), (-2.6, 13.0, 4.6, 1.25), (3.4, 11.0, 1.5, 0.9), (7.4, 8.5, 3.7, 1.1), (12.5, 10.0, 0.6, 1.3))
+"""Places and sizes, m."""
+PUFFS = ((0.0, 0.0, 0.0, 0.62), (0.70, 0.1, -0.10, 0.46), (-0.72, 0.0, -0.12, 0.44), (0.34, -0.1, 0.30, 0.42),
+         (-0.30, 0.1, 0.24, 0.40), (1.16, 0.0, -0.22, 0.26), (-1.14, 0.0, -0.22, 0.27))
 
 
 def build(collection, turn):
@@ -22,7 +32,14 @@ def build(collection, turn):
     spin = planet.driver_add("rotation_euler", 0).driver
     spin.expression = f"-frame * {turn}"
     _plant(collection, planet)
+    _hang_clouds(collection)
     return planet
+
+
+def build_world():
+    """Sky all around, below as well: there is no other land."""
+    return lighting.build_gradient_world("Motus Small Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math(
+        "MULTIPLY", shader.math("ADD", height, 1.0), 0.5))
 
 
 def _ground_mesh():
@@ -81,6 +98,18 @@ def _stand(collection, planet, name, mesh, random_of, size, clear):
     upright = direction.to_track_quat('Z', 'Y').to_matrix().to_4x4()
     place = Matrix.Translation(direction * (RADIUS - 0.03))
     thing.matrix_basis = place @ upright @ Matrix.Rotation(random_of.uniform(0.0, math.tau), 4, 'Z') @ Matrix.Scale(size, 4)
+
+
+def _hang_clouds(collection):
+    """A few clouds of wadding."""
+    builder = shapes.MeshBuilder()
+    for x, y, z, radius in PUFFS:
+        builder.add(shapes.sphere(radius, (x, y, z), (1.0, 0.8, 0.74), 32, 20))
+    wadding = builder.build("Small Cloud", [materials.principled("Wadding", color=(0.92, 0.86, 0.80), roughness=1.0, specular=0.0)])
+    for index, (*place, size) in enumerate(CLOUDS):
+        cloud = shapes.link_object(collection, f"Cloud {index}", wadding)
+        cloud.location, cloud.scale = place, 3 * [size]
+        cloud.rotation_euler.z = 0.7 * index
 
 
 def _house_mesh():

@@ -8,7 +8,7 @@ from mathutils import Matrix, Vector
 
 from ..core import copies, native, rigs, stored, wiring
 from ..core.lazy import numpy as np
-from ..core.system import Problem, registered
+from ..core.system import Problem, registered, systems
 from ..core.tracks import strips, transforms, world_track
 from . import inputs, motion
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
@@ -235,8 +235,9 @@ def _make(context, copy, scene):
 
 
 def _are_constrained(thing):
-    """Whether constraints that are not of dynamics act on an evaluated Object or PoseBone."""
-    return any(not one.mute and one.influence > 0.0 and not wiring.is_sink(registered["dynamics"], one)
+    """Whether constraints act on an evaluated Object or PoseBone that are neither of dynamics nor of what poses bones beneath it."""
+    followed = [registered["dynamics"], *(system for system in systems() if system.lays_pose)]
+    return any(not one.mute and one.influence > 0.0 and not any(wiring.is_sink(system, one) for system in followed)
                for one in thing.constraints)
 
 

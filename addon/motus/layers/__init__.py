@@ -1,7 +1,7 @@
 """Layers: actions laid over a rig's own animation, each on the bones of a mask, by a weight that can be keyed."""
 
 from ..core.system import System
-from . import flattening, groups, list_operators, operators, overlay, panel, properties, solve
+from . import flattening, groups, list_operators, operators, over_time, overlay, panel, properties, solve
 
 SYSTEM = System(
     name="layers",
@@ -19,6 +19,7 @@ SYSTEM = System(
     groups=groups.groups,
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,
+    over_time=over_time.over_time,
     overlay=overlay.overlay,
     object_menu=("motus.layer_add", "motus.layer_remove", "motus.layers_flatten"),
     pose_menu=("motus.layer_add", "motus.layer_mask_add", "motus.layer_remove", "motus.layers_flatten"),

@@ -70,11 +70,15 @@ def bone_renamed(owner, rig, old, new):
 
 def _group(owner, key, names, driven, looped):
     bones = owner.pose.bones
-    # Where a bone of another group stands that drivers move is not known yet.
-    unknown = sorted(driven.difference(names))
     return Group(
         key=key,
         members=tuple(Member(bones[name], channels_of(bones[name]), 'LOCAL', is_relative=True) for name in names),
         inputs=(Transform(owner), *(BonesOwn(owner, name) for name in names if name in driven)),
-        data={PLAN: json.dumps({"fingerprint": rigs.fingerprint(owner), "bones": names, "unknown": unknown}),
-              LOOPED: looped})
+        data={PLAN: plan_of(owner, names, driven), LOOPED: looped})
+
+
+def plan_of(owner, names, driven):
+    """What solve.Wired is made of, as text. names: of the bones that are solved; driven: of all whose own channels are driven."""
+    # Where drivers put a bone of another group is not known yet.
+    unknown = sorted(driven.difference(names))
+    return json.dumps({"fingerprint": rigs.fingerprint(owner), "bones": names, "unknown": unknown})

@@ -69,7 +69,7 @@ def draw_mask(layout, context):
     for button in (add, remove):
         button.object = rig.name
     if not entry.mask:
-        ui.draw_message(layout, "The layer acts on all bones: add some to keep it to these", 'INFO')
+        ui.draw_message(layout, tr("The layer acts on all bones: add some to keep it to these"), 'INFO')
     elif 0 <= entry.active_mask < len(entry.mask):
         item, column = entry.mask[entry.active_mask], ui.split(layout)
         column.row().prop(item, "kind", expand=True)

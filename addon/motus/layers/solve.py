@@ -40,7 +40,7 @@ class Wired:
         return stack
 
 
-class _Source:
+class Source:
     """An evaluated copy of a rig: what nothing but an edit changes of its layers."""
 
     def __init__(self, rig, wired):
@@ -62,7 +62,7 @@ def solve(context):
     text, looped = context.data.get(PLAN), context.data.get(LOOPED)
     rig = context.owner
     try:
-        source = rigs.source(rig, text, lambda rig, rows: Wired(rig, rows, text), _Source)
+        source = rigs.source(rig, text, lambda rig, rows: Wired(rig, rows, text), Source)
     except KeyError:
         rigs.lay(rig, context.group, [], np.empty((0, 16), np.float32))
         return BONES_CHANGED
@@ -71,29 +71,33 @@ def solve(context):
         raise stored.Damaged("another number of members")
     found = source.clips()
     settings = context.kept("layers", (source, tuple(found)), lambda: _settings(context.settings, found))
-    lay(rig, context, source, found, settings)
+    laid = lay(source, found, settings, context.frame, rigs.own_basis(rig, wired.still), context.locations, context.rotations,
+               context.scales)
+    rigs.lay(rig, context.group, wired.rows, laid)
     if any(clip is None or not clip.native.bones for clip in found):
         return SOME_ARE_OFF
     return LOOPED_BONES if looped else None
 
 
-def lay(rig, context, source, found, settings):
-    """Fill what the context's members do, and note what that makes of their own transforms."""
+def lay(source, found, settings, frame, basis, locations, rotations, scales):
+    """Fill what the wired bones do at a frame of the scene; returns what that makes of their own transforms, (n, 16) float32.
+
+    found: Clip or None of each layer. basis: own transforms of all bones.
+    """
     wired = source.wired
-    basis = rigs.own_basis(rig, wired.still)
     basis[wired.unknown] = _NOTHING_MOVES()
     playing = [row for row, clip in enumerate(found) if clip is not None and settings[row, WEIGHT] > 0.0]
     numbers = settings[playing]
     given = [None] * len(playing)
     if any(found[row].asks_curves for row in playing):
-        frames = native.module.layer_moments(numbers, context.frame)[:, 0].tolist()
-        given = [found[row].given(frame) for row, frame in zip(playing, frames)]
+        frames = native.module.layer_moments(numbers, frame)[:, 0].tolist()
+        given = [found[row].given(at) for row, at in zip(playing, frames)]
     laid = np.empty((len(wired.rows), 16), np.float32)
     wired.stack.solve(
-        context.frame, basis, [found[row].native for row in playing], numbers, source.masks[playing],
-        [_reference(source.entries[row], found[row]) for row in playing], given, wired.rows, context.locations,
-        context.rotations, context.scales, laid)
-    rigs.lay(rig, context.group, wired.rows, laid)
+        frame, basis, [found[row].native for row in playing], numbers, source.masks[playing],
+        [_reference(source.entries[row], found[row]) for row in playing], given, wired.rows, locations, rotations, scales,
+        laid)
+    return laid
 
 
 def _reference(entry, clip):
@@ -111,11 +115,16 @@ def span(entry, clip):
 
 
 def _settings(settings, found):
-    """(L, columns) numbers, as LayerStack wants them."""
-    rows = [_numbers(entry, clip) for entry, clip in zip(settings.entries, found)]
-    values = np.array(rows, float).reshape(-1, COLUMNS)
+    """still_settings() of the owner's settings as they are on this frame."""
+    values = still_settings(settings.entries, found)
     values[:, WEIGHT] *= settings.influence
     return values
+
+
+def still_settings(entries, found):
+    """(L, columns) numbers of layers, as LayerStack wants them."""
+    rows = [_numbers(entry, clip) for entry, clip in zip(entries, found)]
+    return np.array(rows, float).reshape(-1, COLUMNS)
 
 
 def _numbers(entry, clip):

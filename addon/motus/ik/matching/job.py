@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ...core import dependencies
+from ...core import dependencies, rigs
 from ...core.lazy import numpy as np
 from ...core.frames import Kept, as_text, go_to
 from ...core.refusals import Refused, check_no_tweak_mode, check_posed
@@ -109,6 +109,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
         for frame in frames:
             go_to(scene, frame)
             evaluated = rig.evaluated_get(context.view_layer.depsgraph)
+            _check_unlaid(evaluated, chosen)
             for track in tracks:
                 posed = evaluated.pose.bones[track.thing.name]
                 track.add(evaluated.convert_space(
@@ -134,6 +135,13 @@ def match_ik(context, rig, bone, frames, switch, outcome):
         raise
     finally:
         kept.restore(writer.written)
+
+
+def _check_unlaid(evaluated, chosen):
+    """Refuse bones whose keys are not what their chain starts from."""
+    laid = rigs.laid_bones(evaluated)
+    for name in [name for chain in chosen for name in chain.bones if name in laid]:
+        raise Refused(tr("Layers pose {bone} above its keys: flatten or mute them first").format(bone=name))
 
 
 def _tracks(rig, chosen):

@@ -142,6 +142,8 @@ INTERFACE = {
         "Las capas de {object} se aplanaron en la acción {action}: {first}-{last}",
     "Keyframes do not reach bones that have drivers: {bones}": "Las claves no llegan a los huesos con controladores: {bones}",
     "All layers of {object} are muted": "Todas las capas de {object} están silenciadas",
+    "Layers pose {bone} above its keys: flatten or mute them first":
+        "Las capas dan a {bone} una pose por encima de sus claves: aplánelas o siléncielas primero",
     "Choose an action for this layer": "Elija una acción para esta capa",
     "{object} has not what the mask names: {names}": "{object} no tiene lo que nombra la máscara: {names}",
     "Walk on a Small Planet": "Paseo por un planeta pequeño",

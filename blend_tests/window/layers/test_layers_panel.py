@@ -1,0 +1,69 @@
+"""Animation layers as an artist sees them: adding one in Pose Mode by its button, sidebar, armature properties, and the overlay."""
+
+import bpy
+from layers import layer_cases
+from look_at import look_at_cases
+from window import window_support
+from mathutils import Vector
+
+
+def build():
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    rig = look_at_cases.build_rig(name="Puppet")
+    layer_cases.turning("Throw", layer_cases.THROWING)
+    for obj in bpy.context.scene.objects:
+        obj.select_set(obj == rig)
+    bpy.context.view_layer.objects.active = rig
+    bpy.ops.object.mode_set(mode='POSE')
+    for bone in rig.pose.bones:
+        (bone if hasattr(bone, "select") else bone.bone).select = bone.name == "Chest"
+    rig.data.bones.active = rig.data.bones["Chest"]
+    return rig
+
+
+def frame_the_figure():
+    space = window_support.area().spaces.active
+    space.region_3d.view_perspective = 'PERSP'
+    space.region_3d.view_rotation = Vector((0.5, 1.0, -0.25)).to_track_quat('-Z', 'Y')
+    space.region_3d.view_location = (0.35, 0.0, 0.95)
+    space.region_3d.view_distance = 3.2
+    space.shading.type = 'SOLID'
+
+
+def test_adding_by_the_button_and_the_panels():
+    rig = build()
+    frame_the_figure()
+    drawn = yield from window_support.open_tab("Motus")
+    assert "MOTUS_PT_layers" not in drawn, drawn
+    with window_support.override():
+        assert bpy.ops.motus.layer_add('INVOKE_DEFAULT', action="Throw", after='HOLD', feather=1) == {'FINISHED'}
+    yield
+    entry, = rig.motus.layers.entries
+    assert [item.name for item in entry.mask] == ["Chest"]
+    bpy.context.scene.frame_set(15)
+    drawn = yield from window_support.open_tab("Motus")
+    path = yield from window_support.picture("layers_sidebar")
+    assert "MOTUS_PT_layers" in drawn, drawn
+    _, _, values = window_support.pixels(path)
+    assert len({round(value, 2) for value in values[0::4]}) > 20
+    entry.action = None
+    yield
+    yield from window_support.picture("layers_without_action")
+    bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def test_armature_properties():
+    rig = build()
+    bpy.ops.motus.layer_add(object=rig.name, action="Throw", bones="Chest", mode='ADDITIVE')
+    window_support.area('VIEW_3D').type = 'PROPERTIES'
+    yield
+    editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
+    for area in editors:
+        area.spaces.active.context = 'DATA'
+    yield
+    yield from window_support.picture("layers_properties")
+    assert all(area.spaces.active.context == 'DATA' for area in editors)
+    max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
+    yield
+    bpy.ops.object.mode_set(mode='OBJECT')
