@@ -24,7 +24,7 @@ def build(context):
     land, figure, views = (staging.new_collection(scene, name) for name in ("Planet", "Walker", "Views"))
     scene.world = layered_planet.build_world()
     lighting.add_sun(land)
-    lighting.set_color_management(scene)
+    lighting.set_color_management(scene, layered_planet.VIEWS)
     ahead = 2.0 * layered_clips.STEP[0][1] / (layered_clips.STRIDE / 2)  # m a frame
     layered_planet.build(land, ahead / layered_planet.RADIUS)
     stage = shapes.link_object(figure, "Walker Stage", None)

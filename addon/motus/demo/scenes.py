@@ -82,7 +82,7 @@ SCENES = (
         name="layers", identifier="LAYERS", module="layered", label="Walk on a Small Planet",
         description="A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane and jumps by layers of "
                     "animation",
-        stills=(("Planet Camera", 2.62), ("Planet Camera", 6.15), ("Planet Camera", 0.5)),
+        stills=(("Planet Camera", 2.55), ("Planet Camera", 6.05), ("Planet Camera", 2.95)),
         film=(0.0, 9.0),
         ambience=0.5,
     ),

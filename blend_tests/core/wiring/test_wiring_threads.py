@@ -61,7 +61,7 @@ class SolversTest(support.SceneTestCase):
                     module.bpy = bpy
         support.addon("core.wiring.revival").revive()
         self.assertEqual({name.partition(".")[0] for name in calls},
-                         {"path", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo"})
+                         {"path", "layers", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo"})
         self.assertEqual(asked, set())
 
 
