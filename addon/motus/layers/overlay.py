@@ -1,13 +1,15 @@
-"""What the viewport shows of the active layer: the bones of its mask, the brighter the more of it they take."""
+"""What the viewport shows of the active layer: the bones of its mask in outline, the brighter the more of it they take."""
 
 from ..core import native, rigs
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
 from . import mask, panel
 
-FULL_COLOR = np.array((1.0, 0.62, 0.12, 0.95), np.float32)
-FAINT_COLOR = np.array((0.35, 0.45, 0.75, 0.35), np.float32)
-WIDTH = 4.0  # pixels
+FULL_COLOR = (1.0, 0.62, 0.12, 0.95)
+FAINT_COLOR = (0.35, 0.45, 0.85, 0.45)
+WIDTH = 2.0  # pixels
+GIRTH, AT = 0.115, 0.1
+"""Of a bone's length: half of the width of the outline, just around Blender's octahedron, and where it is widest."""
 
 
 def _batches_of(context, owner):
@@ -21,14 +23,27 @@ def _batches_of(context, owner):
     names = rigs.names_of(rig)
     chosen = mask.chosen(owner, entry, {name: row for row, name in enumerate(names)})
     weights = native.module.layer_mask(rigs.parents(rig, names), chosen, entry.feather)
-    rows = np.flatnonzero(weights)
-    if len(rows) == 0:
+    rows = [row for row in np.flatnonzero(weights) if not rig.data.bones[names[row]].hide]
+    if not rows:
         return []
-    shares = weights[rows].astype(np.float32)[:, None]
-    world = rig.matrix_world
-    points = [tuple(world @ end) for row in rows for end in (rig.pose.bones[row].head, rig.pose.bones[row].tail)]
-    colors = FAINT_COLOR + shares * (FULL_COLOR - FAINT_COLOR)
-    return [Batch('LINES', np.array(points, np.float32), np.repeat(colors, 2, axis=0), WIDTH)]
+    outline = _outline()
+    points = np.concatenate([_placed(outline, rig.matrix_world, rig.pose.bones[names[row]]) for row in rows])
+    faint, full = np.array(FAINT_COLOR, np.float32), np.array(FULL_COLOR, np.float32)
+    colors = faint + weights[rows].astype(np.float32)[:, None] * (full - faint)
+    return [Batch('LINES', points, np.repeat(colors, len(outline), axis=0), WIDTH)]
+
+
+def _outline():
+    """Edges of an octahedron along Y, one long: (24, 3), in pairs."""
+    head, tail = (0.0, 0.0, 0.0), (0.0, 1.0, 0.0)
+    ring = [(x, AT, z) for x, z in ((GIRTH, GIRTH), (-GIRTH, GIRTH), (-GIRTH, -GIRTH), (GIRTH, -GIRTH))]
+    edges = [edge for one, following in zip(ring, (*ring[1:], ring[0])) for edge in ((head, one), (one, following), (one, tail))]
+    return np.array([point for edge in edges for point in edge])
+
+
+def _placed(outline, world, bone):
+    matrix = np.array(world @ bone.matrix)
+    return (bone.bone.length * outline @ matrix[:3, :3].T + matrix[:3, 3]).astype(np.float32)
 
 
 overlay = Overlay(_batches_of)

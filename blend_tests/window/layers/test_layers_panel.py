@@ -67,3 +67,21 @@ def test_armature_properties():
     max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
     yield
     bpy.ops.object.mode_set(mode='OBJECT')
+
+
+def test_the_mask_is_drawn():
+    """The outlines of the mask are orange where all of the layer counts: counted in the picture, without the sidebar."""
+    window_support.area().spaces.active.show_region_ui = False
+    counts = []
+    for muted in (False, True):
+        rig = build()
+        bpy.ops.motus.layer_add(object=rig.name, action="Throw", bones="Chest", after='HOLD')
+        rig.motus.layers.entries[0].is_muted = muted
+        frame_the_figure()
+        yield
+        path = yield from window_support.picture(f"layers_mask_{len(counts)}")
+        _, _, values = window_support.pixels(path)
+        colors = zip(values[0::4], values[1::4], values[2::4])
+        counts.append(sum(1 for red, green, blue in colors if red > 0.7 and 0.3 < green < 0.75 and blue < 0.35))
+        bpy.ops.object.mode_set(mode='OBJECT')
+    assert counts[0] > counts[1] + 200, counts
