@@ -36,7 +36,7 @@ struct Sample {
 /// On which side of the values a smooth curve stays.
 enum class Side { either, below, above };
 
-/// Samples that a smooth curve looks ahead at most: each value takes as many steps of work, some 30 us.
+/// Samples that a smooth curve looks ahead at most: each value takes as many steps of work, some 15 us.
 inline constexpr std::size_t most_ahead = 10000;
 
 /// Values at equal times, smoothed by what is up to `ahead` samples before and behind, without lag. Where the
