@@ -11,6 +11,7 @@ from bpy.app.handlers import persistent
 
 from ..core import handlers, viewports, wiring
 from ..core.system import registered
+from . import flakes
 
 AT_ONCE = 48
 """Blocks of 256 flakes that an evaluation, or a call of the timer, looks at."""
@@ -103,6 +104,7 @@ def _go_on():
 def _forget(*_):
     # Blender has dropped the timer with the file that was open before.
     _searches.clear()
+    flakes.forget()
 
 
 def _watched():
@@ -110,7 +112,7 @@ def _watched():
 
 
 def register():
-    """Forget with each file what was looked for in the one before."""
+    """Forget with each file what was looked for in the one before, and its snows."""
     handlers.add(_watched())
 
 
@@ -118,5 +120,6 @@ def unregister():
     """Stop looking."""
     handlers.remove(_watched())
     _searches.clear()
+    flakes.forget()
     if bpy.app.timers.is_registered(_go_on):
         bpy.app.timers.unregister(_go_on)

@@ -1,7 +1,7 @@
 """Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
 
 from ...core.system import System
-from . import build, operators, panel, presets, properties, solve
+from . import build, operators, panel, presets, properties, solve, work
 
 SYSTEM = System(
     name="snow_cover",
@@ -18,6 +18,7 @@ SYSTEM = System(
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
     settle=build.settle,
+    extras=(work,),
     unbakeable=solve.UNBAKEABLE.sentence,
     object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),
 )
