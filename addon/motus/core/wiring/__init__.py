@@ -9,7 +9,7 @@ from .geometry_sink import place as points_place
 from .geometry_sink import set_material as set_points_material
 from .order import waited_for
 from .outbox import output, output_path, outputs_of
-from .problems import problem
+from .problems import problem, report_problems
 from .property_sink import check as check_property
 from .property_sink import driven as driven_properties
 from .property_sink import place as property_place
