@@ -77,7 +77,9 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
             settings.shape, settings.surface = 'SURFACE', surface
         if camera is not None:
             settings.shape, settings.camera = 'CAMERA', camera
-        settings.collider, settings.colliders = collider, collection
+        for name, value in (("collider", collider), ("colliders", collection)):
+            if value is not None:
+                setattr(settings, name, value)
         try:
             _check_count(settings)
         except Refused:
@@ -139,7 +141,7 @@ def _check_count(settings):
 def emitter_for(context, name):
     """The emitter of this name, or the active one; refuses what has no snow."""
     found = named(name) if name else context.object
-    if found is None or not found.motus.snow.is_active:
+    if found is None or not build.is_emitter(found):
         raise Refused(tr("Nothing here snows"))
     check_local(found)
     check_unbaked(found, found.motus.snow)
@@ -176,7 +178,7 @@ class MOTUS_OT_snow_remove(Operator, bpy.types.Operator):
         if name:
             return [emitter_for(context, name)]
         selected = context.selected_objects or [one for one in [context.object] if one]
-        found = [one for one in selected if one.motus.snow.is_active]
+        found = [one for one in selected if build.is_emitter(one)]
         if not found:
             raise Refused(tr("Nothing here snows"))
         return found

@@ -4,7 +4,8 @@ The only module that knows how results reach Blender. A system never looks insid
 detached here. See docs/wiring.md for the way of the data and docs/gotchas.md for why it is this way.
 """
 
-from .attaching import attach, detach, is_attached, refresh, set_muted, touch
+from ..system import is_owner as is_attached
+from .attaching import attach, detach, refresh, set_muted, touch
 from .geometry_sink import place as points_place
 from .geometry_sink import set_collection as set_points_collection
 from .geometry_sink import set_material as set_points_material

@@ -7,7 +7,7 @@ from ...core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword,
 from ...core.over_frames import Job
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
 from ...core.rows import Rows
-from ...core.system import Problem
+from ...core.system import Problem, is_owner
 from ...core.translations import tr
 from . import build, rows, sources, work
 from .properties import KEYWORDS, SnowCoverKeywords
@@ -128,7 +128,7 @@ def _let_land(emitters, surfaces, collection):
 def cover_for(context, name):
     """The cover of this name, or the active one; refuses what is none."""
     found = named(name) if name else context.object
-    if found is None or not found.is_property_set("motus") or not found.motus.snow_cover.is_active:
+    if found is None or not is_owner(build.system(), found):
         raise Refused(tr("This is no snow cover"))
     check_local(found)
     check_unbaked(found, found.motus.snow_cover)
@@ -160,7 +160,7 @@ class MOTUS_OT_snow_cover_remove(Operator, bpy.types.Operator):
         if name:
             return [cover_for(context, name)]
         selected = context.selected_objects or [one for one in [context.object] if one]
-        found = [one for one in selected if one.is_property_set("motus") and one.motus.snow_cover.is_active]
+        found = [one for one in selected if is_owner(build.system(), one)]
         if not found:
             raise Refused(tr("This is no snow cover"))
         return [cover_for(context, cover.name) for cover in found]
