@@ -10,7 +10,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from ..core import handlers, viewports, wiring
-from ..core.system import registered
+from ..core.system import is_owner, registered
 from . import flakes
 
 AT_ONCE = 48
@@ -86,7 +86,7 @@ def settle(_emitter):
 def _go_on():
     for name, search in list(_searches.items()):
         emitter = bpy.data.objects.get((name, None))
-        if emitter is None or not emitter.is_property_set("motus") or not emitter.motus.snow.is_active:
+        if emitter is None or not is_owner(registered["snow"], emitter):
             _searches.pop(name, None)
             continue
         if search.has_no_room:

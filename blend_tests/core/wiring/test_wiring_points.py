@@ -23,7 +23,7 @@ print("KINDS", sorted({{one.object.type for one in bpy.context.evaluated_depsgra
 """
 FRESH = """
 import support, toy_points_system as toy
-support.register_systems(toy.SPARKS, toy.TRAILS, toy.SHEET)
+support.register_systems(toy.SPARKS, toy.TRAILS)
 import bpy
 bpy.ops.wm.open_mainfile(filepath={path!r}, use_scripts=False)
 from core.wiring.test_wiring_points import assert_sparks
@@ -87,10 +87,12 @@ def assert_sparks(owner, frame):
 
 
 class PointsTestCase(support.SceneTestCase):
+    SYSTEMS = toy.SPARKS, toy.TRAILS, toy.LINES
+
     @classmethod
     def setUpClass(cls):
-        support.register_systems(toy.SPARKS, toy.TRAILS, toy.LINES, toy.SHEET)
-        cls.addClassCleanup(support.unregister_systems, toy.SPARKS, toy.TRAILS, toy.LINES, toy.SHEET)
+        support.register_systems(*cls.SYSTEMS)
+        cls.addClassCleanup(support.unregister_systems, *cls.SYSTEMS)
 
     def sparks(self, **values):
         owner = toy_system.new_object("Owner", (1.0, 2.0, 3.0), bpy.data.meshes.new("Owner"))

@@ -3,7 +3,7 @@
 import bpy
 
 from .. import actions, copies
-from ..system import drop_dead_copy, groups_of, of_owner, systems
+from ..system import drop_dead_copy, groups_of, is_owner, of_owner, systems
 from . import (
     attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, property_sink, proxy_sink, readers,
     rows, solver_driver, transform_sink)
@@ -21,8 +21,9 @@ def _attach(system, owner):
     _detach(system, owner)
     settings = of_owner(system, owner)
     settings.is_active = True
-    settings.is_released = False
-    settings.order_proxy = order.proxy_for(system, settings)
+    if settings.is_released:
+        settings.is_released = False
+    order.set_proxy(system, settings)
     copies.prepare(owner)
     copies.mark(*solver_driver.curves_for(system, owner))
     groups = groups_of(system, owner)
@@ -154,7 +155,7 @@ def _detach(system, owner):
     order.release(settings)
     settings.is_active = False
     settings.wired = ""
-    if not any(of_owner(one, owner).is_active for one in systems()):
+    if not any(is_owner(one, owner) for one in systems()):
         copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
@@ -162,13 +163,12 @@ def _detach(system, owner):
 
 def _is_wired(datablock):
     """Whether it is the owner of any system."""
-    return isinstance(datablock, bpy.types.Object) and datablock.is_property_set("motus") and any(
-        of_owner(one, datablock).is_active for one in systems())
+    return isinstance(datablock, bpy.types.Object) and any(is_owner(one, datablock) for one in systems())
 
 
 def refresh(system, owner):
     """Wire again after a change of what is driven or read: targets, members, channels. What is linked stays as it is."""
-    if owner.library or not is_attached(system, owner):
+    if owner.library or not is_owner(system, owner):
         return
     _refresh(system, owner)
     refresh_others(system, owner)
@@ -192,7 +192,7 @@ def refresh_others(system, owner):
     if system.entries is None:
         return
     for other in systems():
-        if other is not system and other.entries is not None and is_attached(other, owner):
+        if other is not system and other.entries is not None and is_owner(other, owner):
             refresh_changed(other, owner)
 
 
@@ -263,11 +263,6 @@ def set_muted(system, owner, muted):
         if hub and outbox.is_own_hub(hub, owner):
             property_sink.remove(system, [hub.data])
             property_sink.add(system, owner, group, hub, is_off=muted)
-
-
-def is_attached(system, owner):
-    """Whether the system is wired on this object as its owner (members of others' are not)."""
-    return of_owner(system, owner).is_active
 
 
 def touch(system, owner):

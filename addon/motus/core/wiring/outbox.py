@@ -28,7 +28,7 @@ import bpy
 
 from .. import stored
 from ..stored import Damaged, Newer
-from ..system import Variable, of_owner
+from ..system import Variable, has_settings, of_owner
 from . import drivers
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
@@ -380,8 +380,7 @@ def has_room(mesh, count):
 def owner_of(system, carrier):
     """The object whose settings a carrier's solver computes. Raises Damaged without one."""
     owner = carrier.get(OWNER_KEY) if isinstance(carrier, _Mesh) else carrier
-    # To ask an object for settings that it has not would give it some.
-    if not isinstance(owner, _Object) or not owner.is_property_set("motus") or not owner.motus.is_property_set(system.name):
+    if not isinstance(owner, _Object) or not has_settings(system, owner):
         raise Damaged("no owner")
     return owner
 

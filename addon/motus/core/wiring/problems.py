@@ -2,6 +2,7 @@
 
 from ..stored import Damaged, Newer
 from ..system import Problem, groups_of, of_owner
+from ..translations import tr
 from . import outbox, property_sink
 
 _DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
@@ -37,6 +38,15 @@ def problem(system, owner, depsgraph):
     if system.has_modifier or system.is_relative or not owner.matrix_basis.is_negative:
         return None
     return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
+
+
+def report_problems(operator, context, system, owners):
+    """Let an operator warn of what keeps the system from working on owners, as far as they are evaluated here."""
+    context.view_layer.update()
+    depsgraph = context.view_layer.depsgraph
+    found = {problem(system, owner, depsgraph) for owner in owners if owner.evaluated_get(depsgraph).is_evaluated}
+    for sentence in sorted(one.sentence for one in found if one):
+        operator.report({'WARNING'}, tr(sentence))
 
 
 def _problem_of(system, evaluated, key, row):

@@ -3,7 +3,7 @@
 import bpy
 
 from ..stored import Damaged
-from ..system import groups_of, of_owner
+from ..system import groups_of, leader_of, of_owner
 from . import drivers, marks, outbox, property_sink, proxy_sink
 
 
@@ -121,7 +121,8 @@ def release(system, *objects):
         drivers.remove_under(obj, f'["{outbox.out_key(system)}')
     remove([(thing, constraint) for thing, constraint, _, _ in found])
     for obj in objects:
-        of_owner(system, obj).leader = None
+        if leader_of(system, obj):
+            of_owner(system, obj).leader = None
     for mesh in {carrier for _, _, carrier, _ in found}:
         if isinstance(mesh, bpy.types.Mesh) and mesh.get(outbox.OWNER_KEY) is None and not _is_read(system, mesh):
             bpy.data.meshes.remove(mesh)
@@ -177,9 +178,7 @@ def led_by(system, owner):
     """Objects whose leader the owner is."""
     if _drives_itself_alone(system, owner):
         return []
-    # To ask an object for its settings gives it some.
-    return [other for other in bpy.data.objects
-            if other.is_property_set("motus") and of_owner(system, other).leader == owner]
+    return [other for other in bpy.data.objects if leader_of(system, other) == owner]
 
 
 def _drives_itself_alone(system, owner):

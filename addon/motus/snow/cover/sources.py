@@ -4,13 +4,13 @@ The settings may be an evaluated object's; what is found are originals.
 """
 
 from ...core import deleted, gathered
+from ...core.system import is_owner, registered
 from .. import colliders
 from ..solve import source
 
 
 def _has(obj, name):
-    # To ask an object for its settings gives it some.
-    return obj.is_property_set("motus") and getattr(obj.motus, name).is_active
+    return is_owner(registered[name], obj)
 
 
 def is_surface(obj):
