@@ -153,7 +153,9 @@ def forget():
 
 
 def number_of_action(action):
-    """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy."""
+    """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy. None of an original."""
+    if not action.is_evaluated:  # it would hand the number on to all its copies
+        return None
     number = action.get(KEY)
     if not _is_given(number):
         number = action[KEY] = _new_number()
