@@ -170,6 +170,15 @@ def of(evaluated):
     return _copies.add(evaluated, number, Copy(evaluated, number)) if number and found is None else found
 
 
+def stamp_of(evaluated):
+    """Something that changes whenever Blender copies an evaluated datablock anew; None where nobody can tell.
+
+    What is linked changes with its library alone, and then whatever points to it is copied anew.
+    """
+    copy = of(evaluated)
+    return copy.number if copy is not None else 0 if evaluated.library else None
+
+
 def number_of(evaluated):
     """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
     mark = _mark(evaluated)
