@@ -48,6 +48,10 @@ class Swing(NamedTuple):
     way: Callable
     count: int = 1
 
+    def has_rods(self, numbers):
+        """Whether it has rods of all of these numbers, one or more: where one is missing, none is turned."""
+        return 0 <= min(numbers) and max(numbers) < self.each * self.count
+
 
 def solve(context, pivot, influence):
     """Turns of the rods at the context's frame, on top of their own. Never raises for a user's error."""
@@ -76,7 +80,10 @@ def solve(context, pivot, influence):
     context.outputs[:] = (first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds)
     if len(context.member_data) == 0:
         return NO_RODS
-    turns = [_turn(rows, number, swing, influence) for number in context.member_data.tolist()]
+    numbers = [int(number) for number in context.member_data.tolist()]
+    if not swing.has_rods(numbers):
+        raise Damaged("no such rod")
+    turns = [_turn(rows, number, swing, influence) for number in numbers]
     if len(turns) == 1:  # NumPy takes longer for a list of lists
         context.rotations[0, 0], context.rotations[0, 2] = turns[0]
     else:
@@ -86,9 +93,7 @@ def solve(context, pivot, influence):
 
 def _turn(rows, number, swing, influence):
     """(w, y) of the quaternion that turns a rod, which hangs on the one above it."""
-    fan, rod = divmod(int(number), swing.each)
-    if not 0 <= fan < swing.count:
-        raise Damaged("no such rod")
+    fan, rod = divmod(number, swing.each)
     angle = rows[fan][rod] - (rows[fan][0] if rod else 0.0)
     # About the pivot's Y axis a positive turn swings to -X. Of the math module: NumPy's sine is not always the same.
     half = -0.5 * influence * angle

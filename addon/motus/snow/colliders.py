@@ -119,7 +119,7 @@ def seen_at(each, ready):
 
 def _members(settings):
     collection = pointed(settings, "colliders")
-    return [] if collection is None else list(gathered.meshes(collection.original, _is_snow))
+    return [] if collection is None else list(gathered.meshes(collection, _is_snow))
 
 
 def _is_snow(obj):
