@@ -79,9 +79,21 @@ def over_time(obj, scene, present, frame, longest, start_frame, fps):
     The Poses are None where they are not finite. present: the matrix of the object now. longest: as in moving().
     """
     moved = track(obj, scene)
-    if not moved.is_known or moved.extent is None:
-        return standing(present), moved.is_known
-    return moving(moved, frame, longest, start_frame, fps), True
+    is_standing = not moved.is_known or moved.extent is None
+    poses = standing(present) if is_standing else moving(moved, frame, longest, start_frame, fps)
+    if poses is not None and obj.type == 'CAMERA':
+        poses = poses._replace(matrices=_unscaled(poses.matrices))
+    return poses, moved.is_known
+
+
+def _unscaled(matrices):
+    """Matrices (k, 4, 4) with axes of length 1, as Blender has those of a camera, however it or its parents are scaled."""
+    axes = matrices[:, :3, :3]
+    # Summed by hand, so that the bits are the same wherever the matrices lie.
+    lengths = np.sqrt(axes[:, 0] * axes[:, 0] + axes[:, 1] * axes[:, 1] + axes[:, 2] * axes[:, 2])
+    found = matrices.copy()
+    found[:, :3, :3] = axes / np.where(lengths > 0.0, lengths, 1.0)[:, None]
+    return found
 
 
 def moving(moved, frame, longest, start_frame, fps):
