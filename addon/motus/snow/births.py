@@ -49,11 +49,12 @@ class Winds(NamedTuple):
 
 
 class Faces(NamedTuple):
-    """Triangles in the space of their object. stamp: of their content."""
+    """Triangles in the space of their object. stamp: of their content. area: m^2, in that space, at most."""
 
     stamp: Any
     positions: Any
     triangles: Any
+    area: float
 
     __eq__, __hash__ = Poses.__eq__, Poses.__hash__
 
@@ -148,13 +149,6 @@ def _sampled(moved, first, last, start_frame, fps):
     return seconds, [one.values(frames[places]) for one in moved]
 
 
-def placed(found, matrix):
-    """The Faces as they are in the world."""
-    rows = np.array(matrix, float)
-    positions = found.positions @ rows[:3, :3].T + rows[:3, 3]
-    return Faces((found.stamp, rows.tobytes()), np.ascontiguousarray(positions, np.float32), found.triangles)
-
-
 def faces(obj):
     """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh. Kept for as long as Blender keeps that
     copy of the mesh."""
@@ -189,4 +183,4 @@ def _read(mesh):
         return None
     stamp = hashlib.blake2b(positions, digest_size=16)
     stamp.update(triangles)
-    return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3))
+    return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3), float(areas.sum(dtype=float)))
