@@ -8,8 +8,8 @@ SYSTEM = System(
     label="Snow",
     settings=properties.MOTUS_PG_snow,
     classes=(
-        # The group before the one that holds it.
-        properties.MOTUS_PG_snow_stop, properties.MOTUS_PG_snow,
+        # The groups before the one that holds them.
+        properties.MOTUS_PG_snow_stop, properties.MOTUS_PG_snow_recorded, properties.MOTUS_PG_snow,
         *operators.classes, *presets.classes, *panel.classes, *gizmo.classes,
     ),
     inputs=solve.INPUTS,

@@ -251,8 +251,7 @@ class MOTUS_OT_snow_colliders_record(_OnEmitter, bpy.types.Operator):
 
     def run(self, context):
         emitter = self.found(context, self.object)
-        context.view_layer.update()
-        if not colliders.record(emitter, context.view_layer.depsgraph):
+        if not colliders.record(emitter, context.view_layer):
             raise Refused(tr("There is nothing with faces that flakes land on"))
         emitter.motus.snow.recorded_frame = context.scene.frame_current_final
 

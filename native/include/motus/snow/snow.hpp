@@ -98,7 +98,7 @@ struct Settings {
 
     double tumble = 0.0;  ///< rad/s: each flake turns about an axis of its own at up to this speed, >= 0
 
-    std::optional<double> ground;              ///< height that flakes land on from above
+    std::optional<double> ground;  ///< height that flakes land on from above, if no triangle is there
     std::shared_ptr<const Collider> collider;  ///< triangles that they land on from either side
     Collision collision = Collision::stay;
     double rest_time = std::numeric_limits<double>::infinity();  ///< how long a landed flake lives at most
