@@ -8,7 +8,7 @@ from .attaching import attach, detach, is_attached, refresh, set_muted, touch
 from .geometry_sink import place as points_place
 from .geometry_sink import set_material as set_points_material
 from .order import waited_for
-from .outbox import output, output_path, outputs_of
+from .outputs import output, output_path, outputs_of
 from .problems import problem
 from .property_sink import check as check_property
 from .property_sink import driven as driven_properties
