@@ -1,5 +1,6 @@
 """Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
 
+from ..core import handlers
 from ..core.system import System
 from . import cover, gizmo, landings, operators, overlay, panel, presets, properties, solve
 
@@ -19,7 +20,7 @@ SYSTEM = System(
     settle=landings.settle,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,
-    extras=(landings,),
+    extras=(handlers.Forgetting(landings.forget),),
     add_menu=("motus.snow_add",),
     object_menu=("motus.snow_remove",),
 )

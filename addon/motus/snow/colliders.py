@@ -42,8 +42,9 @@ def barrier(context):
 
 def parts(settings, scene, left_out=()):
     """(those that stand still, as a tuple of Placed, Problem or None) of evaluated settings. left_out: originals."""
-    if settings.recorded is not None:
-        kept = _recorded(settings.recorded, left_out)
+    recorded = pointed(settings, "recorded")
+    if recorded is not None:
+        kept = _recorded(recorded, left_out)
         return (() if kept is None else (kept,)), None
     found, fault = _found(settings)
     found = [one for one in found if one.objects[0].original not in left_out]

@@ -7,9 +7,8 @@ Blender evaluate again. Renders, and Blenders without a window, find all at once
 import time
 
 import bpy
-from bpy.app.handlers import persistent
 
-from ..core import handlers, viewports, wiring
+from ..core import viewports, wiring
 from ..core.system import is_owner, registered
 from . import flakes
 
@@ -100,26 +99,9 @@ def _go_on():
     return None if all(search.has_no_room for search in _searches.values()) else PAUSE
 
 
-@persistent
-def _forget(*_):
-    # Blender has dropped the timer with the file that was open before.
+def forget():
+    """Let go of all snows, and of what is looked for."""
     _searches.clear()
     flakes.forget()
-
-
-def _watched():
-    return ((bpy.app.handlers.load_post, _forget),)
-
-
-def register():
-    """Forget with each file what was looked for in the one before, and its snows."""
-    handlers.add(_watched())
-
-
-def unregister():
-    """Stop looking."""
-    handlers.remove(_watched())
-    _searches.clear()
-    flakes.forget()
-    if bpy.app.timers.is_registered(_go_on):
+    if bpy.app.timers.is_registered(_go_on):  # not after another file was opened, which ends it
         bpy.app.timers.unregister(_go_on)

@@ -104,7 +104,7 @@ class MotionTable {
     static constexpr int highest_level = 12;
 
     static constexpr std::size_t node_bytes = sizeof(State) + 1;
-    static constexpr std::size_t spare = 8;  ///< a table has room for an 8th more than it holds,
+    static constexpr std::size_t spare = 8;        ///< a table has room for an 8th more than it holds,
     static constexpr std::size_t least_room = 64;  ///< and for so many
 
     [[nodiscard]] Place place_of(double time) const {

@@ -172,7 +172,8 @@ TEST_CASE("many double pendulums on a moved pivot are the same as one by one", "
 
 TEST_CASE("what is kept of many double pendulums finds room", "[double_pendulum]") {
     std::vector<DoublePendulumState> fan(500);
-    for (std::size_t i = 0; i < fan.size(); ++i) fan[i] = {2.0, 2.0 + 0.01 * static_cast<double>(i), 0.0, 0.0};
+    for (std::size_t i = 0; i < fan.size(); ++i)
+        fan[i] = {2.0, 2.0 + 0.01 * static_cast<double>(i), 0.0, 0.0};
     std::vector<DoublePendulumState> out(fan.size());
     // Each of them may be asked for at that time, but their tables would push each other out at every frame.
     CHECK_THROWS_WITH(double_pendulums({}, fan, 1500.0, out), Catch::Matchers::StartsWith("time "));

@@ -11,7 +11,7 @@ from .geometry_sink import set_collection as set_points_collection
 from .geometry_sink import set_material as set_points_material
 from .geometry_sink import set_object as set_points_object
 from .order import waited_for
-from .outbox import output, output_path, outputs_of
+from .outputs import output, output_path, outputs_of
 from .problems import problem, report_problems
 from .property_sink import check as check_property
 from .property_sink import driven as driven_properties

@@ -8,7 +8,7 @@ it is. In Edit Mode, where the points of a mesh come and go before the solver he
 import bpy
 
 from .. import capabilities, node_groups
-from . import made_points, moved_points, outbox
+from . import hub_lookup, made_points, moved_points
 
 KEY = "motus_system"
 """Custom property of the node group: name of the system whose sinks have it."""
@@ -61,7 +61,7 @@ def remove(system, owner):
 
 def is_stale(system, owner):
     """Whether the hub waits for another mesh than the owner has now."""
-    hub = outbox.hub_of(system, owner)
+    hub = hub_lookup.hub_of(system, owner)
     if hub is None or not hub.data.animation_data or owner.type != 'MESH':
         return False
     targets = [target for curve in hub.data.animation_data.drivers for variable in curve.driver.variables

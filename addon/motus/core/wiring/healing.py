@@ -21,7 +21,7 @@ from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native
 from ..system import has_settings, is_owner, leader_of, of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, order, outbox, overrides, property_sink, proxy_sink, relations, rows
+from . import attaching, carriers, geometry_sink, hub_lookup, order, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -280,7 +280,7 @@ def _heal_joined(grown):
 def _discard(rig):
     """Remove a rig that was joined into another one, but is kept alive by its hubs and proxies, and they by it."""
     for system in systems():
-        for hub in [hub for _, hub in outbox.hubs(system, rig) if outbox.is_own_hub(hub, rig)]:
+        for hub in [hub for _, hub in hub_lookup.hubs(system, rig) if hub_lookup.is_own_hub(hub, rig)]:
             bpy.data.meshes.remove(hub.data)
         proxy_sink.release(of_owner(system, rig))
     bpy.data.objects.remove(rig)
@@ -293,7 +293,7 @@ def _key(datablock):
 
 def _armatures(system, owner):
     """The data of the owner and of all objects that it reads."""
-    read = [pair[0] for key, _ in outbox.carriers(system, owner) for pair in waits(system, owner, key)]
+    read = [pair[0] for key, _ in hub_lookup.carriers(system, owner) for pair in waits(system, owner, key)]
     return {owner.data, *(obj.data for obj in read if obj)}
 
 

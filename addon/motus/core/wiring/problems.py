@@ -3,7 +3,7 @@
 from ..stored import Damaged, Newer
 from ..system import Problem, groups_of, of_owner
 from ..translations import tr
-from . import outbox, property_sink
+from . import hub_lookup, outbox, property_sink
 
 _DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
 _NEWER_PROBLEM = Problem(
@@ -22,11 +22,11 @@ _OWN_PROBLEMS = {
 
 def problem(system, owner, depsgraph):
     """The Problem that the solvers of the owner reported, a blocking one first; or None."""
-    carried = outbox.carriers(system, owner)
+    carried = hub_lookup.carriers(system, owner)
     if not carried:
         is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
         return _DAMAGED_PROBLEM if is_bereft else None
-    row = outbox.row_of(system, owner)
+    row = hub_lookup.row_of(system, owner)
     problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key, row) for key, carrier in carried)
     found = sorted(filter(None, problems), key=lambda one: not one.blocking)
     if found:

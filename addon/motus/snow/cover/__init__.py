@@ -1,5 +1,6 @@
 """Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
 
+from ...core import handlers
 from ...core.system import System
 from . import build, operators, panel, presets, properties, solve, work
 
@@ -18,7 +19,7 @@ SYSTEM = System(
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
     settle=build.settle,
-    extras=(work,),
+    extras=(handlers.Forgetting(work.forget),),
     unbakeable=solve.UNBAKEABLE.sentence,
     object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),
 )

@@ -8,9 +8,8 @@ from collections import OrderedDict
 from typing import Any, NamedTuple
 
 import bpy
-from bpy.app.handlers import persistent
 
-from ...core import handlers, native
+from ...core import native
 from ...core.system import Problem
 from .. import flakes
 from . import ground
@@ -179,25 +178,9 @@ def _landed(snow, fall):
         yield part + 1
 
 
-@persistent
-def _forget(*_):
-    """Another file is opened: its covers may have the same names, and what lay in the one before is needed no more."""
+def forget():
+    """Let go of all that was worked out or asked for: covers of another file may have the same names."""
     with _lock:
         _done.clear()
     _asked.clear()
     ground.made.cache_clear()
-
-
-def _watched():
-    return ((bpy.app.handlers.load_post, _forget),)
-
-
-def register():
-    """Forget with each file what was worked out for the one before."""
-    handlers.add(_watched())
-
-
-def unregister():
-    """Forget all."""
-    handlers.remove(_watched())
-    _forget()
