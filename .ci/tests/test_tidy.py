@@ -78,11 +78,12 @@ class Tidy(unittest.TestCase):
         self.assertEqual(set(found.values()), {""})
 
     def test_a_function_that_another_source_calls_is_analysed_by_itself(self):
-        called = self.source("called", "int read(const int* from) {\n    if (from == nullptr) { return *from; }\n    return 0;\n}\n")
-        caller = self.source("caller", "int read(const int* from);\nint one() {\n    const int number = 1;\n    return read(&number);\n}\n")
-        found = self.outcomes([called, *self.clean(2), caller])
-        self.assertIn("NullDereference", found["called"])
-        self.assertFalse(tidy_groups.Group([called, caller], self.folder).check()[0])
+        (self.topic / "read.hpp").write_text("#pragma once\nint read(const int* from);\n", encoding="utf-8")
+        called = self.source("called", '#include "read.hpp"\nint read(const int* from) { if (from == nullptr) { return *from; } return 0; }\n')
+        caller = self.source("caller", '#include "read.hpp"\nint one() { const int number = 1; return read(&number); }\n')
+        is_clean, output = tidy_groups.Group([called, caller], self.folder).check()
+        self.assertFalse(is_clean)
+        self.assertIn("NullDereference", output)
 
     def test_sources_with_helpers_of_one_name_are_in_different_groups(self):
         helper = "namespace {{\nint helper() {{ return {0}; }}\n}}\nint use_{0}() {{ return helper(); }}\n"
