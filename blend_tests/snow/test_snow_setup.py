@@ -153,6 +153,20 @@ class Setup(SnowTestCase):
         features = support.addon("core.system").registered.values()
         self.assertEqual([one.name for one in features if one.settings and emitter.motus.is_property_set(one.name)], ["snow"])
 
+    def test_an_override_keeps_a_look_of_its_own(self):
+        self.add(**MANY)
+        emitter = self.load(self.save(), True, "Snow").override_create(remap_local_usages=True)
+        for look, shown in (('SPECK', "Motus Speck"), ('POINTS', None), ('PETAL', "Motus Petal")):
+            emitter.motus.snow.look = look
+            bpy.ops.wm.open_mainfile(filepath=self.save(f"{look}.blend"))
+            emitter = next(one for one in bpy.data.objects if one.override_library and one.modifiers)
+            go_to(40)
+            found = instances(emitter)
+            self.assertEqual(len(found), 300 if shown else 0)
+            depsgraph = bpy.context.evaluated_depsgraph_get()
+            self.assertEqual({one.object.name for one in depsgraph.object_instances if one.is_instance and shown},
+                             {shown} if shown else set())
+
     def test_what_an_older_version_has_made(self):
         """Flakes were put on the points by a modifier of their own."""
         emitter, shape = self.add(**MANY), self.mesh("Ball", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])

@@ -1,7 +1,7 @@
 """Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
 
 from ...core.system import System
-from . import build, operators, panel, presets, properties, solve
+from . import build, look, operators, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow_cover",
@@ -17,6 +17,7 @@ SYSTEM = System(
     solve=solve.solve,
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
+    dress=look.dress,
     settle=build.settle,
     unbakeable=solve.UNBAKEABLE.sentence,
     object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),
