@@ -26,7 +26,7 @@ FAR = 5000
 KEYWORDS = {"snow": True, "random_size": True, "tumble": 2.0, "drag": 0.5, "wind": (1.0, 0.0, -1.0),
             "gusts": 0.3}
 FIELD = 40.0
-RESOLUTIONS = 0.5, 0.15, 0.05
+RESOLUTIONS = 0.5, 0.15
 """m: of a square field, and of the layers that lie on it."""
 LANDING = {"rate": 500.0, "lifetime": 3.0, "start_speed": 3.0, "cone_radius": 0.5 * FIELD, "location": (0.0, 0.0, 3.0)}
 

@@ -21,7 +21,16 @@ def has_inputs(group, names):
 
 def set_input(modifier, name, value):
     """Give the modifier's group a value for one of its inputs."""
-    _assign(modifier, next(socket.identifier for socket in _inputs(modifier.node_group) if socket.name == name), value)
+    _assign(modifier, _identifier(modifier, name), value)
+
+
+def input_of(modifier, name):
+    """What the modifier's group is given for one of its inputs."""
+    return _values(modifier)[_identifier(modifier, name)]
+
+
+def _identifier(modifier, name):
+    return next(socket.identifier for socket in _inputs(modifier.node_group) if socket.name == name)
 
 
 def _assign(modifier, identifier, value):

@@ -304,7 +304,8 @@ class System(Feature):
     """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
 
     moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. makes_points: the solver
-    makes these, by a modifier too. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
+    makes these, by a modifier too. dress: called with the owner where Blender has lost what the modifier was given by
+    wiring.set_points_material() and the like. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
     evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner. over_time: called with the owner,
     a driven object and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
     a rig, and the old and the new name of a bone of it that the owner drives or reads. shared: names of the settings that
@@ -329,6 +330,7 @@ class System(Feature):
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
     makes_points: Optional[Points] = None
+    dress: Optional[Callable] = None
     settle: Optional[Callable] = None
     over_time: Optional[Callable] = None
     unbakeable: str = ""

@@ -133,6 +133,11 @@ def add(collection, pivot, keywords):
     for name, value in keywords.items():
         setattr(found, name, value)
     wiring.attach(system(), obj)
+    dress(obj)
+
+
+def dress(obj):
+    """Give a trail its material."""
     wiring.set_points_material(system(), obj, _material())
 
 

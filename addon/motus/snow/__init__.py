@@ -2,7 +2,7 @@
 
 from ..core import handlers
 from ..core.system import System
-from . import cover, gizmo, landings, operators, overlay, panel, presets, properties, solve
+from . import cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow",
@@ -17,6 +17,7 @@ SYSTEM = System(
     solve=solve.solve,
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
+    dress=look.dress,
     settle=landings.settle,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,

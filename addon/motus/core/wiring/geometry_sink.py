@@ -69,6 +69,13 @@ def is_stale(system, owner):
     return any(target.id != owner.data for target in targets)
 
 
+def is_cut_off(system, owner):
+    """Whether the modifier brings in what another hub holds: an override that has another node group loses what it was given (5.2)."""
+    found = modifier(system, owner)
+    return found is not None and _form_of(system, found.node_group) is not None and (
+        node_groups.input_of(found, HUB) != outbox.hub_of(system, owner))
+
+
 def room(system, carrier, inputs, context):
     """What the solver fills, in the context too. Its write(weight) lets the evaluated hub hold that."""
     return _kind(system).Room(system, carrier, inputs, context)

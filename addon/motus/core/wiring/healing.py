@@ -232,8 +232,10 @@ def _heal_overrides():
         return
     _release_overrides()
     for system, owner in _attached():
-        if overrides.is_lost(system, owner):
+        if overrides.is_lost(system, owner) or geometry_sink.is_cut_off(system, owner):
             attaching.refresh(system, owner)
+            if system.dress is not None:
+                system.dress(owner)
 
 
 def _release_overrides():

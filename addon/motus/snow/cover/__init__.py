@@ -2,7 +2,7 @@
 
 from ...core import handlers
 from ...core.system import System
-from . import build, operators, panel, presets, properties, solve, work
+from . import build, look, operators, panel, presets, properties, solve, work
 
 SYSTEM = System(
     name="snow_cover",
@@ -18,6 +18,7 @@ SYSTEM = System(
     solve=solve.solve,
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
+    dress=look.dress,
     settle=build.settle,
     extras=(handlers.Forgetting(work.forget),),
     unbakeable=solve.UNBAKEABLE.sentence,
