@@ -163,16 +163,6 @@ def _size(struct, name, value):
     return prop.array_length if prop.is_array else 0
 
 
-def datablocks(id_type):
-    """The datablocks of a type that driver targets name, such as OBJECT; None where there is no such type."""
-    return next((getattr(bpy.data, prop.identifier) for name, _, prop in _types() if name == id_type), None)
-
-
-def type_of(datablock):
-    """The type of a datablock, as driver targets name it."""
-    return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
-
-
 @dataclass(frozen=True)
 class Found:
     """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array.

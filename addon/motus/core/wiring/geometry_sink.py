@@ -73,7 +73,7 @@ def is_cut_off(system, owner):
     """Whether the modifier brings in what another hub holds: an override that has another node group loses what it was given (5.2)."""
     found = modifier(system, owner)
     return found is not None and _form_of(system, found.node_group) is not None and (
-        node_groups.input_of(found, HUB) != outbox.hub_of(system, owner))
+        node_groups.input_of(found, HUB) != hub_lookup.hub_of(system, owner))
 
 
 def room(system, carrier, inputs, context):
@@ -109,7 +109,7 @@ def _set_form(system, owner, form, value):
     if _form_of(system, group) != form:
         node_groups.let_go(found)
         found.node_group = _node_group(system, form)
-        node_groups.set_input(found, HUB, outbox.hub_of(system, owner))
+        node_groups.set_input(found, HUB, hub_lookup.hub_of(system, owner))
         _drop_unused(group)
     node_groups.set_input(found, form, value)
 
