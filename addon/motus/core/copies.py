@@ -165,21 +165,20 @@ def of(evaluated):
     try:  # without a look at what lies there, of which none but a given number is known
         return _copies.known[mark[0]]
     except (KeyError, TypeError, IndexError):
-        number = number_of(evaluated)
+        number = _number_of(evaluated)
     found = _copies.known.get(number)
     return _copies.add(evaluated, number, Copy(evaluated, number)) if number and found is None else found
 
 
-def stamp_of(evaluated):
-    """Something that changes whenever Blender copies an evaluated datablock anew; None where nobody can tell.
+def stamp_of_data(evaluated):
+    """A number that changes whenever Blender copies an evaluated object's data anew; None where nobody can tell."""
+    copy = of(evaluated.data)
+    if copy is None and evaluated.data.library:  # which changes with its library alone: then the object is copied anew too
+        copy = of(evaluated)
+    return copy and copy.number
 
-    What is linked changes with its library alone, and then whatever points to it is copied anew.
-    """
-    copy = of(evaluated)
-    return copy.number if copy is not None else 0 if evaluated.library else None
 
-
-def number_of(evaluated):
+def _number_of(evaluated):
     """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
     mark = _mark(evaluated)
     if mark is None or not evaluated.is_evaluated:  # an original handed its number on to all its copies

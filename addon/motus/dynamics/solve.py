@@ -128,7 +128,7 @@ def _stamp(owner, copy, scene, asked):
     render = scene.render
     found = (copy.number, strips.stamp_of(owner.animation_data), render.fps, render.fps_base, scene.frame_start)
     if owner.type == 'ARMATURE':
-        found += (copies.stamp_of(owner.data),)
+        found += (copies.stamp_of_data(owner),)
     found += tuple(_stamp_of_carrier(owner, name, scene) for name in asked.carriers)
     found += tuple(strips.stamp_of(_animation_of(owner, path)) for path in asked.paths)
     return strips.together(found)

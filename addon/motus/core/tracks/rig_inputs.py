@@ -124,7 +124,7 @@ def once(rig, name, times, make):
 def stamp_of(rig):
     """As Channel.stamp, of all that a rig and its bones themselves are, but for drivers: settings, keys and rest pose."""
     copy = copies.of(rig)
-    return copy and together((copy.number, strips.stamp_of(rig.animation_data), copies.stamp_of(rig.data)))
+    return copy and together((copy.number, strips.stamp_of(rig.animation_data), copies.stamp_of_data(rig)))
 
 
 def kept(rig, name, make):
