@@ -229,6 +229,23 @@ class Cover(CoverTestCase):
         bpy.context.view_layer.update()
         self.assertEqual(state(cover), before)
 
+    def test_another_file_begins_with_nothing(self):
+        self.square()
+        self.add(**FALLING)
+        self.cover()
+        go_to(100)
+        work = support.addon("snow.cover.work")
+        self.assertTrue(work._done)
+        plan = next(iter(work._done))[1]
+        for leave in (support.empty_scene, lambda: self.addCleanup(support.enable) or support.disable()):
+            work.do("Snow Cover", plan)
+            work.ask("Snow Cover", plan)
+            leave()
+            self.assertIsNone(work.asked("Snow Cover"))
+            self.assertFalse(work._done)
+            for kept in (support.addon("snow.cover.ground").made, support.addon("snow.flakes").made):
+                self.assertEqual(kept.cache_info().currsize, 0)
+
     def test_it_stays_in_the_world(self):
         self.square()
         self.add(**FALLING)

@@ -185,15 +185,24 @@ def plan(rig, key, make):
 
 def source(rig, key, make, read):
     """What `read(rig, plan)` makes of an evaluated rig and of plan(rig, key, make): kept for as long as Blender keeps these copies
-    of the rig and of its armature."""
-    copy, armature = copies.of(rig), rig.data and copies.of(rig.data)
+    of the rig and of its armature; where the armature's cannot be told apart, for as long as its bones stay what they are."""
+    copy, armature = copies.of(rig), rig.data and copies.stamp_of(rig.data)
     place = "source", key
     found = None if copy is None else copy.found.get(place)
-    if found is None or armature is None or found[0] is not armature:
-        found = armature, read(rig, plan(rig, key, make))
+    if found is None or found.armature != armature or armature is None and not is_still(rig, found.still):
+        planned = plan(rig, key, make)
+        found = _Source(armature, planned.still, read(rig, planned))
         if copy is not None:
             copy.found[place] = found
-    return found[1]
+    return found.made
+
+
+class _Source(NamedTuple):
+    """What source() keeps. armature: its stamp. still: of the plan."""
+
+    armature: Any
+    still: Any
+    made: Any
 
 
 class Standing:

@@ -1,7 +1,8 @@
 """Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
 
+from ..core import handlers
 from ..core.system import System
-from . import cover, gizmo, landings, operators, overlay, panel, presets, properties, solve
+from . import cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow",
@@ -16,10 +17,11 @@ SYSTEM = System(
     solve=solve.solve,
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
+    dress=look.dress,
     settle=landings.settle,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,
-    extras=(landings,),
+    extras=(handlers.Forgetting(landings.forget),),
     add_menu=("motus.snow_add",),
     object_menu=("motus.snow_remove",),
 )

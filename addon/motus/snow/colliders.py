@@ -9,7 +9,7 @@ from mathutils import Matrix
 
 from ..core import datablocks, deleted, gathered, wiring
 from ..core.lazy import numpy as np
-from ..core.system import Problem
+from ..core.system import Problem, is_owner, pointed, registered
 from . import flakes, stillness
 from .placing import joined, placed
 
@@ -23,15 +23,15 @@ NAME = "Motus Colliders"
 
 def are_any(settings):
     """Whether there is anything to land on, but for the ground."""
-    return settings.collider is not None or settings.colliders is not None or settings.recorded is not None
+    return any(pointed(settings, name) is not None for name in ("collider", "colliders", "recorded"))
 
 
 def objects(settings):
     """What has to be evaluated before flakes can land: the meshes, and empties by which those of collections are seen."""
-    if settings.recorded is not None:
-        return [settings.recorded]
-    found = [settings.collider] if settings.collider is not None else []
-    return found + [one for each in _members(settings) for one in (each.object, *each.instancers)]
+    recorded, collider = pointed(settings, "recorded"), pointed(settings, "collider")
+    if recorded is not None:
+        return [recorded]
+    return ([] if collider is None else [collider]) + [one for each in _members(settings) for one in (each.object, *each.instancers)]
 
 
 def barrier(context):
@@ -42,8 +42,9 @@ def barrier(context):
 
 def parts(settings, scene, left_out=()):
     """(those that stand still, as a tuple of Placed, Problem or None) of evaluated settings. left_out: originals."""
-    if settings.recorded is not None:
-        kept = _recorded(settings.recorded, left_out)
+    recorded = pointed(settings, "recorded")
+    if recorded is not None:
+        kept = _recorded(recorded, left_out)
         return (() if kept is None else (kept,)), None
     found, fault = _found(settings)
     found = [one for one in found if one.objects[0].original not in left_out]
@@ -90,9 +91,10 @@ def _mesh(positions, triangles):
 def forget(emitter):
     """Let flakes land on the colliders themselves again. What was recorded goes with the last emitter that has it."""
     settings = emitter.motus.snow
-    if settings.recorded is not None:
-        before, settings.recorded = settings.recorded, None
-        _drop(before)
+    kept = pointed(settings, "recorded")
+    if kept is not None:
+        settings.recorded = None
+        _drop(kept)
 
 
 def _drop(kept):
@@ -145,10 +147,10 @@ def seen_at(each, ready):
 
 
 def _members(settings):
-    collection = settings.colliders
-    return [] if collection is None else list(gathered.meshes(collection.original, _is_snow))
+    collection = pointed(settings, "colliders")
+    return [] if collection is None else list(gathered.meshes(collection, _is_snow))
 
 
 def _is_snow(obj):
     """Whether it is an emitter or a cover, whose geometry waits for that of the colliders."""
-    return obj.is_property_set("motus") and (obj.motus.snow.is_active or obj.motus.snow_cover.is_active)
+    return any(is_owner(registered[name], obj) for name in ("snow", "snow_cover"))

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..core import deleted, tracks
 from ..core.lazy import numpy as np
-from ..core.system import Problem, Variable
+from ..core.system import Problem, Variable, pointed
 
 NO_CAMERA = Problem("Choose a camera in whose view flakes come into being")
 CAMERA_DELETED = Problem("The camera is in no collection any more: choose another one")
@@ -30,7 +30,7 @@ class Lens:
     of: str
 
     def variable(self, _owner, settings):
-        camera = getattr(settings, self.of)
+        camera = pointed(settings, self.of)
         return Variable('CAMERA', camera.data, "lens") if camera is not None and camera.type == 'CAMERA' else None
 
     @staticmethod

@@ -29,9 +29,7 @@ def drop(cover):
 
 
 def _set(cover, material):
-    system = registered["snow_cover"]
-    if wiring.points_place(system, cover) is not None:  # somebody may have removed the modifier
-        wiring.set_points_material(system, cover, material)
+    wiring.set_points_material(registered["snow_cover"], cover, material)
 
 
 def _own():

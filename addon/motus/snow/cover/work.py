@@ -176,3 +176,11 @@ def _landed(snow, fall):
     for part in range(PARTS if _seconds(fall) > LONG else 0):
         snow.landings(start + (fall.end - start) * (part + 1) / PARTS)
         yield part + 1
+
+
+def forget():
+    """Let go of all that was worked out or asked for: covers of another file may have the same names."""
+    with _lock:
+        _done.clear()
+    _asked.clear()
+    ground.made.cache_clear()
