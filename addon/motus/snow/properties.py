@@ -183,7 +183,7 @@ class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
     object: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Object", description="Collider that was recorded", override=OVERRIDABLE)
     count: bpy.props.IntProperty(
-        name="Faces", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE)
+        name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE)
 
 
 class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
