@@ -172,7 +172,7 @@ void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t f
 }
 
 void Puller::gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
-                    Gathered& block) const {
+                    Gathered& block) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         block.positions[i] = shapes.positions[vertices[i]];
         if (!shapes.is_one()) block.measured[i] = shapes.measured[vertices[i]];

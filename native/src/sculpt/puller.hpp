@@ -52,8 +52,8 @@ class Puller {
     [[nodiscard]] const glm::mat3* metric() const noexcept { return is_plain_ ? nullptr : &metric_; }
     [[nodiscard]] bool measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
                                float* distances) const;
-    void gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
-                Gathered& block) const;
+    static void gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
+                       Gathered& block);
     void check(const glm::vec3* positions, const glm::vec3* measured, const float* weights,
                std::size_t count) const;
 
