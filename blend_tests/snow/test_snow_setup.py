@@ -153,6 +153,15 @@ class Setup(SnowTestCase):
         features = support.addon("core.system").registered.values()
         self.assertEqual([one.name for one in features if one.settings and emitter.motus.is_property_set(one.name)], ["snow"])
 
+    def test_a_changed_material_survives_another_look(self):
+        before, emitter = counts(), self.add(**MANY)
+        bpy.data.materials["Motus Flake"].diffuse_color = 1.0, 0.0, 0.0, 1.0
+        for look in ('SPARK', 'POINTS', 'FLAKE'):
+            emitter.motus.snow.look = look
+        self.assertEqual(tuple(bpy.data.materials["Motus Flake"].diffuse_color), (1.0, 0.0, 0.0, 1.0))
+        self.assertEqual(bpy.ops.motus.snow_remove(object=emitter.name), {'FINISHED'})
+        self.assertEqual(counts(), before)
+
     def test_an_override_keeps_a_look_of_its_own(self):
         self.add(**MANY)
         emitter = self.load(self.save(), True, "Snow").override_create(remap_local_usages=True)

@@ -24,7 +24,10 @@ PETAL = (-0.9, 0.12, 0.22), (-0.3, 0.55, 0.02), (0.35, 0.75, 0.0), (0.85, 0.45, 
 
 
 def dress(owner):
-    """Let the flakes of an emitter look as its settings say."""
+    """Let the flakes of an emitter look as its settings say.
+
+    What the look before was made of stays until the snow is removed or the file is closed: somebody may have changed the material.
+    """
     settings, system = owner.motus.snow, registered["snow"]
     _drop_older(owner)
     if settings.look == 'POINTS':
@@ -33,7 +36,6 @@ def dress(owner):
         wiring.set_points_collection(system, owner, settings.flakes)
     else:
         wiring.set_points_object(system, owner, settings.flake if settings.look == 'OBJECT' else _shape(settings.look))
-    _drop_unused()
 
 
 def drop(owner):
