@@ -126,18 +126,19 @@ def _stamp(owner, copy, scene, asked):
     if copy is None:
         return None
     render = scene.render
-    found = (copy.number, strips.stamp_of(owner.animation_data), render.fps, render.fps_base, scene.frame_start)
+    found = [copy.number, strips.stamp_of(owner.animation_data), render.fps, render.fps_base, scene.frame_start]
     if owner.type == 'ARMATURE':
-        found += (copies.stamp_of_data(owner),)
-    found += tuple(_stamp_of_carrier(owner, name, scene) for name in asked.carriers)
-    found += tuple(strips.stamp_of(_animation_of(owner, path)) for path in asked.paths)
+        found.append(copies.stamp_of_data(owner))
+    found += [_stamp_of_carrier(owner, name, scene) for name in asked.carriers]
+    found += [strips.stamp_of(_animation_of(owner, path)) for path in asked.paths]
     return strips.together(found)
 
 
 def _stamp_of_carrier(owner, name, scene):
     """The same of what carries an owner."""
     if name is inputs.PARENT:
-        return strips.together((transforms.of_parent(owner) is None, _stamp_of_known(inputs.carrier(owner, scene))))
+        reason = transforms.of_parent(owner)
+        return reason.kind if reason else _stamp_of_known(inputs.carrier(owner, scene))
     thing = owner.pose.bones[name] if name else owner
     return _stamp_of_known(world_track(thing, scene, registered["dynamics"]))
 
