@@ -13,8 +13,11 @@ import os
 import re
 import subprocess
 import sys
+import tempfile
 import time
 from pathlib import Path
+
+import tidy_groups
 
 FOLDERS = ("native/src", "native/bindings")
 CLONE = Path(__file__).resolve().parents[1]
@@ -53,13 +56,6 @@ def state(entry, sources, tool):
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()
 
 
-def check(entry, database):
-    """(whether clang-tidy finds nothing, its output)."""
-    done = subprocess.run(["clang-tidy", "-quiet", "-p", str(database.parent), entry["file"]], check=False, text=True,
-                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    return done.returncode == 0, done.stdout
-
-
 def forget_unused(cache):
     for stamp in cache.iterdir():
         if time.time() - stamp.stat().st_mtime > UNUSED:
@@ -72,27 +68,26 @@ def main(build_folder, cache_folder):
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     entries = [entry for entry in entries if "motus_native_cp" not in entry["command"] and
                any(Path(entry["file"]).is_relative_to(CLONE / folder) for folder in FOLDERS)]
-    database = Path(build_folder, "tidy", "compile_commands.json")
-    database.parent.mkdir(exist_ok=True)
-    database.write_text(json.dumps(entries), encoding="utf-8")
-
-    tool, sources = output_of("clang-tidy", "--version"), included(build)
+    tool, compiled_from = output_of("clang-tidy", "--version"), included(build)
+    stamps = {}
+    for entry in entries:
+        sources = compiled_from.get(re.search(r" -o (\S+)", entry["command"])[1])
+        stamps[entry["file"]] = cache / state(entry, sources, tool) if sources else None
     waiting, failed = [], 0
     for entry in entries:
-        compiled_from = sources.get(re.search(r" -o (\S+)", entry["command"])[1])
-        stamp = cache / state(entry, compiled_from, tool) if compiled_from else None
+        stamp = stamps[entry["file"]]
         if stamp and stamp.exists():
             stamp.touch()
         else:
-            waiting.append((entry, stamp))
+            waiting.append(tidy_groups.Source(entry))
     # The bindings take longest by far.
-    waiting.sort(key=lambda one: "bindings" not in one[0]["file"])
-    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-        for (entry, stamp), (is_clean, output) in zip(waiting, pool.map(lambda one: check(one[0], database), waiting)):
+    waiting.sort(key=lambda source: "bindings" not in str(source.path))
+    with tempfile.TemporaryDirectory(prefix="motus-tidy-") as folder, concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        for source, is_clean, output in tidy_groups.check_all(waiting, folder, pool):
             if not is_clean:
                 failed += 1
-                print(f"FAILED {name_of(Path(entry['file']))}\n{output}", flush=True)
-            elif stamp:
+                print(f"FAILED {name_of(source.path)}\n{output}", flush=True)
+            elif stamp := stamps[str(source.path)]:
                 stamp.touch()
     forget_unused(cache)
     print(f"{len(entries) - len(waiting)} of {len(entries)} sources have passed before, just as they are")
@@ -100,4 +95,5 @@ def main(build_folder, cache_folder):
     return 1 if failed or not entries else 0
 
 
-sys.exit(main(*sys.argv[1:]))
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,6 +1,7 @@
-"""Whole frames of snow at several numbers of flakes, and a jump to a far frame. Run by ./motus bench.
+"""Whole frames of snow at several numbers of flakes, a jump to a far frame, and covers of several sizes. Run by ./motus bench.
 
-The cost is what the snow adds to a frame of an empty scene; the scenes take turns in one process, as in typical_bench.py.
+The cost is what the snow adds to a frame of an empty scene, and a cover to one of the same scene without it; the scenes take
+turns in one process, as in typical_bench.py.
 """
 
 import sys
@@ -24,14 +25,39 @@ FAR = 5000
 # Snow steering and wind; flakes that have no lifetimes of their own, so that their number is exact.
 KEYWORDS = {"snow": True, "random_size": True, "tumble": 2.0, "drag": 0.5, "wind": (1.0, 0.0, -1.0),
             "gusts": 0.3}
+FIELD = 40.0
+RESOLUTIONS = 0.5, 0.15
+"""m: of a square field, and of the layers that lie on it."""
+LANDING = {"rate": 500.0, "lifetime": 3.0, "start_speed": 3.0, "cone_radius": 0.5 * FIELD, "location": (0.0, 0.0, 3.0)}
 
 
-def new_scene(count, settings):
-    scene = bpy.data.scenes.new("Bench")
-    bpy.context.window.scene = scene
-    if count:
-        bpy.ops.motus.snow_add(rate=count / LIFETIME, lifetime=LIFETIME, cone_radius=20.0, **KEYWORDS, **settings)
+def new_scene():
+    bpy.context.window.scene = bpy.data.scenes.new("Bench")
+    return bpy.context.scene
+
+
+def snowing(count, settings):
+    scene = new_scene()
+    bpy.ops.motus.snow_add(rate=count / LIFETIME, lifetime=LIFETIME, cone_radius=20.0, **KEYWORDS, **settings)
     return scene
+
+
+def field(resolution=None):
+    """A scene where flakes land on a field; with the resolution of a layer the snow lies there."""
+    scene = new_scene()
+    bpy.ops.mesh.primitive_plane_add(size=FIELD)
+    ground = bpy.context.object.name
+    bpy.ops.motus.snow_add(collider=ground, **LANDING)
+    if resolution:
+        bpy.ops.motus.snow_cover_add(surfaces=ground, resolution=resolution)
+    return scene
+
+
+def vertex_count(scene):
+    """Of the cover that was added last."""
+    bpy.context.window.scene = scene
+    scene.frame_set(FIRST)
+    return len(bpy.context.object.evaluated_get(bpy.context.evaluated_depsgraph_get()).data.vertices)
 
 
 def milliseconds(scene, first):
@@ -57,21 +83,35 @@ def jump(scene):
     return [1e3 * min(samples) for samples in found.values()]
 
 
+def added(bare, other):
+    """Milliseconds that a scene's frame costs more than a bare one's, a number a round."""
+    rounds = np.array([[milliseconds(one, FIRST) for one in (bare, other)] for _ in range(ROUNDS)])
+    return rounds[:, 1] - rounds[:, 0]
+
+
 def report(wanted):
     print(f"| Cost that snow adds to a frame, ms, Blender {bpy.app.version_string}: medians of rounds in which the scenes take")
     print(f"| turns, the least of them, and a jump to frame {FAR} beside one to frame {1 + FIRST}.")
-    print(f"| {'scene':30} {'median':>8} {'least':>8} {'far':>8} {'near':>8}")
+    print(f"| {'scene':40} {'median':>8} {'least':>8} {'far':>8} {'near':>8}")
     for kind, settings in KINDS:
         for count in COUNTS:
             name = f"{count:,} flakes, {kind}"
             if wanted and not any(part in name for part in wanted):
                 continue
             support.empty_scene()
-            bare, snowing = new_scene(0, settings), new_scene(count, settings)
-            rounds = np.array([[milliseconds(one, FIRST) for one in (bare, snowing)] for _ in range(ROUNDS)])
-            extra = rounds[:, 1] - rounds[:, 0]
-            far, near = jump(snowing)
-            print(f"| {name:30} {np.median(extra):8.3f} {extra.min():8.3f} {far:8.3f} {near:8.3f}")
+            bare, other = new_scene(), snowing(count, settings)
+            extra = added(bare, other)
+            far, near = jump(other)
+            print(f"| {name:40} {np.median(extra):8.3f} {extra.min():8.3f} {far:8.3f} {near:8.3f}")
+    for resolution in RESOLUTIONS:
+        name = f"cover, resolution {resolution:g} m"
+        if wanted and not any(part in name for part in wanted):
+            continue
+        support.empty_scene()
+        bare, other = field(), field(resolution)
+        name += f", {vertex_count(other):,} vertices"
+        extra = added(bare, other)
+        print(f"| {name:40} {np.median(extra):8.3f} {extra.min():8.3f}")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """What setting up a key adds to a scene, what it refuses, and that removing it takes all back."""
 
 import os
+import unittest
 
 import bpy
 from chroma import chroma_cases as cases
@@ -24,6 +25,8 @@ def footage(folder, color=cases.GREEN, size=(60, 40), name="footage.png"):
 def state(scene):
     """All of a scene that a key changes."""
     render, view, tree = scene.render, scene.view_settings, compositor.tree_of(scene)
+    if not scene.use_nodes and len(tree.nodes if tree else ()) == 2:
+        tree = None  # what Blender leaves of one that it made
     return (
         render.resolution_x, render.resolution_y, render.resolution_percentage, render.pixel_aspect_x, render.pixel_aspect_y,
         scene.frame_start, scene.frame_end, render.fps, render.fps_base, view.view_transform, view.look, scene.use_nodes,
@@ -233,6 +236,34 @@ class SetUp(support.SceneTestCase):
                 self.assertNotEqual(state(scene), before)
                 self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
                 self.assertEqual(state(scene), before)
+
+    @unittest.skipIf(capabilities.has_compositing_group(), "Blender has no nodes that are switched off")
+    def test_nodes_that_were_switched_off_stay(self):
+        scene = bpy.context.scene
+        tree = self.own_tree()
+        scene.use_nodes = False
+        before = state(scene)
+        self.assertIn("Own Blur", str(before))
+        path = footage(self.folder)
+        for underneath in ('NOTHING', 'RENDER'):
+            key = self.set_up(clip=path, underneath=underneath)
+            self.assertTrue(scene.use_nodes)
+            self.assertEqual(compositor.outlet(tree).links[0].from_node, key)
+            self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+            self.assertEqual(state(scene), before)
+        # So does a key that is switched off: there is no second one.
+        self.set_up(clip=path)
+        scene.use_nodes = False
+        self.refused("has a chroma key already", clip=path)
+        self.assertEqual(bpy.ops.motus.chroma_key_remove(), {'FINISHED'})
+        self.assertEqual(state(scene), before)
+
+    def test_a_scene_without_a_camera_is_keyed_twice(self):
+        path = footage(self.folder)
+        for _ in range(2):
+            self.set_up(clip=path, underneath='NOTHING')
+            self.assertEqual([node.name for node in compositor.tree_of(bpy.context.scene).nodes if node.type == 'R_LAYERS'], [])
+            bpy.ops.motus.chroma_key_remove()
 
     def test_nodes_that_were_added_since_stay(self):
         self.set_up(clip=footage(self.folder))

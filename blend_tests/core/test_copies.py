@@ -1,21 +1,42 @@
 """What is known of an evaluated copy, for as long as Blender keeps it."""
 
+import weakref
+
 import bpy
 import support
 
 copies = support.addon("core.copies")
 
 
+class Held:
+    """Something that is kept of a copy."""
+
+
 class CopiesTest(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        self.thing = bpy.data.objects.new("Thing", None)
-        bpy.context.scene.collection.objects.link(self.thing)
-        copies.prepare(self.thing)
+        self.thing = self.prepared("Thing")
 
-    def evaluated(self):
+    def prepared(self, name):
+        thing = bpy.data.objects.new(name, None)
+        bpy.context.scene.collection.objects.link(thing)
+        copies.prepare(thing)
+        return thing
+
+    def evaluated(self, thing=None):
         bpy.context.view_layer.update()
-        return self.thing.evaluated_get(bpy.context.evaluated_depsgraph_get())
+        return (thing or self.thing).evaluated_get(bpy.context.evaluated_depsgraph_get())
+
+    @staticmethod
+    def of_all(things):
+        bpy.context.view_layer.update()
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        return [copies.of(thing.evaluated_get(depsgraph)) for thing in things]
+
+    def held(self, evaluated):
+        """A weak reference to what is kept of a copy."""
+        held = copies.of(evaluated).found["held"] = Held()
+        return weakref.ref(held)
 
     def test_kept_until_blender_copies_anew(self):
         known = copies.of(self.evaluated())
@@ -24,6 +45,39 @@ class CopiesTest(support.SceneTestCase):
             self.assertIs(copies.of(self.evaluated()), known)
         self.thing.location.x = 1.0
         self.assertIsNot(copies.of(self.evaluated()), known)
+
+    def test_of_a_datablock_the_latest_copy_alone(self):
+        before = self.held(self.evaluated())
+        self.assertIsNotNone(before())
+        self.thing.location.x = 1.0
+        copies.of(self.evaluated())
+        self.assertIsNone(before())
+
+    def test_another_file(self):
+        before = self.held(self.evaluated())
+        support.empty_scene()
+        self.assertIsNone(before())
+
+    def test_however_many_are_there(self):
+        things = [self.prepared(f"Thing {index}") for index in range(5000)]
+        known = self.of_all(things)
+        self.assertTrue(all(one is other for one, other in zip(self.of_all(things), known)))
+
+    def test_those_that_are_gone(self):
+        """As those of a render that has ended."""
+        bpy.context.view_layer.update()
+        scene = bpy.data.scenes.new("Second")
+        scene.collection.objects.link(self.thing)
+        with bpy.context.temp_override(scene=scene, view_layer=scene.view_layers[0]):
+            second = bpy.context.evaluated_depsgraph_get()
+            second.update()
+            gone = self.held(self.thing.evaluated_get(second))
+        here = self.held(self.evaluated())
+        bpy.data.scenes.remove(scene)
+        self.assertIsNotNone(gone())
+        self.of_all([self.prepared(f"Thing {index}") for index in range(200)])
+        self.assertIsNone(gone())
+        self.assertIsNotNone(here())
 
     def test_nothing_is_known_of_originals(self):
         """A number that is written into an original would be that of all its copies."""

@@ -167,6 +167,31 @@ class Add(DriverTestCase):
         self.assertEqual([self.value(80, index=index) for index in range(3)], shown)
         self.refused("has no motion driver", bpy.ops.motus.driver_remove, datablock="Cube", data_path="location")
 
+    def test_removed_from_a_node_tree(self):
+        lamp, paint = bpy.data.lights.new("Lamp", 'POINT'), bpy.data.materials.new("Paint")
+        lamp.use_nodes = paint.use_nodes = True
+        ball = self.new_object("Ball", bpy.data.meshes.new("Ball"))
+        ball.data.materials.append(paint)
+        for collection, holder, obj in (("materials", paint, ball), ("lights", lamp, self.new_object("Lamp", lamp))):
+            with self.subTest(collection):
+                tree = holder.node_tree
+                path = next(f'nodes["{node.name}"].inputs[{index}].default_value' for node in tree.nodes
+                            for index, socket in enumerate(node.inputs) if socket.type == 'VALUE')
+                names = {"collection": collection, "datablock": holder.name}
+                bpy.ops.motus.driver_add(data_path=f"node_tree.{path}", function='NOISE', **names)
+                found, = support.addon("drivers.places").of_object(obj)
+                self.assertEqual((found.holder, found.path), (tree, f"node_tree.{path}"))
+                shown = tree.evaluated_get(bpy.context.evaluated_depsgraph_get()).path_resolve(path)
+                self.assertEqual(bpy.ops.motus.driver_remove(**names), {'FINISHED'})
+                self.assertFalse(tree.animation_data and tree.animation_data.drivers)
+                self.assertEqual(tree.path_resolve(path), shown)
+
+    def test_an_image_that_an_empty_shows(self):
+        """Blender animates no images, and says nothing of what does."""
+        self.cube.empty_display_type, self.cube.data = 'IMAGE', bpy.data.images.new("Card", 4, 4)
+        self.assertEqual(support.addon("drivers.places").of_object(self.cube), [])
+        self.refused("can be driven", collection='images', datablock="Card", data_path="generated_color")
+
     def test_removed_though_the_property_is_gone(self):
         cube = self.cube
         cube["gone"], cube["word"], cube["short"] = 1.0, 1.0, [1.0, 2.0, 3.0]

@@ -7,7 +7,7 @@ import numpy as np
 import support
 from dynamics.dynamics_cases import add, link, matrix, moved, place, problem
 
-LEVELS = 12
+LEVELS = 8
 
 
 class DynamicsLimitsTest(support.SceneTestCase):

@@ -1,6 +1,7 @@
 """Single properties that follow their own animation."""
 
 import math
+from unittest import mock
 
 import bpy
 import numpy as np
@@ -222,6 +223,21 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         self.assertEqual(len(obj.motus.dynamics.entries), 1)
         self.assertEqual(self.add(obj, "data.energy", delay=0.5).delay, 0.5)
         self.assertEqual(len(obj.motus.dynamics.entries), 1)
+
+    def test_an_image_that_an_empty_shows(self):
+        """Blender animates no images: the menu of a property of one has no entry, and nothing else to say."""
+        image = bpy.data.images.new("Card", 4, 4)
+        obj = cases.link("Card")
+        obj.empty_display_type, obj.data = 'IMAGE', image
+        bpy.context.view_layer.objects.active = obj
+        menu = support.addon("dynamics.menu")
+        with mock.patch.object(menu.hovered, "find", return_value=(image, "generated_color", 0)), \
+                mock.patch.object(menu, "MOTUS_OT_dynamics_add") as offered:
+            menu._draw(mock.Mock(), bpy.context)
+        self.assertFalse(offered.mock_calls)
+        with self.assertRaisesRegex(RuntimeError, "can be driven"):
+            self.add(obj, "data.generated_color")
+        self.assertFalse(obj.is_property_set("motus"))
 
     def test_linked_data_is_refused(self):
         lamp()

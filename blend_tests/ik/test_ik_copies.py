@@ -1,5 +1,7 @@
 """What is kept of an evaluated rig from frame to frame: every way to edit it is seen all the same."""
 
+from unittest import mock
+
 import bpy
 import support
 from ik.ik_cases import IkTestCase, add_bone, add_chain
@@ -282,15 +284,45 @@ class Copies(IkTestCase):
                 bone.keyframe_insert("rotation_quaternion", frame=frame)
         self.run_edit(edit)
 
+    def lengthen(self):
+        bpy.ops.object.mode_set(mode='EDIT')
+        bone = self.rig_object.data.edit_bones["Arm 0. 1"]
+        bone.tail = bone.head + (bone.tail - bone.head) * 1.5
+        bpy.ops.object.mode_set(mode='OBJECT')
+
     def test_bone_made_longer(self):
-        def edit():
-            bpy.ops.object.mode_set(mode='EDIT')
-            bone = self.rig_object.data.edit_bones["Arm 0. 1"]
-            bone.tail = bone.head + (bone.tail - bone.head) * 1.5
-            bpy.ops.object.mode_set(mode='OBJECT')
-        self.run_edit(edit, changes=False)
+        self.run_edit(self.lengthen, changes=False)
         self.assertNear(self.tail(self.rig_object, "Arm 0. 1"),
                         self.evaluated(self.entry(0).target).matrix_world.translation, 1e-4)
+
+    def read(self):
+        """How often all of the rig is read anew, in some frames."""
+        reading = support.addon("ik.reading")
+        self.scene.frame_set(5)
+        with mock.patch.object(reading, "_Source", wraps=reading._Source) as read:
+            for frame in (6, 7, 8):
+                self.scene.frame_set(frame)
+        return read.call_count
+
+    def test_an_armature_that_is_not_marked(self):
+        """As a script may leave it."""
+        self.assertEqual(self.read(), 0)
+        del self.rig_object.data[self.copies.KEY]
+        self.rig_object.data.update_tag()
+        self.assertEqual(self.read(), 0)
+        self.run_edit(self.lengthen, changes=False)
+
+    def test_a_linked_armature(self):
+        """Its library may have it from before there was a Motus."""
+        data = self.rig_object.data
+        self.copies.unmark(data)
+        path = str(self.folder / "library.blend")
+        bpy.data.libraries.write(path, {data})
+        with bpy.data.libraries.load(path, link=True) as (_, wanted):
+            wanted.armatures = [data.name]
+        self.rig_object.data = wanted.armatures[0]
+        self.assertIsNotNone(self.rig_object.data.library)
+        self.assertEqual(self.read(), 0)
 
     def test_undo(self):
         bpy.ops.ed.undo_push(message="Before")

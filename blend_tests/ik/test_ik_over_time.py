@@ -36,6 +36,31 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
             self.assertSolved(thing)
         self.assertTrue({20.0, 60.0} <= set(solved_cases.track(cup).bounds(1.0, 60.0)))
 
+    def test_originals_are_asked_without_a_trace(self):
+        """Panels ask them, and may not write; what their action held would be handed on to all its copies."""
+        self.moved()
+        self.reach()
+        shoulder = self.bone("Shoulder")
+        solved_cases.key(shoulder, "rotation_quaternion", {1: (1.0, 0.0, 0.0, 0.0), 20: (0.9, 0.1, 0.3, 0.0)})
+        cup = self.link("Cup")
+        cup.parent, cup.parent_type, cup.parent_bone = self.arm_rig, 'BONE', "Hand"
+        bpy.ops.motus.dynamics_add(object="Cup", follow='WORLD', style='BOUNCY')
+        for thing in (self.bone("Hand"), cup):
+            found = solved_cases.track(thing)
+            self.assertIsNone(found.reason)
+            self.assertIsNone(found.stamp)
+        for action in bpy.data.actions:
+            self.assertEqual(list(action.keys()), [])
+        before = solved_cases.world(cup, 24)
+        for curve in support.addon("core.actions").fcurves(self.arm_rig):
+            curve.keyframe_points[-1].co.y += 0.5
+        bpy.context.view_layer.update()
+        edited = solved_cases.world(cup, 24)
+        self.assertGreater(np.abs(edited - before).max(), 0.01)
+        self.arm_rig.update_tag()
+        cup.update_tag()
+        np.testing.assert_array_equal(solved_cases.world(cup, 24), edited)
+
     def test_poles_weights_softness_and_orientation_with_keys(self):
         self.moved()
         self.moved("Pole", {1: (0.5, -2.0, 1.0), 60: (0.5, 2.0, 3.0)})

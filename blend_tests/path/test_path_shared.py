@@ -12,7 +12,7 @@ FRAMES = (1, 60, 12.5, 97, 30)
 class SharedTestCase(PathTestCase):
     def setUp(self):
         super().setUp()
-        self.outbox = support.addon("core.wiring.outbox")
+        self.hub_lookup = support.addon("core.wiring.hub_lookup")
         self.line(20.0)
 
     def cars(self, count=4, **keywords):
@@ -23,7 +23,7 @@ class SharedTestCase(PathTestCase):
         return car.motus.path.hub
 
     def is_shared(self, car):
-        return self.outbox.row_of(self.system, car) is not None
+        return self.hub_lookup.row_of(self.system, car) is not None
 
     def assertRuns(self, car, speed, offset, frames=FRAMES):
         for frame in frames:

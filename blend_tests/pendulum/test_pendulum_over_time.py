@@ -59,6 +59,14 @@ class OverTime(solved_cases.Solved, PendulumTestCase):
         pivot.motus.pendulum.length1 = 0.0  # the panel says so; the rod hangs
         self.assertSolved(bob)
 
+    def test_more_rods_than_the_settings_say(self):
+        """The solver says that something is damaged, and leaves all of them where they hang."""
+        pivot = self.add(kind='FAN', count=5)
+        pivot.motus.pendulum.count = 2
+        pivot.update_tag()
+        for rod in (self.rods(pivot)[0], self.rods(pivot)[-1], self.bobs(pivot)[-1]):
+            self.assertSolved(rod)
+
     def test_dynamics_on_what_hangs_on_a_bob(self):
         pivot = self.add(kind='DOUBLE')
         flag = self.link("Flag")

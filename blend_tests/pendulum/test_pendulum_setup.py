@@ -188,6 +188,22 @@ class BadInput(PendulumTestCase):
             self.assertIn("not known so far from its start", self.sentence(pivot), keywords)
             self.assertTrue(np.isfinite(world(self.bobs(pivot)[0])).all())
 
+    def test_a_fan_too_large_for_its_time(self):
+        """Of a few it is known how they swing so late, but of more not all could be kept from frame to frame."""
+        for is_moved, speed in ((False, 7000.0), (True, 4000.0)):
+            for count, sentence in ((2, ""), (64, "so many pendulums")):
+                pivot = self.add(kind='FAN', count=count, use_trails=True)
+                if is_moved:
+                    for frame in (1, 3):
+                        pivot.location.x = frame
+                        pivot.keyframe_insert("location", frame=frame)
+                pivot.motus.pendulum.use_pivot_motion = is_moved
+                pivot.motus.pendulum.speed = speed
+                go_to(26)
+                self.assertIn(sentence, self.sentence(pivot), (is_moved, count))
+                self.assertEqual(bool(self.sentence(pivot)), bool(sentence), (is_moved, count))
+                go_to(1)
+
     def test_numbers_too_extreme_from_the_start(self):
         for keywords in ({"damping": 1e9}, {"mass1": 1e30, "length1": 1e-6, "damping": 1e9}):
             pivot = self.add(kind='DOUBLE', use_trails=True, **keywords)

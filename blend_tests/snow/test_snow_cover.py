@@ -62,7 +62,61 @@ class Cover(CoverTestCase):
                 self.assertGreater(depths[~inside & (positions[:, 2] < 0.9)].max(), 0.0)
                 self.assertEqual(depths[inside & (positions[:, 2] < 0.9)].max(initial=0.0), 0.0)
                 self.assertEqual(bool((positions[:, 2] > 0.99).any()), "Roof" in surfaces)
+                if "Roof" not in surfaces:
+                    # What lies on the roof is not shown, and does not count.
+                    self.assertAlmostEqual(self.output(cover, "volume"), volume(layer(cover)), delta=0.02)
                 bpy.ops.motus.snow_cover_remove(object=cover.name)
+
+    def test_the_ground_at_the_height_of_a_surface_takes_nothing(self):
+        self.square()
+        emitter = self.add(**FALLING, snow=True, snow_offsets=True)
+        cover = self.cover(thinnest=0.0)
+        go_to(150)
+        before = self.output(cover, "volume")
+        self.assertGreater(before, 0.5)
+        emitter.motus.snow.use_ground = True
+        bpy.context.view_layer.update()
+        self.assertEqual(self.output(cover, "volume"), before)
+
+    def test_what_was_recorded_of_a_surface_does_not_shelter_it(self):
+        scenery = bpy.data.collections.new("Scenery")
+        bpy.context.scene.collection.children.link(scenery)
+        roof = self.mesh("Roof", [(x, y, 1.0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))], [(0, 1, 2, 3)])
+        for one in (self.square(), roof, self.square("Floor", (0.0, 0.0, -1.0))):
+            scenery.objects.link(one)
+        emitter = self.add(**FALLING, colliders="Scenery")
+        cover = self.cover("Meadow", smoothing=0.0, thinnest=0.0, resolution=0.2)
+        go_to(150)
+        before = state(cover)
+        self.assertGreater(len(before), 1000)
+        self.assertEqual(bpy.ops.motus.snow_colliders_record(object=emitter.name), {'FINISHED'})
+        bpy.context.view_layer.update()
+        self.assertEqual(state(cover), before)
+        self.assertEqual(self.cover_sentence(cover), "")
+        # The roof shelters as it was recorded, wherever it goes.
+        roof.location.x = 10.0
+        bpy.context.view_layer.update()
+        self.assertEqual(state(cover), before)
+        bpy.ops.motus.snow_colliders_clear(object=emitter.name)
+        bpy.context.view_layer.update()
+        self.assertNotEqual(state(cover), before)
+
+    @support.in_one_blender
+    def test_the_faces_of_the_layer_count_for_how_long_it_takes(self):
+        meadow = self.square()
+        self.add(**FALLING)
+        self.cover(resolution=0.2)
+        work, placing, ground = (support.addon(name) for name in ("snow.cover.work", "snow.placing", "snow.cover.ground"))
+        for scale in ((1.0, 1.0, 1.0), (5.0, 2.0, 1.0)):
+            with self.subTest(scale):
+                meadow.scale = scale
+                bpy.context.view_layer.update()
+                _, plan = next(reversed(work._done))
+                _, triangles = native().refine(*placing.joined(plan.lain_on), plan.resolution)
+                found = work.seconds(plan._replace(falls=())) / work.TRIANGLE
+                self.assertTrue(0.7 < found / len(triangles) < 1.5, (found, len(triangles)))
+        # More than there can be takes no longer.
+        self.assertAlmostEqual(work.seconds(plan._replace(falls=(), resolution=1e-6)) / work.TRIANGLE, 4 * ground.MOST, delta=10)
 
     def test_the_layer_is_fine_and_the_surface_stays(self):
         meadow = self.square()
@@ -174,6 +228,23 @@ class Cover(CoverTestCase):
         emitter.motus.snow.flake_width = 0.5  # what flakes look like changes nothing
         bpy.context.view_layer.update()
         self.assertEqual(state(cover), before)
+
+    def test_another_file_begins_with_nothing(self):
+        self.square()
+        self.add(**FALLING)
+        self.cover()
+        go_to(100)
+        work = support.addon("snow.cover.work")
+        self.assertTrue(work._done)
+        plan = next(iter(work._done))[1]
+        for leave in (support.empty_scene, lambda: self.addCleanup(support.enable) or support.disable()):
+            work.do("Snow Cover", plan)
+            work.ask("Snow Cover", plan)
+            leave()
+            self.assertIsNone(work.asked("Snow Cover"))
+            self.assertFalse(work._done)
+            for kept in (support.addon("snow.cover.ground").made, support.addon("snow.flakes").made):
+                self.assertEqual(kept.cache_info().currsize, 0)
 
     def test_it_stays_in_the_world(self):
         self.square()

@@ -151,11 +151,14 @@ class Setup(CoverTestCase):
             return [one.name for one in mesh.materials]
 
         self.assertEqual(shown(), ["Motus Snow Cover"])
+        bpy.data.materials["Motus Snow Cover"].diffuse_color = 1.0, 0.0, 0.0, 1.0
         cover.motus.snow_cover.material = bpy.data.materials.new("Slush")
         self.assertEqual(shown(), ["Slush"])
-        self.assertNotIn("Motus Snow Cover", bpy.data.materials)
         cover.motus.snow_cover.material = None
         self.assertEqual(shown(), ["Motus Snow Cover"])
+        self.assertEqual(tuple(bpy.data.materials["Motus Snow Cover"].diffuse_color), (1.0, 0.0, 0.0, 1.0))
+        self.assertEqual(bpy.ops.motus.snow_cover_remove(object=cover.name), {'FINISHED'})
+        self.assertNotIn("Motus Snow Cover", bpy.data.materials)
 
     def test_long_work_waits_until_it_is_asked_for(self):
         self.square()

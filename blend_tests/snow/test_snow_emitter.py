@@ -3,6 +3,7 @@
 import bpy
 import numpy as np
 
+import support
 from snow.snow_cases import (
     MANY, OFF_THE_FRAMES, SnowTestCase, actions, flakes, go_to, hub_mesh, key_places, native, seconds, state)
 
@@ -181,6 +182,75 @@ class Camera(SnowTestCase):
         for number, place in zip(flakes(emitter)["id"].tolist(), flakes(emitter)["position"]):
             if number in early:
                 np.testing.assert_allclose(place, early[number], atol=1e-5)
+
+    def test_the_scale_of_a_camera_counts_for_nothing(self):
+        camera = self.camera()
+        parent = bpy.data.objects.new("Parent", None)
+        bpy.context.scene.collection.objects.link(parent)
+        camera.parent = parent
+        emitter = self.add(camera="Camera", start_speed=0.0, **MANY)
+
+        def born():
+            """Where flakes are, as the camera sees them."""
+            place, turn, _ = camera.matrix_world.decompose()
+            return (flakes(emitter)["position"] - place) @ np.array(turn.to_matrix())
+
+        go_to(60)
+        before = born()
+        camera.scale = 3.0, 2.0, 0.5
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(born(), before, atol=1e-4)
+        parent.scale = 3.0, 3.0, 3.0
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(born(), before, atol=1e-4)
+        # At its poses over time, too.
+        parent.scale, camera.scale = (1.0, 1.0, 1.0), (1.0, 1.0, 1.0)
+        key_places(camera, {1: (1.0, -8.0, 3.0), 60: (4.0, -8.0, 3.0)})
+        go_to(60)
+        before = born()
+        camera.scale = 3.0, 2.0, 0.5
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(born(), before, atol=1e-4)
+
+    def test_shift_and_sensor(self):
+        camera = self.camera(lens=35.0, shift_x=0.3, shift_y=-0.1)
+        emitter = self.add(camera="Camera", start_speed=0.0, closest=2.0, **MANY)
+        view = support.addon("snow.view")
+
+        def seen():
+            evaluated = camera.evaluated_get(bpy.context.evaluated_depsgraph_get())
+            frame = np.array([tuple(corner) for corner in evaluated.data.view_frame(scene=bpy.context.scene)])
+            found = view.angles(evaluated, evaluated.matrix_world, bpy.context.scene)
+            return np.tan(found), np.abs(frame[:, :2] / frame[:, 2:]).max(axis=0)
+
+        for fit in ('AUTO', 'HORIZONTAL', 'VERTICAL'):
+            for size in ((1920, 1080), (600, 900)):
+                with self.subTest(fit=fit, size=size):
+                    render = bpy.context.scene.render
+                    render.resolution_x, render.resolution_y = size
+                    camera.data.sensor_fit = fit
+                    bpy.context.view_layer.update()
+                    np.testing.assert_allclose(*seen(), rtol=1e-5)
+        # Keyed, they count at the widest on all frames.
+        widest = [0.0, 0.0]
+        for name, values in (("shift_x", (0.0, -0.5)), ("sensor_width", (36.0, 20.0)), ("sensor_height", (20.0, 30.0))):
+            for frame, value in zip((1, 60), values):
+                setattr(camera.data, name, value)
+                camera.data.keyframe_insert(name, frame=frame)
+        found = {}
+        for frame in (60, 1, 30, 60):
+            go_to(frame)
+            angles, now = seen()
+            widest = np.maximum(widest, now)
+            np.testing.assert_array_equal(found.setdefault("angles", angles), angles)
+        self.assertTrue((found["angles"] >= widest - 1e-6).all())
+        self.assertEqual(self.sentence(emitter), "")
+        for frame in (60, 1, 30, 60, 1):
+            go_to(frame)
+            self.assertEqual(found.setdefault(frame, state(emitter)), state(emitter), frame)
+        camera.data.driver_add("shift_y").driver.expression = "0.1 * frame"
+        bpy.context.view_layer.update()
+        self.assertIn("lens is not known ahead", self.sentence(emitter))
 
     def test_faults_are_said(self):
         self.assertRefused(bpy.ops.motus.snow_add, "The scene has no camera", shape='CAMERA')

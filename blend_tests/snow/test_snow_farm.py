@@ -4,7 +4,8 @@ import os
 
 import bpy
 import support
-from snow.snow_cases import SnowTestCase, go_to
+from snow.cover_cases import CoverTestCase, layer
+from snow.snow_cases import go_to
 
 FRAMES = (200, 3)
 
@@ -32,13 +33,15 @@ def pixels(file):
         return opened.read()
 
 
-class Farm(SnowTestCase):
+class Farm(CoverTestCase):
     @support.in_one_blender
     def test_one_process_a_frame(self):
         emitter = self.add(preset='GENTLE', rate=20.0, location=(0.0, 0.0, 6.0))
         emitter.keyframe_insert("location", frame=1)
         emitter.location.x = 3.0
         emitter.keyframe_insert("location", frame=200)
+        self.square()
+        cover = self.cover(lump=0.3)
         scene = bpy.context.scene
         camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
         camera.location, camera.rotation_euler = (0.0, -9.0, 2.0), (1.5, 0.0, 0.0)
@@ -50,6 +53,7 @@ class Farm(SnowTestCase):
         own = {}
         for frame in FRAMES:
             go_to(frame)
+            self.assertGreater(len(layer(cover)[0]), 0)
             scene.render.filepath = os.path.join(self.folder, f"own{frame}")
             bpy.ops.render.render(write_still=True)
             own[frame] = pixels(f"{scene.render.filepath}.bmp")

@@ -283,6 +283,24 @@ class Moving(LandingCase):
         bpy.ops.motus.snow_remove(object=emitter.name)
         self.assertEqual([mesh.name for mesh in bpy.data.meshes if mesh.name.startswith("Motus")], [])
 
+    def test_recorded_again(self):
+        roof = self.board("Roof", (0.0, 0.0, 1.0))
+        emitter = self.add(collider="Roof")
+        go_to(60)
+        for height in (1.0, 2.0):
+            roof.location.z = height
+            self.assertEqual(bpy.ops.motus.snow_colliders_record(object=emitter.name), {'FINISHED'})
+            bpy.context.view_layer.update()
+            self.assertGreater(self.lying(emitter, height), 20)
+        self.assertEqual(self.lying(emitter, 1.0), 0)
+        self.assertEqual(len([mesh for mesh in bpy.data.meshes if mesh.name.startswith("Motus Colliders")]), 1)
+        # What was recorded stays where there is nothing to record.
+        before = state(emitter)
+        roof.data.clear_geometry()
+        self.assertRefused(bpy.ops.motus.snow_colliders_record, "nothing with faces", object=emitter.name)
+        bpy.context.view_layer.update()
+        self.assertEqual(state(emitter), before)
+
     def test_what_may_move(self):
         def shape_key(obj):
             obj.shape_key_add(name="Basis")

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 import support
-from snow.snow_cases import MANY, SnowTestCase, flakes, go_to, hub_mesh, instances, state
+from snow.snow_cases import MANY, SnowTestCase, flakes, go_to, hub_mesh, instances, state, system, wiring
 
 LISTS = ("objects", "meshes", "materials", "node_groups")
 
@@ -128,16 +128,73 @@ class Setup(SnowTestCase):
         emitter.motus.snow.preview = 1.0
         go_to(77)
         before, name = state(emitter), emitter.name
-        empty, file = os.path.join(self.folder, "empty.blend"), os.path.join(self.folder, "snow.blend")
-        bpy.ops.wm.save_as_mainfile(filepath=file, check_existing=False, compress=True)
+        self.saved("snow")
         go_to(5)
-        bpy.ops.wm.open_mainfile(filepath=file)
+        bpy.ops.wm.open_mainfile(filepath=os.path.join(self.folder, "snow.blend"))
         self.assertEqual(state(bpy.data.objects[name]), before)
+        sizes = np.array([self.saved("snow", compress) for compress in (True, False)])
         bpy.ops.motus.snow_remove(object=name)
         bpy.ops.outliner.orphans_purge(do_recursive=True)
-        bpy.ops.wm.save_as_mainfile(filepath=empty, check_existing=False, compress=True)
-        # Compressed: as they lie in memory, the nodes alone take more.
-        self.assertLess(os.path.getsize(file) - os.path.getsize(empty), 50_000)
+        compressed, plain = sizes - [self.saved("empty", compress) for compress in (True, False)]
+        # Most of it are the sockets of nodes.
+        self.assertLess(compressed, 12_000)
+        self.assertLess(plain, 70_000)
+
+    def saved(self, name, compress=False):
+        """Size of the file of that name, saved anew."""
+        file = os.path.join(self.folder, f"{name}.blend")
+        bpy.ops.wm.save_as_mainfile(filepath=file, check_existing=False, compress=compress)
+        return os.path.getsize(file)
+
+    def test_an_object_has_no_settings_by_being_asked(self):
+        emitter = self.add(**MANY)
+        emitter.select_set(True)
+        go_to(30)
+        features = support.addon("core.system").registered.values()
+        self.assertEqual([one.name for one in features if one.settings and emitter.motus.is_property_set(one.name)], ["snow"])
+
+    def test_a_changed_material_survives_another_look(self):
+        before, emitter = counts(), self.add(**MANY)
+        bpy.data.materials["Motus Flake"].diffuse_color = 1.0, 0.0, 0.0, 1.0
+        for look in ('SPARK', 'POINTS', 'FLAKE'):
+            emitter.motus.snow.look = look
+        self.assertEqual(tuple(bpy.data.materials["Motus Flake"].diffuse_color), (1.0, 0.0, 0.0, 1.0))
+        self.assertEqual(bpy.ops.motus.snow_remove(object=emitter.name), {'FINISHED'})
+        self.assertEqual(counts(), before)
+
+    def test_an_override_keeps_a_look_of_its_own(self):
+        self.add(**MANY)
+        emitter = self.load(self.save(), True, "Snow").override_create(remap_local_usages=True)
+        for look, shown in (('SPECK', "Motus Speck"), ('POINTS', None), ('PETAL', "Motus Petal")):
+            emitter.motus.snow.look = look
+            bpy.ops.wm.open_mainfile(filepath=self.save(f"{look}.blend"))
+            emitter = next(one for one in bpy.data.objects if one.override_library and one.modifiers)
+            go_to(40)
+            found = instances(emitter)
+            self.assertEqual(len(found), 300 if shown else 0)
+            depsgraph = bpy.context.evaluated_depsgraph_get()
+            self.assertEqual({one.object.name for one in depsgraph.object_instances if one.is_instance and shown},
+                             {shown} if shown else set())
+
+    def test_what_an_older_version_has_made(self):
+        """Flakes were put on the points by a modifier of their own."""
+        emitter, shape = self.add(**MANY), self.mesh("Ball", [(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+        go_to(40)
+        before = instances(emitter)
+        wiring().set_points_material(system(), emitter, None)
+        nodes, group = support.addon("core.node_groups"), bpy.data.node_groups.new("Motus Flakes", 'GeometryNodeTree')
+        group["motus_flakes"] = "Motus Flakes"
+        nodes.add_sockets(group, (("Flake", 'INPUT', "NodeSocketObject"),))
+        older = emitter.modifiers.new("Motus Flakes", 'NODES')
+        older.node_group = group
+        nodes.set_input(older, "Flake", shape)
+        users = shape.users
+        self.assertEqual(bpy.ops.motus.snow_refresh(object=emitter.name), {'FINISHED'})
+        self.assertEqual([one.name for one in emitter.modifiers], ["Motus Snow"])
+        self.assertNotIn("Motus Flakes", bpy.data.node_groups)
+        self.assertEqual(shape.users, users - 1)
+        go_to(40)
+        np.testing.assert_array_equal(instances(emitter), before)
 
 
 class BadInput(SnowTestCase):

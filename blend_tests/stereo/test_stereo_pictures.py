@@ -19,7 +19,7 @@ class Pictures(StereoTestCase):
         super().setUp()
         scene = bpy.context.scene
         scene.render.engine = 'CYCLES'
-        scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.use_adaptive_sampling = 64, False, False
+        scene.cycles.samples, scene.cycles.use_denoising, scene.cycles.use_adaptive_sampling = 32, False, False
         scene.cycles.max_bounces = 0
         scene.render.resolution_x, scene.render.resolution_y = self.WIDTH, self.HEIGHT
         scene.render.resolution_percentage = 100

@@ -363,7 +363,14 @@ class Output(StereoTestCase):
         self.assertEqual((obj.data.type, obj.data.stereo.use_spherical_stereo), ('PANO', True))
         bpy.context.view_layer.update()
         self.assert_eyes(obj, 0.1, 3.0)
-        bpy.ops.motus.stereo_output(object="Camera")
+        # As by the panel's menu: another way to write the images leaves what the camera sees, in any engine.
+        scene.render.engine = 'BLENDER_WORKBENCH'
+        bpy.ops.motus.stereo_output(object="Camera", format='ANAGLYPH')
+        self.assertEqual((obj.data.type, obj.data.stereo.use_spherical_stereo), ('PANO', True))
+        scene.render.engine = 'CYCLES'
+        bpy.ops.motus.stereo_output(object="Camera", use_360=False)
+        self.assertEqual((obj.data.type, obj.data.stereo.use_spherical_stereo), ('PERSP', False))
+        bpy.ops.motus.stereo_output(object="Camera", format='PAIR')
         self.assertEqual((obj.data.type, obj.data.stereo.use_spherical_stereo), ('PERSP', False))
         obj.motus.stereo.convergence = 'BUDGET'
         with self.assertRaisesRegex(RuntimeError, "no budget of depth"):

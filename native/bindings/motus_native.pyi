@@ -788,7 +788,7 @@ def double_pendulum_value(  # which: 0 to 3, a column of double_pendulum()
 def double_pendulums(  # starts (n, 4) -> (n, 4)
     time: float, starts: ArrayLike, mass1: float = 1.0, mass2: float = 1.0, length1: float = 1.0, length2: float = 1.0,
     gravity: float = 9.81, damping: float = 0.0, most_acceleration: float | None = None,
-    most_velocity: float | None = None,
+    most_velocity: float | None = None, pivot_step: float = 0.0, pivot_accelerations: ArrayLike | None = None,
 ) -> _Array: ...
 def double_pendulum_longest_time(
     theta1: float, theta2: float, omega1: float = 0.0, omega2: float = 0.0, mass1: float = 1.0, mass2: float = 1.0,

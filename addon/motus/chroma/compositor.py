@@ -12,10 +12,8 @@ FOREGROUND, BACKGROUND, MASK, RENDER, VIEWER = "Footage", "Background", "Garbage
 
 
 def tree_of(scene):
-    """The compositor's node tree of a scene, or None."""
-    if capabilities.has_compositing_group():
-        return scene.compositing_node_group
-    return scene.node_tree if scene.use_nodes else None
+    """The compositor's node tree of a scene, or None. Before Blender 5 it may be switched off."""
+    return scene.compositing_node_group if capabilities.has_compositing_group() else scene.node_tree
 
 
 def key_of(scene):
@@ -35,20 +33,28 @@ def node_of(scene, role):
 def prepared(scene, noted):
     """The scene's tree, made where there is none. noted: settings of the scene, which remember what was made."""
     tree = tree_of(scene)
+    if tree is not None and tree.library:
+        raise Refused(tr("The compositor's nodes are linked from another file"))
+    if not capabilities.has_compositing_group():
+        if not scene.use_nodes:
+            noted.is_switched_on, noted.is_tree_made = True, tree is None or _is_as_made(scene, tree)
+            scene.use_nodes = True  # a scene without a tree gets one with the render and an output
+        return scene.node_tree
     if tree is not None:
-        if tree.library:
-            raise Refused(tr("The compositor's nodes are linked from another file"))
         return tree
     noted.is_tree_made = True
-    if not capabilities.has_compositing_group():
-        # Blender gives a tree without nodes the render and an output; what was there while it was off is kept.
-        scene.use_nodes = True
-        return scene.node_tree
     tree = scene.compositing_node_group = bpy.data.node_groups.new(f"{scene.name} Compositor", 'CompositorNodeTree')
     node_groups.add_sockets(tree, [("Image", 'OUTPUT', "NodeSocketColor")])
     node_groups.add_node(tree, "NodeGroupOutput").location.x = 300.0
     _show_render(scene, tree)
     return tree
+
+
+def _is_as_made(scene, tree):
+    """Whether nothing is lost with a tree: it has the scene's render and an output, as Blender makes it."""
+    kinds = sorted(node.bl_idname for node in tree.nodes)
+    return kinds == ["CompositorNodeComposite", "CompositorNodeRLayers"] and all(
+        node.scene == scene and node.layer == scene.view_layers[0].name for node in tree.nodes if node.type == 'R_LAYERS')
 
 
 def _show_render(scene, tree):
@@ -138,7 +144,7 @@ def remove(scene, noted):
         source = _noted_source(tree, noted)
         if was_ours and source is not None:
             node_groups.link(tree, source, target)
-        _remove_made_tree(scene, tree, noted)
+        _take_back_tree(scene, tree, noted)
     for one in groups:
         if one.users == 0:
             bpy.data.node_groups.remove(one)
@@ -165,17 +171,18 @@ def _own_tree(scene):
     return tree
 
 
-def _remove_made_tree(scene, tree, noted):
-    """A tree that was made for the key goes with it, unless somebody has added nodes."""
-    if not noted.is_tree_made or len(tree.nodes) > 2 or outlet(tree) is None:
-        return
-    _show_render(scene, tree)
-    if capabilities.has_compositing_group():
+def _take_back_tree(scene, tree, noted):
+    """A tree that was made for the key goes with it, unless somebody has added nodes; one that was switched off is so again."""
+    if noted.is_tree_made:
+        if len(tree.nodes) > 2 or outlet(tree) is None:
+            return
+        _show_render(scene, tree)
+    if noted.is_switched_on:
+        scene.use_nodes = False
+    elif noted.is_tree_made and capabilities.has_compositing_group():
         scene.compositing_node_group = None
         if tree.users == 0:
             bpy.data.node_groups.remove(tree)
-    else:
-        scene.use_nodes = False
 
 
 def _noted_source(tree, noted):

@@ -157,7 +157,15 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         return found
 
 
-class MOTUS_OT_chroma_key_measure(Operator, bpy.types.Operator):
+class _OnKey(Operator):
+    """Operators on the scene's key."""
+
+    @classmethod
+    def check_offer(cls, context):
+        setup.key(context.scene)
+
+
+class MOTUS_OT_chroma_key_measure(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_measure"
     bl_label = "Measure Screen"
     bl_description = "Find the colour of the screen, and levels that clear it, from the footage again"
@@ -167,10 +175,6 @@ class MOTUS_OT_chroma_key_measure(Operator, bpy.types.Operator):
 
     keep_color: bpy.props.BoolProperty(
         name="Keep Color", description="Only find levels, for the colour that was picked", default=False)
-
-    @classmethod
-    def check_offer(cls, context):
-        setup.key(context.scene)
 
     def run(self, context):
         color = None
@@ -182,15 +186,11 @@ class MOTUS_OT_chroma_key_measure(Operator, bpy.types.Operator):
             self.report({'WARNING'}, sentence)
 
 
-class MOTUS_OT_chroma_key_show(Operator, bpy.types.Operator):
+class MOTUS_OT_chroma_key_show(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_show"
     bl_label = "Show in Viewport"
     bl_description = "Look at the key in the viewport, through the scene's camera; once more to look as before"
     bl_options = {'UNDO'}
-
-    @classmethod
-    def check_offer(cls, context):
-        setup.key(context.scene)
 
     def run(self, context):
         setup.key(context.scene)
@@ -200,15 +200,11 @@ class MOTUS_OT_chroma_key_show(Operator, bpy.types.Operator):
             viewing.show(context)
 
 
-class MOTUS_OT_chroma_key_remove(Operator, bpy.types.Operator):
+class MOTUS_OT_chroma_key_remove(_OnKey, bpy.types.Operator):
     bl_idname = "motus.chroma_key_remove"
     bl_label = "Remove Chroma Key"
     bl_description = "Take the key's nodes and its plane away; the compositor and the scene are what they were before"
     modes = OBJECT_MODE
-
-    @classmethod
-    def check_offer(cls, context):
-        setup.key(context.scene)
 
     def run(self, context):
         setup.key(context.scene)

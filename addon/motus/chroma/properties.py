@@ -63,6 +63,8 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     spill: _measured("Spill", "Light of the screen on the subject, 1 for as much as on the screen itself")
     is_tree_made: bpy.props.BoolProperty(
         name="Tree Made", description="The compositor's nodes were made for the key", options=set())
+    is_switched_on: bpy.props.BoolProperty(
+        name="Nodes Switched On", description="The compositor was switched on for the key", options=set())
     before_node: _before(bpy.props.StringProperty, "Node Before")
     before_socket: _before(bpy.props.StringProperty, "Socket Before")
     is_scene_set: bpy.props.BoolProperty(

@@ -42,8 +42,8 @@ def slots_for_objects(action):
 
 
 def players(id_data):
-    """All that plays an action for a datablock: its animation data, and the strips of its NLA."""
-    animation = id_data.animation_data
+    """All that plays an action for a datablock: its animation data, and the strips of its NLA. Images, for one, have none."""
+    animation = getattr(id_data, "animation_data", None)
     if animation is None:
         return []
     return [animation, *(strip for track in animation.nla_tracks for strip in track.strips if strip.action)]

@@ -22,11 +22,6 @@ def has_quaternion_attributes():
     return 'QUATERNION' in bpy.types.Attribute.bl_rna.properties["data_type"].enum_items
 
 
-def has_limit_rotation_legacy_flag():
-    """Limit Rotation has had a switch for its old behaviour since 4.2."""
-    return "use_legacy_behavior" in bpy.types.LimitRotationConstraint.bl_rna.properties
-
-
 def has_slotted_actions():
     """Actions have slots, layers and strips (4.4), and from 5.0 on nothing else."""
     return hasattr(bpy.types, "ActionSlot")

@@ -7,23 +7,72 @@ where the original has none, tells a fresh copy from one that was read before: a
 
 import itertools
 import random
-from collections import OrderedDict
+import threading
 from typing import NamedTuple
 
 import bpy
+from bpy.app.handlers import persistent
 
 from . import actions, stored
 
 KEY = "motus_copy"
 """Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
-LARGEST = 4096  # copies that are known at a time
-
 # From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
 _first = random.randrange(1, 2**30)
 _numbers = itertools.count(_first)
 _latest = [_first - 1]
-_copies = OrderedDict()
-_actions = OrderedDict()
+
+
+class _Latest:
+    """What is known of evaluated datablocks, of each of them for as long as it is there and was not copied anew.
+
+    Blender copies a datablock anew to where it lay before.
+    """
+
+    FEW = 64
+    """Up to so many are kept without a look at which of them are gone."""
+
+    def __init__(self):
+        self.known = {}  # number -> what is known of the copy that has it
+        self._places = {}  # where a datablock lies -> (it, the number)
+        self._most = self.FEW
+        self._changing = threading.Lock()
+
+    def add(self, evaluated, number, found):
+        """Let this be known of a copy, in the place of what was known of the one before; gives it."""
+        place = evaluated.as_pointer()
+        with self._changing:
+            self._forget(place)
+            self._places[place] = evaluated, number
+            self.known[number] = found
+            if len(self._places) > self._most:
+                for gone in [place for place, (datablock, _) in self._places.items() if _is_gone(datablock)]:
+                    self._forget(gone)
+                self._most = 2 * max(len(self._places), self.FEW)
+        return found
+
+    def _forget(self, place):
+        _, number = self._places.pop(place, (None, 0))
+        self.known.pop(number, None)
+
+    def clear(self):
+        """Let nothing be known."""
+        with self._changing:
+            self._places.clear()
+            self.known.clear()
+            self._most = self.FEW
+
+
+def _is_gone(datablock):
+    """Whether Blender has freed an evaluated datablock."""
+    try:
+        datablock.as_pointer()
+    except ReferenceError:
+        return True
+    return False
+
+
+_copies, _actions, _found = _Latest(), _Latest(), _Latest()
 
 
 class Reach(NamedTuple):
@@ -114,18 +163,22 @@ def of(evaluated):
     """The Copy of an evaluated object; None where it was not prepared, as in a file of an older version."""
     mark = evaluated.get(KEY)
     try:  # without a look at what lies there, of which none but a given number is known
-        return _copies[mark[0]]
+        return _copies.known[mark[0]]
     except (KeyError, TypeError, IndexError):
-        number = number_of(evaluated)
-    found = _copies.get(number)
-    if number and found is None:
-        found = _copies[number] = Copy(evaluated, number)
-        if len(_copies) > LARGEST:
-            _copies.popitem(last=False)
-    return found
+        number = _number_of(evaluated)
+    found = _copies.known.get(number)
+    return _copies.add(evaluated, number, Copy(evaluated, number)) if number and found is None else found
 
 
-def number_of(evaluated):
+def stamp_of_data(evaluated):
+    """A number that changes whenever Blender copies an evaluated object's data anew; None where nobody can tell."""
+    copy = of(evaluated.data)
+    if copy is None and evaluated.data.library:  # which changes with its library alone: then the object is copied anew too
+        copy = of(evaluated)
+    return copy and copy.number
+
+
+def _number_of(evaluated):
     """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
     mark = _mark(evaluated)
     if mark is None or not evaluated.is_evaluated:  # an original handed its number on to all its copies
@@ -147,17 +200,31 @@ def number_given(evaluated):
     return _number_in(_mark(evaluated))
 
 
-def forget():
-    """Let all evaluated copies count as new ones: what is kept of them refers to classes of properties, which end with the add-on."""
-    _copies.clear()
+@persistent
+def forget(*_):
+    """Let all evaluated copies count as new ones: another file is loaded, or the classes of properties end, to which what is kept of
+    them refers."""
+    for known in (_copies, _actions, _found):
+        known.clear()
 
 
 def number_of_action(action):
-    """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy."""
+    """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy. None of an original."""
+    if not action.is_evaluated:  # it would hand the number on to all its copies
+        return None
     number = action.get(KEY)
     if not _is_given(number):
         number = action[KEY] = _new_number()
     return number
+
+
+def found_of_action(action):
+    """What was read of an evaluated action, by name, for as long as Blender keeps that copy of it; of an original nothing is kept."""
+    number = number_of_action(action)
+    if number is None:
+        return {}
+    known = _found.known.get(number)
+    return _found.add(action, number, {}) if known is None else known
 
 
 def _mark(datablock):
@@ -214,11 +281,11 @@ def has_animation(evaluated):
 
 def _reach_of_action(action):
     number = number_of_action(action)
-    known = _actions.get(number)
+    known = _actions.known.get(number)
     if known is None:
-        known = _actions[number] = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
-        if len(_actions) > LARGEST:
-            _actions.popitem(last=False)
+        known = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
+        if number:
+            _actions.add(action, number, known)
     return known
 
 

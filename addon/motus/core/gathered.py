@@ -7,17 +7,22 @@ DEEPEST = 16
 
 
 class Gathered(NamedTuple):
-    """A mesh object. instancers: the empties by which it is seen, the outermost first; none where it stands in the collection."""
+    """A mesh object, original. instancers: the empties by which it is seen, the outermost first; none where it stands in the
+    collection."""
 
     object: Any
     instancers: tuple
 
 
 def meshes(collection, leaves_out=lambda _obj: False, above=()):
-    """Yields what is Gathered of a collection, hidden objects too. leaves_out: says which objects do not count."""
+    """Yields what is Gathered of a collection, hidden objects too. leaves_out: says which objects do not count.
+
+    The collection of an evaluated pointer is evaluated too, and those within it: solvers, which run in threads, go through
+    these, since the main thread may edit the originals meanwhile.
+    """
     for obj in collection.all_objects:
         if obj.type == 'MESH':
             if not leaves_out(obj):
-                yield Gathered(obj, above)
+                yield Gathered(obj.original, above)
         elif obj.type == 'EMPTY' and obj.instance_type == 'COLLECTION' and obj.instance_collection and len(above) < DEEPEST:
-            yield from meshes(obj.instance_collection, leaves_out, (*above, obj))
+            yield from meshes(obj.instance_collection, leaves_out, (*above, obj.original))

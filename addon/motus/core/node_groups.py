@@ -21,7 +21,19 @@ def has_inputs(group, names):
 
 def set_input(modifier, name, value):
     """Give the modifier's group a value for one of its inputs."""
-    identifier = next(socket.identifier for socket in _inputs(modifier.node_group) if socket.name == name)
+    _assign(modifier, _identifier(modifier, name), value)
+
+
+def input_of(modifier, name):
+    """What the modifier's group is given for one of its inputs."""
+    return _values(modifier)[_identifier(modifier, name)]
+
+
+def _identifier(modifier, name):
+    return next(socket.identifier for socket in _inputs(modifier.node_group) if socket.name == name)
+
+
+def _assign(modifier, identifier, value):
     if capabilities.has_modifier_inputs():
         getattr(modifier.properties.inputs, identifier).value = value
     else:
@@ -31,11 +43,22 @@ def set_input(modifier, name, value):
 
 def inputs_of(modifier):
     """What the modifier's group is given for its inputs: a list of values, without those that Blender keeps elsewhere."""
+    return list(_values(modifier).values())
+
+
+def let_go(modifier):
+    """Empty the inputs that name datablocks: Blender 5 goes on to count what a modifier had that is removed, or has another group."""
+    for identifier, value in _values(modifier).items():
+        if isinstance(value, bpy.types.ID):
+            _assign(modifier, identifier, None)
+
+
+def _values(modifier):
     found = [socket.identifier for socket in _inputs(modifier.node_group)]
     if capabilities.has_modifier_inputs():
         inputs = modifier.properties.inputs
-        return [getattr(getattr(inputs, identifier, None), "value", None) for identifier in found]
-    return [modifier.get(identifier) for identifier in found]
+        return {identifier: getattr(getattr(inputs, identifier, None), "value", None) for identifier in found}
+    return {identifier: modifier.get(identifier) for identifier in found}
 
 
 def link(group, source, target):

@@ -46,6 +46,15 @@ def is_offered(context):
     return getattr(context, OFFER, None) is not None
 
 
+def select_only(context, *objects):
+    """Select these objects alone; the first is the active one."""
+    for obj in context.selected_objects:
+        obj.select_set(False)
+    for obj in objects:
+        obj.select_set(True)
+    context.view_layer.objects.active = objects[0]
+
+
 def object_keyword(description):
     """The property by which scripts name an object."""
     return bpy.props.StringProperty(name="Object", description=description, options={'SKIP_SAVE'})
@@ -119,6 +128,19 @@ class Operator:
     def given(self, names):
         """The keywords of these that the caller gave, by name."""
         return {name: getattr(self, name) for name in names if self.is_given(name)}
+
+
+class OfAnObject(Operator):
+    """What operators on a system's set-up of one object have.
+
+    found(context, name): the object of this name, or the active one, where it has such a set-up; else raises Refused.
+    """
+
+    found = None
+
+    @classmethod
+    def check_offer(cls, context):
+        cls.found(context, "")
 
 
 class OfARig(Operator):

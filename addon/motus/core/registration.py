@@ -3,7 +3,7 @@
 import bpy
 
 from . import (
-    bake, deleted, menus, overlay, panels, preferences, settings, system, teardown, tracks, translations, ui, wiring)
+    bake, deleted, menus, overlay, panels, preferences, settings, system, teardown, tracks, translations, ui, viewports, wiring)
 
 _undo = []
 
@@ -36,6 +36,7 @@ def _register(systems, extra_classes, extra_add_menu):
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
     _call(tracks.register, tracks.unregister)
+    _call(viewports.register, viewports.unregister)
     _call(overlay.register, overlay.unregister)
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
     _call(translations.register, translations.unregister)

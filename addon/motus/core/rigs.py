@@ -18,7 +18,6 @@ from .scratch import scratch
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}
 """Bone.inherit_scale as motus::InheritScale; Blender's own numbers are others."""
 INHERITS_ROTATION, HAS_LOCAL_LOCATION = 8, 16
-_INHERITED = {"inherit_scale": "i4", "use_inherit_rotation": "?", "use_local_location": "?"}
 LARGEST_CACHE = 64
 LARGE_SCENE = 4  # objects for each target
 LAID = "laid"
@@ -65,11 +64,10 @@ def still(rig, names):
     if list(names) != order:  # bones that were added later stand at the end of the pose
         rows = {name: row for row, name in enumerate(order)}
         places = np.array([rows[name] for name in names])
-    inheritance = np.array([_inheritance(bones[name]) for name in names], np.int32)
-    rest, lengths, *flags = (array.copy() for array in _at_rest(bones, len(names)))
-    as_bytes = tuple(array.tobytes() for array in (rest, lengths, *flags))
+    rest, lengths, inheritance = (array.copy() for array in _at_rest(bones, len(names)))
+    as_bytes = tuple(array.tobytes() for array in (rest, lengths, inheritance))
     if places is not None:
-        rest, lengths = rest[places], lengths[places]
+        rest, lengths, inheritance = rest[places], lengths[places], inheritance[places]
     return Still(names, places, inheritance, rest, lengths, as_bytes)
 
 
@@ -86,10 +84,8 @@ def is_still(rig, known):
 def _at_rest(bones, count):
     lengths = scratch("rig_lengths", (count,), np.float32)
     bones.foreach_get("length", lengths)
-    flags = [scratch("rig_" + name, (count,), dtype) for name, dtype in _INHERITED.items()]
-    for name, column in zip(_INHERITED, flags):
-        bones.foreach_get(name, column)
-    return _matrices("rest", bones, "matrix_local", count), lengths, *flags
+    # One by one: in 3.4 foreach_get takes something else for a bone's inherit_scale.
+    return _matrices("rest", bones, "matrix_local", count), lengths, np.array(list(map(_inheritance, bones)), np.int32)
 
 
 def _inheritance(bone):
@@ -196,7 +192,7 @@ def plan(rig, key, make):
     plans = kept("plans", OrderedDict)
     place = key, rig.name, rig.library and rig.library.name
     found = plans.get(place)
-    copy = copies.number_of(rig.data)
+    copy = copies.stamp_of_data(rig)
     if found is not None and copy and found.copy == copy:
         plans.move_to_end(place)
         return found
@@ -217,15 +213,24 @@ def plan(rig, key, make):
 
 def source(rig, key, make, read):
     """What `read(rig, plan)` makes of an evaluated rig and of plan(rig, key, make): kept for as long as Blender keeps these copies
-    of the rig and of its armature."""
-    copy, armature = copies.of(rig), rig.data and copies.of(rig.data)
+    of the rig and of its armature; where the armature's cannot be told apart, for as long as its bones stay what they are."""
+    copy, armature = copies.of(rig), rig.data and copies.stamp_of_data(rig)
     place = "source", key
     found = None if copy is None else copy.found.get(place)
-    if found is None or armature is None or found[0] is not armature:
-        found = armature, read(rig, plan(rig, key, make))
+    if found is None or found.armature != armature or armature is None and not is_still(rig, found.still):
+        planned = plan(rig, key, make)
+        found = _Source(armature, planned.still, read(rig, planned))
         if copy is not None:
             copy.found[place] = found
-    return found[1]
+    return found.made
+
+
+class _Source(NamedTuple):
+    """What source() keeps. armature: its stamp. still: of the plan."""
+
+    armature: Any
+    still: Any
+    made: Any
 
 
 class Standing:

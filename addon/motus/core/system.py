@@ -60,7 +60,7 @@ class Matrix:
     of: str
 
     def variable(self, owner, settings):
-        target = getattr(settings, self.of)
+        target = pointed(settings, self.of)
         return target and Variable('OBJECT', target, "matrix_world")
 
     @staticmethod
@@ -90,7 +90,7 @@ class Splines:
     of: str
 
     def variable(self, owner, settings):
-        target = getattr(settings, self.of)
+        target = pointed(settings, self.of)
         if target is None or target.type != 'CURVE':
             return None
         return Variable('CURVE', target.data, "splines")
@@ -129,11 +129,12 @@ class Deformed:
 
     def objects(self, settings):
         """Those whose geometry comes first, as far as they are there."""
-        return [getattr(settings, self.of)]
+        return [pointed(settings, self.of)]
 
     def variable(self, owner, settings):
         # A driver cannot depend on another object's geometry, but on the transform of an object that does.
-        return settings.order_proxy and Variable('OBJECT', settings.order_proxy, "matrix_world")
+        proxy = pointed(settings, "order_proxy")
+        return proxy and Variable('OBJECT', proxy, "matrix_world")
 
     read = staticmethod(Matrix.read)
 
@@ -303,7 +304,8 @@ class System(Feature):
     """A Feature whose settings, SystemSettings, are solved while Blender evaluates the scene.
 
     moves_points: the solver moves the points of the owner's mesh, by a modifier, and has no members. makes_points: the solver
-    makes these, by a modifier too. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
+    makes these, by a modifier too. dress: called with the owner where Blender has lost what the modifier was given by
+    wiring.set_points_material() and the like. unbakeable: a sentence that says why there is nothing to bake. settle: called after an
     evaluation in which solve() has asked for it (Context.wants_to_settle), with the owner. over_time: called with the owner,
     a driven object and the scene; gives what core/tracks/solved.py asks of it, or None. bone_renamed: called with the owner,
     a rig, and the old and the new name of a bone of it that the owner drives or reads. shared: names of the settings that
@@ -331,6 +333,7 @@ class System(Feature):
     bone_renamed: Optional[Callable] = None
     moves_points: bool = False
     makes_points: Optional[Points] = None
+    dress: Optional[Callable] = None
     settle: Optional[Callable] = None
     over_time: Optional[Callable] = None
     unbakeable: str = ""
@@ -426,6 +429,26 @@ def systems():
 def of_owner(system, owner):
     """Settings of `system` on an object."""
     return getattr(owner.motus, system.name)
+
+
+def pointed(settings, name):
+    """What a pointer of settings names, if anything; to ask one that names nothing has the file hold an empty one."""
+    return getattr(settings, name) if settings.is_property_set(name) else None
+
+
+def has_settings(system, obj):
+    """Whether an object has settings of the system; to ask it for them gives it some."""
+    return obj.is_property_set("motus") and obj.motus.is_property_set(system.name)
+
+
+def is_owner(system, obj):
+    """Whether the system is wired on an object as its owner (members of others' are not)."""
+    return has_settings(system, obj) and of_owner(system, obj).is_active
+
+
+def leader_of(system, obj):
+    """The object whose settings of the system drive this one; None where it has its own, or none."""
+    return pointed(of_owner(system, obj), "leader") if has_settings(system, obj) else None
 
 
 def forget(system, owner):

@@ -1,11 +1,14 @@
-"""Which 3D viewport the mouse is over, and what its ray and scale are there."""
+"""Which 3D viewport the mouse is over, what its ray and scale are there, and what is kept of viewports as they were."""
 
 from typing import Any, NamedTuple
 
 import bpy
+from bpy.app.handlers import persistent
 from bpy_extras.view3d_utils import (
     location_3d_to_region_2d, region_2d_to_location_3d, region_2d_to_origin_3d, region_2d_to_vector_3d)
 from mathutils import Vector
+
+from . import handlers
 
 
 class View(NamedTuple):
@@ -98,8 +101,85 @@ def seen_place(context, place):
     return viewer.translation - AHEAD * viewer.col[2].to_3d().normalized()
 
 
-_before = {}
-"""(address of a viewport's space, path of a setting) -> what it was before the viewport was given another value."""
+class PerViewport:
+    """Something of each 3D viewport, for as long as that is there.
+
+    A viewport is its space, which stays what it is where an area is maximised, and is known by its address. Another one may have
+    the address afterwards. So what is kept of those that are gone is dropped whenever anything is asked for, as headers do that
+    are drawn, and when a file was opened, whose viewports Blender makes before it takes the old ones away.
+    """
+
+    _all = []
+
+    def __init__(self):
+        self._kept = {}
+        self._all.append(self)
+
+    def get(self, space):
+        """What is kept of a viewport; None without."""
+        self.drop_gone()
+        return self._kept.get(space.as_pointer())
+
+    def put(self, space, value):
+        """Keep something of a viewport."""
+        self._kept[space.as_pointer()] = value
+
+    def take(self, space):
+        """What is kept of a viewport, which is kept no longer; None without."""
+        self.drop_gone()
+        return self._kept.pop(space.as_pointer(), None)
+
+    def drop_gone(self):
+        """Drop what is kept of viewports that are there no more."""
+        if self._kept:
+            there = {space.as_pointer() for screen in bpy.data.screens for area in screen.areas for space in area.spaces}
+            for gone in self._kept.keys() - there:
+                del self._kept[gone]
+
+    def clear(self):
+        """Drop all."""
+        self._kept.clear()
+
+    @classmethod
+    def of_all(cls, do):
+        """Call do(one) for everything that keeps something of viewports."""
+        for one in cls._all:
+            do(one)
+
+
+@persistent
+def _loaded(*_):
+    PerViewport.of_all(PerViewport.drop_gone)
+
+
+def _watched():
+    return ((bpy.app.handlers.load_post, _loaded),)
+
+
+def register():
+    """Forget viewports that go when a file is opened."""
+    handlers.add(_watched())
+
+
+def unregister():
+    """Forget all viewports."""
+    handlers.remove(_watched())
+    PerViewport.of_all(PerViewport.clear)
+
+
+class _Named(NamedTuple):
+    """An object that a setting of a viewport is, which may be deleted in the meantime."""
+
+    name: str
+    library: Any
+
+    def object(self):
+        """The object; None where there is none of the name any more."""
+        return bpy.data.objects.get((self.name, self.library))
+
+
+_before = PerViewport()
+"""{path of a setting: what it was before the viewport was given another value}."""
 _PERSPECTIVE = "region_3d.view_perspective"
 _VIEW = "region_3d.view_location", "region_3d.view_rotation", "region_3d.view_distance"
 """What Blender changes along with the perspective."""
@@ -123,21 +203,27 @@ def has(space, values):
 
 def restore(space, values):
     """Give settings of a viewport, by their paths, what they were before, or these values where that is not known."""
+    kept = _before.get(space) or {}
     for path, value in values.items():
-        _set(space, path, _before.pop((space.as_pointer(), path), value))
+        _set(space, path, kept.pop(path, value))
     for path in _VIEW:
-        kept = _before.pop((space.as_pointer(), path), None)
-        if kept is not None:
-            _set(space, path, kept)
+        if path in kept:
+            _set(space, path, kept.pop(path))
 
 
 def _keep(space, path):
+    kept = _before.get(space)
+    if kept is None:
+        kept = {}
+        _before.put(space, kept)
     value = getattr(*_place(space, path))
-    _before[space.as_pointer(), path] = value.copy() if hasattr(value, "copy") else value
+    if isinstance(value, bpy.types.ID):
+        value = _Named(value.name, value.library and value.library.filepath)
+    kept[path] = value.copy() if hasattr(value, "copy") else value
 
 
 def _set(space, path, value):
-    setattr(*_place(space, path), value)
+    setattr(*_place(space, path), value.object() if isinstance(value, _Named) else value)
 
 
 def _place(space, path):

@@ -5,7 +5,8 @@ import math
 import bpy
 from mathutils import Vector
 
-from . import evening_houses, evening_land, evening_props, evening_trees, lighting, shapes, staging
+from ..core import node_groups
+from . import evening_houses, evening_land, evening_props, evening_trees, lighting, materials, shapes, staging
 
 SCENE_NAME = "Motus Snow"
 FRAMES_PER_SECOND = 24
@@ -67,15 +68,28 @@ def _add_snow(context, collection, covered):
     """Gentle snow, and what lies of it, by the public operators."""
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
+    emitters = []
     for name, place, radius, rate, seed in CLOUDS:
         if bpy.ops.motus.snow_add(
                 preset="GENTLE", location=place, cone_radius=radius, rate=rate, seed=seed, lifetime=LIFETIME,
                 start_frame=1.0 - AHEAD * FRAMES_PER_SECOND) != {"FINISHED"}:
             raise RuntimeError("The snow could not be added")
         context.object.name = name
+        emitters.append(context.object.name)  # in a file with a scene that was built before it is another one
+        _keep_flakes_out_of_shadow_maps(context.object)
     if bpy.ops.motus.snow_cover_add(
-            collection=covered.name, emitters=",".join(cloud[0] for cloud in CLOUDS), lands=False, **COVER) != {"FINISHED"}:
+            collection=covered.name, emitters=",".join(emitters), lands=False, **COVER) != {"FINISHED"}:
         raise RuntimeError("The snow that lies could not be added")
+
+
+def _keep_flakes_out_of_shadow_maps(emitter):
+    """EEVEE before 4.2 draws all flakes into the shadow map of each lamp, on each frame anew, which takes as long as all the rest."""
+    given = [value for modifier in emitter.modifiers if modifier.type == "NODES" and modifier.node_group
+             for value in node_groups.inputs_of(modifier)]
+    for shape in given:
+        if isinstance(shape, bpy.types.Object) and shape.type == "MESH":
+            for material in filter(None, shape.data.materials):
+                materials.cast_no_shadows(material)
 
 
 def _add_camera(scene, collection):

@@ -6,7 +6,7 @@ import bpy
 
 from ..chroma import compositor, group
 from ..core import node_groups
-from . import aeroplane, colonnade_land, flight, green_screen, lighting, shapes, staging
+from . import aeroplane, colonnade_land, flight, green_screen, lighting, staging
 
 SCENE_NAME = "Motus Chroma Key"
 FRAMES_PER_SECOND = 24

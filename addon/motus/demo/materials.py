@@ -166,6 +166,11 @@ def make_transparent(material):
         material.surface_render_method = "BLENDED"
     else:
         material.blend_method = "BLEND"
+    cast_no_shadows(material)
+
+
+def cast_no_shadows(material):
+    """Leave a material out of the shadow maps of EEVEE before 4.2."""
     if hasattr(material, "shadow_method"):
         material.shadow_method = "NONE"
 

@@ -163,16 +163,6 @@ def _size(struct, name, value):
     return prop.array_length if prop.is_array else 0
 
 
-def datablocks(id_type):
-    """The datablocks of a type that driver targets name, such as OBJECT; None where there is no such type."""
-    return next((getattr(bpy.data, prop.identifier) for name, _, prop in _types() if name == id_type), None)
-
-
-def type_of(datablock):
-    """The type of a datablock, as driver targets name it."""
-    return next(name for name, kind, _ in _types() if isinstance(datablock, kind))
-
-
 @dataclass(frozen=True)
 class Found:
     """A driver of our functions. path: of the property from the named datablock. index: -1 where it is no array.
@@ -201,16 +191,20 @@ class Found:
 def of_object(obj):
     """The drivers of our functions on an object, its data, its shape keys and its materials."""
     data = obj.data
-    holders = [(obj, ""), (data, ""), (getattr(data, "shape_keys", None), "")]
-    for slot in obj.material_slots:
-        holders += [(slot.material, ""), (slot.material, "node_tree")]
-    return [one for datablock, within in dict.fromkeys(holders) if datablock for one in on(datablock, within)]
+    holders = obj, data, getattr(data, "shape_keys", None), *(slot.material for slot in obj.material_slots)
+    return [one for datablock in dict.fromkeys(holders) if datablock for one in on(datablock)]
 
 
-def on(datablock, within=""):
-    """The drivers of our functions on a datablock, or on what lies within it at that path."""
+def on(datablock):
+    """The drivers of our functions on a datablock, and on the node tree in it."""
+    yield from _within(datablock, "")
+    if getattr(datablock, "node_tree", None):
+        yield from _within(datablock, "node_tree")
+
+
+def _within(datablock, within):
     holder = getattr(datablock, within) if within else datablock
-    animation = holder and holder.animation_data
+    animation = getattr(holder, "animation_data", None)
     for curve in animation.drivers if animation else ():
         if expressions.names_ours(curve.driver.expression):
             path = f"{within}.{curve.data_path}" if within else curve.data_path
@@ -218,14 +212,13 @@ def on(datablock, within=""):
 
 
 def there(datablock):
-    """The Places on a datablock that our functions drive."""
+    """The Places on a datablock, or on the node tree in it, that our functions drive."""
     return [place for one in on(datablock) if not _is_gone(one) for place in one.places()]
 
 
 def gone(datablock):
     """The drivers of our functions on a datablock, or on the node tree in it, whose property is gone, or no number any more."""
-    withins = ("", "node_tree") if getattr(datablock, "node_tree", None) else ("",)
-    return [one for within in withins for one in on(datablock, within) if _is_gone(one)]
+    return [one for one in on(datablock) if _is_gone(one)]
 
 
 def _is_gone(found):

@@ -30,8 +30,17 @@ MOST_NUMBERS = 32
 """Numbers of an array property that can follow: Blender's own arrays have no more."""
 
 
+PARENT = None
+"""Among names of bones: what the object hangs on, object or bone. The name of the object itself is ""."""
+
+
 class _Input:
-    """of(): tracks it is made from. extent: of all of them together. Built anew for each use."""
+    """of(): tracks it is made from. extent: of all of them together. Built anew for each use.
+
+    carriers: names whose world tracks count for it, and change though neither the owner nor its keys are edited.
+    """
+
+    carriers = ()
 
     def __init__(self, thing, entry, scene):
         self._thing, self._entry, self._scene = thing, entry, scene
@@ -138,6 +147,8 @@ def _mirrored(scales):
 class WorldInput(_Input):
     """Where an object is carried in the world: its own transform, and that of what it hangs on."""
 
+    carriers = (PARENT,)
+
     @functools.cached_property
     def listed(self):
         """As OwnInput.listed."""
@@ -227,10 +238,15 @@ class TailInput(_Input):
         return list(found.values())
 
     @property
-    def solved_bases(self):
-        """Names of the bones above all that follow which other systems turn."""
-        return [keywords["bone"] for track, keywords in self.listed
-                if keywords["transform"] == 'WORLD' and "bone" in keywords and track.kind is tracks.Kind.SOLVED]
+    def carriers(self):
+        """As of every input: the bones above all that follow which constraints turn, and the rig."""
+        rig = self._rig
+        bases = {keywords["bone"]: track for track, keywords in self.listed
+                 if keywords["transform"] == 'WORLD' and "bone" in keywords}
+        found = [name for name in bases if _is_turned(rig.pose.bones[name])]
+        if any(bases[name].is_known for name in found):  # what is read of them says the same of the rig
+            return found
+        return [*found, *([""] if len(rig.constraints) else [PARENT] if rig.parent else [])]
 
     def tails(self, frames):
         """{bone's name: places of its tail (n, 3) in world space} at frames (n,)."""
@@ -265,6 +281,11 @@ class TailInput(_Input):
 
     def _is_base(self, bone):
         return self.tracks[self._places[bone.name]].what.endswith("world")
+
+
+def _is_turned(bone):
+    """Whether constraints that are not of dynamics act on a PoseBone, or on one above it."""
+    return any(not wiring.is_sink(registered["dynamics"], one) for above in (bone, *bone.parent_recursive) for one in above.constraints)
 
 
 def _inverse(matrices):

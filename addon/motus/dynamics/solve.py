@@ -115,9 +115,9 @@ def _made(context):
 
 
 class Asked(NamedTuple):
-    """Whose stamps tell changes beyond those of the owner itself: bones that other systems turn, and paths of properties."""
+    """Whose stamps tell changes beyond those of the owner itself: names of what carries it, as those of inputs; paths of properties."""
 
-    bones: tuple
+    carriers: tuple
     paths: tuple
 
 
@@ -126,14 +126,26 @@ def _stamp(owner, copy, scene, asked):
     if copy is None:
         return None
     render = scene.render
-    found = (copy.number, strips.stamp_of(owner.animation_data), render.fps, render.fps_base, scene.frame_start)
+    found = [copy.number, strips.stamp_of(owner.animation_data), render.fps, render.fps_base, scene.frame_start]
     if owner.type == 'ARMATURE':
-        found += (copies.number_of(owner.data) or None,)
-    if owner.parent is not None:
-        found += (world_track(transforms.parent_of(owner), scene).stamp,)
-    found += tuple(world_track(owner.pose.bones[name], scene, registered["dynamics"]).stamp for name in asked.bones)
-    found += tuple(strips.stamp_of(_animation_of(owner, path)) for path in asked.paths)
+        found.append(copies.stamp_of_data(owner))
+    found += [_stamp_of_carrier(owner, name, scene) for name in asked.carriers]
+    found += [strips.stamp_of(_animation_of(owner, path)) for path in asked.paths]
     return strips.together(found)
+
+
+def _stamp_of_carrier(owner, name, scene):
+    """The same of what carries an owner."""
+    if name is inputs.PARENT:
+        reason = transforms.of_parent(owner)
+        return reason.kind if reason else _stamp_of_known(inputs.carrier(owner, scene))
+    thing = owner.pose.bones[name] if name else owner
+    return _stamp_of_known(world_track(thing, scene, registered["dynamics"]))
+
+
+def _stamp_of_known(track):
+    """A track's stamp; one and the same of all that have to be recorded and were not, of which nothing is read."""
+    return track.stamp if track.is_known else ()
 
 
 def _animation_of(owner, path):
@@ -150,7 +162,7 @@ class _Making:
     def __init__(self, owner, settings, scene, frame):
         self._owner, self._settings, self._scene = owner, settings, scene
         self.reach = inputs.reach(scene, frame)
-        self.parts, self.tails, self.values, self.members, self.problems, self.bones = [], [], [], [], [], []
+        self.parts, self.tails, self.values, self.members, self.problems, self.carriers = [], [], [], [], [], []
         self._places = {(entry.name, entry.data_path, entry.index if entry.data_path else -1): place
                         for place, entry in enumerate(settings.entries)}
 
@@ -162,8 +174,7 @@ class _Making:
         if any(_are_constrained(thing) for thing in things):
             self.problems.append(CONSTRAINED)
         source = Unit("", kind, entries, things).input(self._scene)
-        if kind == 'TAILS':
-            self.bones += source.solved_bases
+        self.carriers += source.carriers
         if self._is_ready(source, entries):
             make = self._make_tails if kind == 'TAILS' else self._make_part
             self._try(make, things, entries, rows, places)
@@ -228,7 +239,7 @@ def _make(context, copy, scene):
         slot += count
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    asked = Asked(tuple(dict.fromkeys(making.bones)), tuple(path for path, _, _ in properties))
+    asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties))
     is_still = copy is not None and not copy.has_animated_settings
     return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,
                 tuple(making.members), next(iter(making.problems), None), _weights(settings) if is_still else None)

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.operators import OBJECT_MODE, OBJECT_OR_EDIT_MODE, Operator, object_keyword
+from ..core.operators import OBJECT_MODE, OBJECT_OR_EDIT_MODE, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, named
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -38,10 +38,7 @@ class MOTUS_OT_lattice_fit(Operator, FitKeywords, bpy.types.Operator):
 
     def run(self, context):
         lattice, objects = self._fit(context)
-        for obj in context.selected_objects:
-            obj.select_set(False)
-        lattice.select_set(True)
-        context.view_layer.objects.active = lattice
+        select_only(context, lattice)
         self.report({'INFO'}, tr("{lattice} deforms {objects}").format(
             lattice=lattice.name, objects=", ".join(obj.name for obj in objects)))
 

@@ -1,13 +1,12 @@
 """What an action says of a rig's bones, as the native module plays it: read once for each state of the action."""
 
-from collections import OrderedDict
-
 import bpy
 
 from ..core import actions, copies, native
 from ..core.lazy import numpy as np
 
-LARGEST_CACHE = 256
+LARGEST_CACHE = 64
+"""Rigs, or states of one, for which an action is kept."""
 MODES = ('QUATERNION', 'XYZ', 'XZY', 'YXZ', 'YZX', 'ZXY', 'ZYX', 'AXIS_ANGLE')
 """Rotation modes by their numbers in LayerClip."""
 _EULER = 'XYZ'
@@ -16,8 +15,6 @@ _SIZES = {"location": 3, "rotation_quaternion": 4, "rotation_euler": 3, "rotatio
 _PLAIN = 2
 """CONSTANT, LINEAR and BEZIER, as foreach_get has them; what is above are easings."""
 _NEAR = 0.011  # frames: of keys that are nearer Blender does not go by the curve between them
-
-_clips = OrderedDict()
 
 
 class Clip:
@@ -70,20 +67,13 @@ class Clip:
 
 def clip_of(action, slot, names, modes):
     """The Clip of an evaluated action; kept until its keys are edited. modes: rotation modes of the bones."""
-    if not action.is_evaluated:  # an original hands its number on to all its copies
-        return Clip(action, slot, names, modes)
-    place = copies.number_of_action(action), slot, names, modes
-    found = _clips.get(place)
+    kept, place = copies.found_of_action(action), ("layers", slot, names, modes)
+    found = kept.get(place)
     if found is None:
-        found = _clips[place] = Clip(action, slot, names, modes)
-        if len(_clips) > LARGEST_CACHE:
-            _clips.popitem(last=False)
+        if len(kept) >= LARGEST_CACHE:
+            kept.clear()
+        found = kept[place] = Clip(action, slot, names, modes)
     return found
-
-
-def forget():
-    """Forget all that was read: it refers to F-curves."""
-    _clips.clear()
 
 
 def _curves_of_bones(action, slot, names):

@@ -36,10 +36,8 @@ class OverTime(SolvedBone):
     @property
     def stamp(self):
         """As Channel.stamp."""
-        actions = [entry.action for entry in self._layers if entry.action]
-        if not all(action.is_evaluated for action in actions):
-            return None
-        return together((self._bone.name, self._inputs.stamp, *map(copies.number_of_action, actions)))
+        playing = [entry.action for entry in self._layers if entry.action]
+        return together((self._bone.name, self._inputs.stamp, *map(copies.number_of_action, playing)))
 
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""

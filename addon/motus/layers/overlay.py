@@ -3,7 +3,9 @@
 from ..core import native, rigs
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
+from ..core.system import is_owner
 from . import mask, panel
+from .setup import system
 
 FULL_COLOR = (1.0, 0.62, 0.12, 0.95)
 FAINT_COLOR = (0.35, 0.45, 0.85, 0.45)
@@ -14,7 +16,7 @@ GIRTH, AT = 0.115, 0.1
 
 def _batches_of(context, owner):
     """Batches for a rig with layers; none for other objects."""
-    if owner.type != 'ARMATURE' or not owner.motus.layers.is_active:
+    if owner.type != 'ARMATURE' or not is_owner(system(), owner):
         return []
     entry = panel.active_entry(owner)
     if entry is None or entry.is_muted or not entry.mask:

@@ -4,6 +4,7 @@ import bpy
 
 from ..core import capabilities, panels, ui
 from ..core.entries import active
+from ..core.system import is_owner
 from ..core.translations import tr
 from . import mask, rows
 from .setup import system
@@ -115,7 +116,7 @@ PANEL = panels.SystemPanel(
     name="layers", prefix="MOTUS_PT_layers", label="Animation Layers",
     editors={"": ui.Sidebar, "_data": ui.ArmatureData},
     suits=lambda obj: obj.type == 'ARMATURE',
-    is_used=lambda rig: rig.motus.layers.is_active,
+    is_used=lambda rig: is_owner(system(), rig),
     draw=draw_main,
     parts=(panels.Part("mask", "Mask", draw_mask, is_open=True), panels.Part("timing", "Timing", draw_timing, is_open=True)),
     actions=draw_actions, refresh="motus.layers_refresh", adders=("motus.layer_add",))

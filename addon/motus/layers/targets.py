@@ -4,6 +4,7 @@ import bpy
 
 from ..core import actions, capabilities, libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..core.system import has_settings, registered
 from ..core.translations import tr
 from . import mask
 from .properties import MOST_LAYERS
@@ -25,7 +26,7 @@ def rig_for(context, name):
 def layered_rig(context, name):
     """The same, where it has layers."""
     found = named(name) if name else context.object
-    if found is None or found.type != 'ARMATURE' or not found.motus.layers.entries:
+    if found is None or found.type != 'ARMATURE' or not has_settings(registered["layers"], found) or not found.motus.layers.entries:
         raise Refused(tr("Nothing here has layers"))
     return found
 

@@ -58,7 +58,7 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
         rig, head, target = self._add(context)
         self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
             head=head, object=rig.name, target=target.name))
-        self._report_problem(context, rig)
+        wiring.report_problems(self, context, setup.system(), [rig])
 
     def _add(self, context):
         rig = targets.rig_for(context, self.object)
@@ -94,13 +94,6 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
             targets.check_eyes(rig, head, eyes)
             return eyes
         return None if before else anatomy.eyes_of(rig, head)
-
-    def _report_problem(self, context, rig):
-        context.view_layer.update()
-        depsgraph = context.view_layer.depsgraph
-        problem = wiring.problem(setup.system(), rig, depsgraph)
-        if problem and rig.evaluated_get(depsgraph).is_evaluated:
-            self.report({'WARNING'}, tr(problem.sentence))
 
 
 class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):

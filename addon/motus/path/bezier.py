@@ -4,7 +4,7 @@ import bpy
 from mathutils import Vector
 
 from ..core.curves import CONTROL_POLYGON_KEY, MAX_DEGREE
-from ..core.operators import OBJECT_MODE, Operator
+from ..core.operators import OBJECT_MODE, Operator, select_only
 from ..core.refusals import Refused
 from ..core.rows import Row, Rows
 from ..core.translations import tr
@@ -43,10 +43,7 @@ class MOTUS_OT_path_new_bezier(Operator, bpy.types.Operator):
             curve = new_curve(self.name, default_points(self.degree))
             curve.location = context.scene.cursor.location
         context.collection.objects.link(curve)
-        for selected in context.selected_objects:
-            selected.select_set(False)
-        context.view_layer.objects.active = curve
-        curve.select_set(True)
+        select_only(context, curve)
         self.report({'INFO'}, tr("{curve} has degree {degree}").format(
             curve=curve.name, degree=len(curve.data.splines[0].points) - 1))
 

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Euler, Quaternion, Vector
 
-from ..core import handlers, teardown
+from ..core import teardown, viewports
 from ..core.operators import Operator
 from ..core.refusals import Refused
 from ..core.rows import Rows
@@ -62,8 +62,8 @@ class _Before(NamedTuple):
     kept: Any
 
 
-_before = {}
-"""What viewports with edit views were, by the addresses of their spaces, which stay what they are where an area is maximised."""
+_before = viewports.PerViewport()
+"""The _Before of viewports with edit views."""
 
 
 class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
@@ -129,25 +129,11 @@ def draw_buttons(layout, context):
 def register():
     """Put the way back into the viewport's header, beside the menus: what stands at its end is cut off first."""
     bpy.types.VIEW3D_MT_editor_menus.append(_draw_header)
-    handlers.add(_watched())
 
 
 def unregister():
     """Let all viewports be what they were."""
-    handlers.remove(_watched())
-    teardown.run(_leave_all, partial(bpy.types.VIEW3D_MT_editor_menus.remove, _draw_header), _before.clear)
-
-
-def _watched():
-    return ((bpy.app.handlers.load_post, _forget_gone),)
-
-
-@bpy.app.handlers.persistent
-def _forget_gone(*_):
-    """Forget viewports that are there no more, whose addresses others may have from now on."""
-    there = {space.as_pointer() for screen in bpy.data.screens for area in screen.areas for space in area.spaces}
-    for gone in _before.keys() - there:
-        del _before[gone]
+    teardown.run(_leave_all, partial(bpy.types.VIEW3D_MT_editor_menus.remove, _draw_header))
 
 
 def _draw_header(menus, context):
@@ -172,7 +158,7 @@ def _areas(context):
 
 def _shown(area):
     """Which edit view an area shows; "" for none."""
-    before = _before.get(area.spaces.active.as_pointer())
+    before = _before.get(area.spaces.active)
     if before is None or area.type != 'VIEW_3D':
         return ""
     # A quad view may have been left by Blender's own key.
@@ -203,14 +189,13 @@ def _enter(window, area, view, corners):
         space.region_3d.view_perspective = 'ORTHO'
         space.region_3d.view_rotation = VIEWS[view]
         _fit(space, space.region_3d, corners, whole, free)
-    _forget_gone()
-    _before[space.as_pointer()] = _Before(view, is_quad, kept)
+    _before.put(space, _Before(view, is_quad, kept))
     area.tag_redraw()
 
 
 def _leave(window, area):
     space = area.spaces.active
-    shown, before = _shown(area), _before.pop(space.as_pointer(), None)
+    shown, before = _shown(area), _before.take(space)
     if not shown:
         return
     if bool(space.region_quadviews) != before.is_quad:

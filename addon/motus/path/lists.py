@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.operators import OBJECT_MODE, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, named
 from ..core.rows import Row, Rows
 from ..core.translations import tr
@@ -203,10 +203,7 @@ class MOTUS_OT_path_select_follower(Operator, bpy.types.Operator):
 def _select_alone(context, obj):
     if obj.name not in context.view_layer.objects:
         raise Refused(tr("{object} is not in this view layer").format(object=obj.name))
-    for selected in context.selected_objects:
-        selected.select_set(False)
-    obj.select_set(True)
-    context.view_layer.objects.active = obj
+    select_only(context, obj)
 
 
 def _remove_pins(settings, frame):

@@ -19,16 +19,6 @@ def follower_for(context, name=""):
     return obj
 
 
-def report_problems(operator, context, owners):
-    """Warn of what keeps the owners from following, as far as they are evaluated here."""
-    context.view_layer.update()
-    depsgraph = context.view_layer.depsgraph
-    problems = {wiring.problem(setup.system(), owner, depsgraph) for owner in owners
-                if owner.evaluated_get(depsgraph).is_evaluated}
-    for sentence in sorted(problem.sentence for problem in problems if problem):
-        operator.report({'WARNING'}, tr(sentence))
-
-
 def with_ends(operator, owner, curve, keywords, is_train=False):
     """The keywords of a NewFollowKeywords, and where the owner is new and `extend` not given what the curve asks for."""
     if "extend" in keywords or owner.motus.path.is_active:
@@ -70,7 +60,7 @@ class MOTUS_OT_path_follow_add(Operator, NewFollowKeywords, bpy.types.Operator):
             self.report({'INFO'}, tr("{object} follows {curve}").format(object=owners[0].name, curve=self.curve))
         else:
             self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(owners), curve=self.curve))
-        report_problems(self, context, owners)
+        wiring.report_problems(self, context, setup.system(), owners)
 
     def _add(self, context):
         owners = [named(self.object)] if self.object else targets.selected_followers(context)

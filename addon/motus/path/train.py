@@ -2,13 +2,14 @@
 
 import bpy
 
+from ..core import wiring
 from ..core.operators import OBJECT_MODE, Operator
 from ..core.refusals import Refused, check_finite
 from ..core.rows import Rows
 from ..core.translations import tr
 from . import rows, setup, targets
 from .gaps import touching_gaps
-from .operators import make_active, report_problems, with_ends
+from .operators import make_active, with_ends
 from .properties import KEYWORDS, NewFollowKeywords
 
 
@@ -41,7 +42,7 @@ class MOTUS_OT_path_train_add(Operator, NewFollowKeywords, bpy.types.Operator):
     def run(self, context):
         train = self._add(context)
         self.report({'INFO'}, tr("{count} objects follow {curve}").format(count=len(train), curve=self.curve))
-        report_problems(self, context, train[:1])
+        wiring.report_problems(self, context, setup.system(), train[:1])
 
     def _add(self, context):
         train = targets.named_list(self.objects) if self.objects else targets.selected_followers(context)

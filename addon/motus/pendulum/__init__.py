@@ -37,5 +37,6 @@ TRAILS = System(
     solve=trail.make,
     problems=trail.PROBLEMS,
     makes_points=trail.POINTS,
+    dress=trail.dress,
     unbakeable=trail.UNBAKEABLE.sentence,
 )

@@ -95,7 +95,7 @@ def _angles(context, pivot, number):
     try:
         return swing.at(seconds)[number][:swing.each]
     except ValueError:
-        raise Refused(tr(solve.unknown(seconds).sentence)) from None
+        raise Refused(tr(solve.unknown(seconds, swing.count).sentence)) from None
 
 
 def clock_at(context, pivot):

@@ -6,7 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import actions, libraries, wiring
-from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.rows import Row, Rows, is_one_of
 from ..core.translations import tr
@@ -84,13 +84,9 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
         pivots = self._add(context)
         for pivot in pivots if self.use_trails or self.kind == 'CHAOS' else ():
             trail.add(libraries.collection_for(context, pivot), pivot, {})
-        for obj in context.selected_objects:
-            obj.select_set(False)
-        context.view_layer.objects.active = pivots[0]
-        for pivot in pivots:
-            pivot.select_set(True)
+        select_only(context, *pivots)
         self.object = pivots[0].name if self.object else ""
-        self._report(context, pivots)
+        wiring.report_problems(self, context, build.system(), pivots)
 
     def _add(self, context):
         keywords = self._checked()
@@ -161,16 +157,6 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
             raise Refused(tr("A fan has 1 to {count} pendulums").format(count=parts.LARGEST_FAN))
         return keywords
 
-    def _report(self, context, pivots):
-        context.view_layer.update()
-        depsgraph = context.view_layer.depsgraph
-        for pivot in pivots:
-            if not pivot.evaluated_get(depsgraph).is_evaluated:
-                continue
-            problem = wiring.problem(build.system(), pivot, depsgraph)
-            if problem:
-                self.report({'WARNING'}, tr(problem.sentence))
-
 
 def _rods_of(kind):
     return 'SINGLE' if kind == 'SINGLE' else 'DOUBLE'
@@ -217,23 +203,25 @@ def _check_any(found):
         raise Refused(tr("Nothing here is part of a pendulum"))
 
 
-class MOTUS_OT_pendulum_play(Operator, bpy.types.Operator):
+class _OfAPivot(OfAnObject):
+    """Operators on a pendulum."""
+
+    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
+    modes = OBJECT_MODE
+    found = staticmethod(targets.pivot_for)
+
+
+class MOTUS_OT_pendulum_play(_OfAPivot, bpy.types.Operator):
     bl_idname = "motus.pendulum_play"
     bl_label = "Play or Pause Pendulum"
     bl_description = "Key whether the pendulum's time runs from the present frame on"
 
-    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
     play: bpy.props.EnumProperty(name="Play", description="What is keyed", items=PLAYS, default='TOGGLE')
 
-    modes = OBJECT_MODE
     redo = (Rows((Row("play", expand=True),)),)
 
-    @classmethod
-    def check_offer(cls, context):
-        targets.pivot_for(context, "")
-
     def run(self, context):
-        pivot = targets.pivot_for(context, self.object)
+        pivot = self.found(context, self.object)
         check_local(pivot)
         settings, frame = pivot.motus.pendulum, context.scene.frame_current_final
         is_playing = not settings.is_playing if self.play == 'TOGGLE' else self.play == 'PLAY'
@@ -247,44 +235,33 @@ class MOTUS_OT_pendulum_play(Operator, bpy.types.Operator):
         context.view_layer.update()
 
 
-class MOTUS_OT_pendulum_trail_add(Operator, TrailKeywords, bpy.types.Operator):
+class MOTUS_OT_pendulum_trail_add(_OfAPivot, TrailKeywords, bpy.types.Operator):
     bl_idname = "motus.pendulum_trail_add"
     bl_label = "Add Trails"
     bl_description = "Show the ways that the end bobs of a pendulum have come, as tubes in the bobs' colours"
 
-    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
-
-    modes = OBJECT_MODE
     needs_native = True
     redo = (rows.TRAIL,)
 
-    @classmethod
-    def check_offer(cls, context):
-        targets.pivot_for(context, "")
-
     def run(self, context):
-        pivot = targets.pivot_for(context, self.object)
+        pivot = self.found(context, self.object)
         check_finite(self, TRAIL_KEYWORDS)
         if not self.seconds > 0.0:
             raise Refused(tr("{keyword} must be greater than 0").format(keyword="seconds"))
         trail.add(libraries.collection_for(context, pivot), pivot, self.given(TRAIL_KEYWORDS))
 
 
-class MOTUS_OT_pendulum_trail_remove(Operator, bpy.types.Operator):
+class MOTUS_OT_pendulum_trail_remove(_OfAPivot, bpy.types.Operator):
     bl_idname = "motus.pendulum_trail_remove"
     bl_label = "Remove Trails"
     bl_description = "Take the trails of a pendulum away"
 
-    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
-
-    modes = OBJECT_MODE
-
     @classmethod
     def check_offer(cls, context):
-        _check_trail(targets.pivot_for(context, ""))
+        _check_trail(cls.found(context, ""))
 
     def run(self, context):
-        pivot = targets.pivot_for(context, self.object)
+        pivot = self.found(context, self.object)
         _check_trail(pivot)
         trail.remove(pivot)
 
@@ -294,21 +271,13 @@ def _check_trail(pivot):
         raise Refused(tr("{object} has no trails").format(object=pivot.name))
 
 
-class MOTUS_OT_pendulum_refresh(Operator, bpy.types.Operator):
+class MOTUS_OT_pendulum_refresh(_OfAPivot, bpy.types.Operator):
     bl_idname = "motus.pendulum_refresh"
     bl_label = "Refresh"
     bl_description = "Wire the pendulum again"
 
-    object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
-
-    modes = OBJECT_MODE
-
-    @classmethod
-    def check_offer(cls, context):
-        targets.pivot_for(context, "")
-
     def run(self, context):
-        pivot = targets.pivot_for(context, self.object)
+        pivot = self.found(context, self.object)
         parts.fit(pivot)
         wiring.refresh(build.system(), pivot)
         own_trail = parts.own_trail(pivot)
@@ -327,10 +296,7 @@ class MOTUS_OT_pendulum_select_pivot(Operator, bpy.types.Operator):
         pivot = parts.pivot_of(context.object) if context.object else None
         if pivot is None:
             raise Refused(tr("Nothing here is part of a pendulum"))
-        for obj in context.selected_objects:
-            obj.select_set(False)
-        pivot.select_set(True)
-        context.view_layer.objects.active = pivot
+        select_only(context, pivot)
 
 
 classes = (MOTUS_OT_pendulum_add, MOTUS_OT_pendulum_remove, MOTUS_OT_pendulum_play, MOTUS_OT_pendulum_trail_add,

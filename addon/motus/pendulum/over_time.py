@@ -16,15 +16,15 @@ from . import clock, parts, pivot_motion, solve
 
 def over_time(owner, thing, scene):
     """System.over_time; None for what is no rod of the owner."""
-    entry = next((entry for entry in parts.own_rods(owner) if entry.object == thing), None)
-    return OverTime(owner, thing, entry.number, scene) if entry else None
+    numbers = {entry.object: entry.number for entry in parts.own_rods(owner)}
+    return OverTime(owner, thing, numbers[thing], tuple(numbers.values()), scene) if thing in numbers else None
 
 
 class OverTime:
-    """A rod of an owner; see core/tracks/solved.py. Both original or both evaluated."""
+    """A rod of an owner; see core/tracks/solved.py. Both original or both evaluated. numbers: of all its rods."""
 
-    def __init__(self, owner, rod, number, scene):
-        self._owner, self._rod, self._number, self._scene = owner, rod, number, scene
+    def __init__(self, owner, rod, number, numbers, scene):
+        self._owner, self._rod, self._number, self._numbers, self._scene = owner, rod, number, numbers, scene
         self._settings = owner.motus.pendulum
         path = self._settings.path_from_id()
         self._channels = {name: Channel(owner, f"{path}.{name}", -1) for name in ("is_playing", "speed", "influence")}
@@ -50,7 +50,7 @@ class OverTime:
     def _angles(self, times):
         """(n,) of the rod against the one above it."""
         swing = solve.swing_of(self._settings, self._scene)
-        if isinstance(swing, Problem) or deleted.is_deleted(self._owner):
+        if isinstance(swing, Problem) or deleted.is_deleted(self._owner) or not swing.has_rods(self._numbers):
             return np.zeros(len(times))
         seconds, rate = self._clock(times)
         felt = pivot_motion.felt(self._owner, self._scene, rate)[0] if self._pivot else {}
@@ -95,7 +95,7 @@ class OverTime:
         """As Channel.stamp."""
         settings, scene = self._settings, self._scene
         return together((
-            self._number, settings.kind, settings.use_limits, settings.count, solve.gravity_of(settings, scene),
+            self._number, self._numbers, settings.kind, settings.use_limits, settings.count, solve.gravity_of(settings, scene),
             *(getattr(settings, name) for name in solve.NUMBERS if name not in self._channels), scene.render.fps, scene.render.fps_base,
             *(channel.stamp for channel in self._channels.values()), own_track(self._rod).stamp,
             *((self._pivot.stamp, scene.frame_end) if self._pivot else ())))

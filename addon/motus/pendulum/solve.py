@@ -19,12 +19,14 @@ NO_LIMIT = Problem("The limits must be greater than 0")
 NO_FAN = Problem("A fan has 1 to 500 pendulums")
 TOO_FAR = Problem(
     "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping")
+FAN_TOO_FAR = Problem(
+    "The motion of so many pendulums is not known so far from its start: start it later, let it run more slowly, or take fewer")
 TOO_EXTREME = Problem(
     "A length, mass, angle, velocity, gravity or damping is too large or too small for the motion to be computed")
 NEAR = 60.0
 """Seconds from the start within which only extreme numbers let the motion be unknown."""
 PROBLEMS = (NO_RODS, PIVOT_DELETED, NOT_FINITE, NO_LENGTH, NO_MASS, NO_LIMIT, TOO_FAR, clock.UNKNOWN, pivot_motion.UNKNOWN,
-            pivot_motion.NOT_STEADY, TOO_EXTREME, NO_FAN)
+            pivot_motion.NOT_STEADY, TOO_EXTREME, NO_FAN, FAN_TOO_FAR)
 
 NUMBERS = (
     "length1", "length2", "mass1", "mass2", "angle1", "angle2", "angle_step", "velocity1", "velocity2", "gravity",
@@ -45,6 +47,10 @@ class Swing(NamedTuple):
     at: Callable
     way: Callable
     count: int = 1
+
+    def has_rods(self, numbers):
+        """Whether it has rods of all of these numbers, one or more: where one is missing, none is turned."""
+        return 0 <= min(numbers) and max(numbers) < self.each * self.count
 
 
 def solve(context, pivot, influence):
@@ -69,12 +75,15 @@ def solve(context, pivot, influence):
     try:
         rows = swing.at(now.seconds, **felt)
     except ValueError:
-        return unknown(now.seconds)
+        return unknown(now.seconds, swing.count)
     first = rows[0]
     context.outputs[:] = (first[0], first[swing.each - 1], first[swing.each], first[-1], now.seconds)
     if len(context.member_data) == 0:
         return NO_RODS
-    turns = [_turn(rows, number, swing, influence) for number in context.member_data.tolist()]
+    numbers = [int(number) for number in context.member_data.tolist()]
+    if not swing.has_rods(numbers):
+        raise Damaged("no such rod")
+    turns = [_turn(rows, number, swing, influence) for number in numbers]
     if len(turns) == 1:  # NumPy takes longer for a list of lists
         context.rotations[0, 0], context.rotations[0, 2] = turns[0]
     else:
@@ -84,18 +93,18 @@ def solve(context, pivot, influence):
 
 def _turn(rows, number, swing, influence):
     """(w, y) of the quaternion that turns a rod, which hangs on the one above it."""
-    fan, rod = divmod(int(number), swing.each)
-    if not 0 <= fan < swing.count:
-        raise Damaged("no such rod")
+    fan, rod = divmod(number, swing.each)
     angle = rows[fan][rod] - (rows[fan][0] if rod else 0.0)
     # About the pivot's Y axis a positive turn swings to -X. Of the math module: NumPy's sine is not always the same.
     half = -0.5 * influence * angle
     return math.cos(half), math.sin(half)
 
 
-def unknown(seconds):
-    """The Problem of a motion that the library does not know at a time."""
-    return TOO_EXTREME if abs(seconds) < NEAR else TOO_FAR
+def unknown(seconds, count=1):
+    """The Problem of a motion, or of a fan of so many, that the library does not know at a time."""
+    if abs(seconds) < NEAR:
+        return TOO_EXTREME
+    return TOO_FAR if count == 1 else FAN_TOO_FAR
 
 
 def gravity_of(settings, scene):
@@ -139,6 +148,6 @@ def swing_of(settings, scene):
 
 
 def _fan(seconds, starts, constants, **felt):
-    if len(starts) == 1 or felt:
-        return [native.module.double_pendulum(seconds, *start, **constants, **felt).tolist() for start in starts]
-    return native.module.double_pendulums(seconds, starts, **constants).tolist()
+    if len(starts) == 1:
+        return [native.module.double_pendulum(seconds, *starts[0], **constants, **felt).tolist()]
+    return native.module.double_pendulums(seconds, starts, **constants, **felt).tolist()

@@ -59,9 +59,10 @@ def make(context, matrix, swing, seconds, fade, thickness):
     if len(times) < 2 or thickness <= 0.0:
         return None
     try:
+        found.at(now.seconds, **felt)  # all at once, which is sooner, or refused where they are too many for so long a time
         ways = [found.way(times, number, **felt)[:, :found.each] for number in range(found.count)]
     except ValueError:
-        return solve.unknown(now.seconds)
+        return solve.unknown(now.seconds, found.count)
     _fill(context.points(len(times) * found.count), pivot, ways, np.abs(now.seconds - times) / seconds, (swing, fade, thickness))
     return None
 
@@ -132,6 +133,11 @@ def add(collection, pivot, keywords):
     for name, value in keywords.items():
         setattr(found, name, value)
     wiring.attach(system(), obj)
+    dress(obj)
+
+
+def dress(obj):
+    """Give a trail its material."""
     wiring.set_points_material(system(), obj, _material())
 
 

@@ -49,11 +49,12 @@ class Winds(NamedTuple):
 
 
 class Faces(NamedTuple):
-    """Triangles in the space of their object. stamp: of their content."""
+    """Triangles in the space of their object. stamp: of their content. area: m^2, in that space, at most."""
 
     stamp: Any
     positions: Any
     triangles: Any
+    area: float
 
     __eq__, __hash__ = Poses.__eq__, Poses.__hash__
 
@@ -79,9 +80,21 @@ def over_time(obj, scene, present, frame, longest, start_frame, fps):
     The Poses are None where they are not finite. present: the matrix of the object now. longest: as in moving().
     """
     moved = track(obj, scene)
-    if not moved.is_known or moved.extent is None:
-        return standing(present), moved.is_known
-    return moving(moved, frame, longest, start_frame, fps), True
+    is_standing = not moved.is_known or moved.extent is None
+    poses = standing(present) if is_standing else moving(moved, frame, longest, start_frame, fps)
+    if poses is not None and obj.type == 'CAMERA':
+        poses = poses._replace(matrices=_unscaled(poses.matrices))
+    return poses, moved.is_known
+
+
+def _unscaled(matrices):
+    """Matrices (k, 4, 4) with axes of length 1, as Blender has those of a camera, however it or its parents are scaled."""
+    axes = matrices[:, :3, :3]
+    # Summed by hand, so that the bits are the same wherever the matrices lie.
+    lengths = np.sqrt(axes[:, 0] * axes[:, 0] + axes[:, 1] * axes[:, 1] + axes[:, 2] * axes[:, 2])
+    found = matrices.copy()
+    found[:, :3, :3] = axes / np.where(lengths > 0.0, lengths, 1.0)[:, None]
+    return found
 
 
 def moving(moved, frame, longest, start_frame, fps):
@@ -136,13 +149,6 @@ def _sampled(moved, first, last, start_frame, fps):
     return seconds, [one.values(frames[places]) for one in moved]
 
 
-def placed(found, matrix):
-    """The Faces as they are in the world."""
-    rows = np.array(matrix, float)
-    positions = found.positions @ rows[:3, :3].T + rows[:3, 3]
-    return Faces((found.stamp, rows.tobytes()), np.ascontiguousarray(positions, np.float32), found.triangles)
-
-
 def faces(obj):
     """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh. Kept for as long as Blender keeps that
     copy of the mesh."""
@@ -177,4 +183,4 @@ def _read(mesh):
         return None
     stamp = hashlib.blake2b(positions, digest_size=16)
     stamp.update(triangles)
-    return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3))
+    return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3), float(areas.sum(dtype=float)))

@@ -6,7 +6,7 @@ import bpy
 from mathutils import Euler
 
 from ..core import datablocks, wiring
-from ..core.system import forget, registered
+from ..core.system import forget, is_owner, registered
 from ..core.translations import tr
 from . import colliders, look
 
@@ -25,7 +25,7 @@ def system():
 
 def is_emitter(obj):
     """Whether an object has snow, which it is not given by asking."""
-    return obj.is_property_set("motus") and obj.motus.snow.is_active
+    return is_owner(system(), obj)
 
 
 def new_emitter(context, place):

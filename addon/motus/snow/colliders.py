@@ -9,7 +9,7 @@ from mathutils import Matrix
 
 from ..core import datablocks, deleted, gathered, wiring
 from ..core.lazy import numpy as np
-from ..core.system import Problem
+from ..core.system import Problem, is_owner, pointed, registered
 from . import flakes, stillness
 from .placing import joined, placed
 
@@ -23,15 +23,15 @@ NAME = "Motus Colliders"
 
 def are_any(settings):
     """Whether there is anything to land on, but for the ground."""
-    return settings.collider is not None or settings.colliders is not None or settings.recorded is not None
+    return any(pointed(settings, name) is not None for name in ("collider", "colliders", "recorded"))
 
 
 def objects(settings):
     """What has to be evaluated before flakes can land: the meshes, and empties by which those of collections are seen."""
-    if settings.recorded is not None:
-        return [settings.recorded]
-    found = [settings.collider] if settings.collider is not None else []
-    return found + [one for each in _members(settings) for one in (each.object, *each.instancers)]
+    recorded, collider = pointed(settings, "recorded"), pointed(settings, "collider")
+    if recorded is not None:
+        return [recorded]
+    return ([] if collider is None else [collider]) + [one for each in _members(settings) for one in (each.object, *each.instancers)]
 
 
 def barrier(context):
@@ -42,22 +42,40 @@ def barrier(context):
 
 def parts(settings, scene, left_out=()):
     """(those that stand still, as a tuple of Placed, Problem or None) of evaluated settings. left_out: originals."""
+    recorded = pointed(settings, "recorded")
+    if recorded is not None:
+        kept = _recorded(recorded, left_out)
+        return (() if kept is None else (kept,)), None
     found, fault = _found(settings)
     found = [one for one in found if one.objects[0].original not in left_out]
-    if settings.recorded is None:
-        still = [one for one in found if not any(stillness.moves(obj, scene) for obj in one.objects)]
-        fault = fault or (MOVING if len(still) < len(found) else None)
-        found = still
-    return tuple(filter(None, (placed(one.objects[0], one.matrix) for one in found))), fault
+    still = [one for one in found if not any(stillness.moves(obj, scene) for obj in one.objects)]
+    fault = fault or (MOVING if len(still) < len(found) else None)
+    return tuple(filter(None, (placed(one.objects[0], one.matrix) for one in still))), fault
 
 
-def record(emitter, depsgraph):
-    """Let flakes land on the colliders as they are now, whatever these do later. Returns whether there were any faces."""
-    found = [placed(one.objects[0], one.matrix) for one in _found(emitter.evaluated_get(depsgraph).motus.snow)[0]]
-    found = list(filter(None, found))
+def record(emitter, view_layer):
+    """Let flakes land on the colliders as they are now, whatever these do later. Returns whether there were any faces; if not,
+    what was recorded before stays."""
+    settings = emitter.motus.snow
+    # Colliders are evaluated for flakes that land on them.
+    before, settings.recorded = settings.recorded, None
+    view_layer.update()
+    found = [(one.objects[0].original, placed(one.objects[0], one.matrix))
+             for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
+    found = [(obj, faces) for obj, faces in found if faces is not None]
     if not found:
+        settings.recorded = before
         return False
-    positions, triangles = joined(found)
+    kept = bpy.data.objects.new(NAME, _mesh(*joined([faces for _, faces in found])))
+    for obj, faces in found:
+        entry = kept.motus.snow.recorded_of.add()
+        entry.object, entry.count = obj, len(faces.faces.triangles)
+    settings.recorded = kept
+    _drop(before)
+    return True
+
+
+def _mesh(positions, triangles):
     mesh = bpy.data.meshes.new(NAME)
     mesh.vertices.add(len(positions))
     mesh.vertices.foreach_set("co", positions.ravel())
@@ -67,20 +85,33 @@ def record(emitter, depsgraph):
     mesh.polygons.foreach_set("loop_start", np.arange(0, triangles.size, 3, dtype=np.int32))
     mesh.polygons.foreach_set("loop_total", np.full(len(triangles), 3, np.int32))
     mesh.update(calc_edges=True)
-    forget(emitter)
-    emitter.motus.snow.recorded = bpy.data.objects.new(NAME, mesh)
-    return True
+    return mesh
 
 
 def forget(emitter):
     """Let flakes land on the colliders themselves again. What was recorded goes with the last emitter that has it."""
     settings = emitter.motus.snow
-    kept = settings.recorded
-    if kept is None:
-        return
-    settings.recorded = None
-    if kept.library is None and kept.users == 0:
+    kept = pointed(settings, "recorded")
+    if kept is not None:
+        settings.recorded = None
+        _drop(kept)
+
+
+def _drop(kept):
+    if kept is not None and kept.library is None and kept.users == 0:
         datablocks.remove_objects([kept])
+
+
+def _recorded(kept, left_out):
+    """What was recorded, Placed, without the faces of those that are left out; None where nothing is left."""
+    found = placed(kept, kept.matrix_world)
+    entries = kept.motus.snow.recorded_of if kept.is_property_set("motus") else ()
+    counts = [entry.count for entry in entries]
+    # In the file may stand anything.
+    if found is None or min(counts, default=-1) < 0 or sum(counts) != len(found.faces.triangles):
+        return found
+    stays = [entry.object is None or entry.object.original not in left_out for entry in entries]
+    return found if all(stays) else found.chosen(np.repeat(stays, counts))
 
 
 class _Found:
@@ -91,9 +122,7 @@ class _Found:
 
 
 def _found(settings):
-    """([_Found], Problem or None) of evaluated settings."""
-    if settings.recorded is not None:
-        return [_Found(settings.recorded.matrix_world, settings.recorded)], None
+    """([_Found], Problem or None) of evaluated settings: the colliders themselves, recorded or not."""
     # What has come into the collection since the owner was wired may not be evaluated.
     ready = wiring.waited_for(settings)
     found, fault = [], None
@@ -118,10 +147,10 @@ def seen_at(each, ready):
 
 
 def _members(settings):
-    collection = settings.colliders
-    return [] if collection is None else list(gathered.meshes(collection.original, _is_snow))
+    collection = pointed(settings, "colliders")
+    return [] if collection is None else list(gathered.meshes(collection, _is_snow))
 
 
 def _is_snow(obj):
     """Whether it is an emitter or a cover, whose geometry waits for that of the colliders."""
-    return obj.is_property_set("motus") and (obj.motus.snow.is_active or obj.motus.snow_cover.is_active)
+    return any(is_owner(registered[name], obj) for name in ("snow", "snow_cover"))

@@ -108,7 +108,7 @@ class MOTUS_OT_snow_drag(PointDrag, Operator, bpy.types.Operator):
             tr("Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels"))
 
     def _hold(self, context, region, view, mouse):
-        emitter = bpy.data.objects[self.object]
+        emitter = _emitter(context, self.object)  # it may have been removed while the drag waited
         found = pick(emitter, region, view.perspective_matrix, mouse, handles.NEAR * context.preferences.system.ui_scale)
         if found is None:
             return None

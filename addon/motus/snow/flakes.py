@@ -113,6 +113,12 @@ def collider(parts):
         return None
 
 
+def forget():
+    """Let go of all snows, and of the meshes that their flakes land on."""
+    made.cache_clear()
+    collider.cache_clear()
+
+
 def fill(points, snow, seconds, share, is_found=True):
     """Let Blender's points be the flakes of a time, or those that a share of them has been chosen of.
 

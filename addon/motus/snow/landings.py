@@ -7,10 +7,10 @@ Blender evaluate again. Renders, and Blenders without a window, find all at once
 import time
 
 import bpy
-from bpy.app.handlers import persistent
 
-from ..core import handlers, viewports, wiring
-from ..core.system import registered
+from ..core import viewports, wiring
+from ..core.system import is_owner, registered
+from . import flakes
 
 AT_ONCE = 48
 """Blocks of 256 flakes that an evaluation, or a call of the timer, looks at."""
@@ -85,7 +85,7 @@ def settle(_emitter):
 def _go_on():
     for name, search in list(_searches.items()):
         emitter = bpy.data.objects.get((name, None))
-        if emitter is None or not emitter.is_property_set("motus") or not emitter.motus.snow.is_active:
+        if emitter is None or not is_owner(registered["snow"], emitter):
             _searches.pop(name, None)
             continue
         if search.has_no_room:
@@ -99,24 +99,9 @@ def _go_on():
     return None if all(search.has_no_room for search in _searches.values()) else PAUSE
 
 
-@persistent
-def _forget(*_):
-    # Blender has dropped the timer with the file that was open before.
+def forget():
+    """Let go of all snows, and of what is looked for."""
     _searches.clear()
-
-
-def _watched():
-    return ((bpy.app.handlers.load_post, _forget),)
-
-
-def register():
-    """Forget with each file what was looked for in the one before."""
-    handlers.add(_watched())
-
-
-def unregister():
-    """Stop looking."""
-    handlers.remove(_watched())
-    _searches.clear()
-    if bpy.app.timers.is_registered(_go_on):
+    flakes.forget()
+    if bpy.app.timers.is_registered(_go_on):  # not after another file was opened, which ends it
         bpy.app.timers.unregister(_go_on)

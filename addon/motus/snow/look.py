@@ -1,18 +1,16 @@
-"""What flakes look like: a modifier behind the snow's own puts instances on its points."""
+"""What flakes look like: what the snow's modifier makes of its points."""
 
 import math
 
 import bpy
 
-from ..core import capabilities, node_groups, wiring
+from ..core import node_groups, wiring
 from ..core.system import registered
 
 KEY = "motus_flakes"
 """Custom property of what is made here, by which it is found again: which of these it is."""
-GROUP = MODIFIER = "Motus Flakes"
 ICE, GLOW, WHITE = "Motus Flake", "Motus Spark", "Motus Flake Points"
 """Materials."""
-OBJECT, COLLECTION = "Flake", "Flakes"
 GLOW_STRENGTH = 12.0
 
 # Of a crystal's arm along +X, of a flake of radius 1: half the width of the arm at its foot and near its tip, and
@@ -26,54 +24,38 @@ PETAL = (-0.9, 0.12, 0.22), (-0.3, 0.55, 0.02), (0.35, 0.75, 0.0), (0.85, 0.45, 
 
 
 def dress(owner):
-    """Let the flakes of an emitter look as its settings say."""
-    settings = owner.motus.snow
+    """Let the flakes of an emitter look as its settings say.
+
+    What the look before was made of stays until the snow is removed or the file is closed: somebody may have changed the material.
+    """
+    settings, system = owner.motus.snow, registered["snow"]
+    _drop_older(owner)
     if settings.look == 'POINTS':
-        undress(owner)
-        _set_points_material(owner, _white())
-        return
-    _set_points_material(owner, None)
-    found = _modifier(owner)
-    if found is None:
-        found = owner.modifiers.new(MODIFIER, 'NODES')
-        found.node_group = _group()
-        found.show_expanded = False
-    chosen = _shape(settings.look) if settings.look in _SHAPES else settings.flake if settings.look == 'OBJECT' else None
-    node_groups.set_input(found, OBJECT, chosen)
-    node_groups.set_input(found, COLLECTION, settings.flakes if settings.look == 'COLLECTION' else None)
-    _drop_unused()
-
-
-def undress(owner):
-    """Leave the flakes bare points, and remove what nobody else needs."""
-    found = _modifier(owner)
-    if found is not None:
-        # With a modifier that is removed Blender 5 does not count the users down.
-        node_groups.set_input(found, OBJECT, None)
-        node_groups.set_input(found, COLLECTION, None)
-        group = found.node_group
-        owner.modifiers.remove(found)
-        if group.users == 0:
-            bpy.data.node_groups.remove(group)
-    _drop_unused()
+        wiring.set_points_material(system, owner, _white())
+    elif settings.look == 'COLLECTION':
+        wiring.set_points_collection(system, owner, settings.flakes)
+    else:
+        wiring.set_points_object(system, owner, settings.flake if settings.look == 'OBJECT' else _shape(settings.look))
 
 
 def drop(owner):
     """Take all of it back."""
-    _set_points_material(owner, None)
-    undress(owner)
+    wiring.set_points_material(registered["snow"], owner, None)
+    _drop_older(owner)
+    _drop_unused()
 
 
-def _set_points_material(owner, material):
-    system = registered["snow"]
-    if wiring.points_place(system, owner) is not None:  # somebody may have removed the modifier
-        wiring.set_points_material(system, owner, material)
-
-
-def _modifier(owner):
-    """The modifier that puts instances on an emitter's points; None where it has none."""
-    return next((one for one in owner.modifiers if one.type == 'NODES' and one.node_group is not None
-                 and one.node_group.get(KEY) == GROUP), None)
+def _drop_older(owner):
+    """Remove the modifier of its own by which an older version has put flakes on the points."""
+    for found in [one for one in owner.modifiers if one.type == 'NODES' and one.node_group and KEY in one.node_group]:
+        if owner.override_library and found.is_override_data:
+            found.show_viewport = found.show_render = False  # what the library has cannot be removed
+            continue
+        group = found.node_group
+        node_groups.let_go(found)
+        owner.modifiers.remove(found)
+        if group.users == 0:
+            bpy.data.node_groups.remove(group)
 
 
 def _own(collection, what):
@@ -94,55 +76,6 @@ def _drop_unused():
         material = _own(bpy.data.materials, name)
         if material is not None and material.users == 0:
             bpy.data.materials.remove(material)
-
-
-# --- the nodes -------------------------------------------------------------------------------------------------------
-
-
-def _group():
-    """The node group of all emitters in this file."""
-    found = _own(bpy.data.node_groups, GROUP)
-    if found is not None and node_groups.has_inputs(found, {"Geometry", OBJECT, COLLECTION}):
-        return found
-    group = bpy.data.node_groups.new(GROUP, 'GeometryNodeTree')
-    group[KEY] = GROUP
-    node_groups.add_sockets(group, (
-        ("Geometry", 'INPUT', "NodeSocketGeometry"), (OBJECT, 'INPUT', "NodeSocketObject"),
-        (COLLECTION, 'INPUT', "NodeSocketCollection"), ("Geometry", 'OUTPUT', "NodeSocketGeometry")))
-    start, end = (node_groups.add_node(group, kind) for kind in ("NodeGroupInput", "NodeGroupOutput"))
-    # Which of several shapes an instance is follows from the attribute "id", where nothing else is linked.
-    # The flakes are within an instance, which stands still in the world; the emitter's own mesh stays as it is.
-    parts = node_groups.add_node(group, "GeometryNodeSeparateComponents")
-    shapes = _shapes(group, start)
-    instances = node_groups.add_node(group, "GeometryNodeInstanceOnPoints")
-    instances.inputs["Pick Instance"].default_value = True
-    turn = 'QUATERNION' if capabilities.has_quaternion_attributes() else 'FLOAT_VECTOR'
-    join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
-    for source, target in (
-            (start.outputs["Geometry"], parts.inputs[0]), (parts.outputs["Instances"], instances.inputs["Points"]),
-            (shapes, instances.inputs["Instance"]),
-            (node_groups.named_attribute(group, "turn", turn), instances.inputs["Rotation"]),
-            (node_groups.add_node(group, "GeometryNodeInputRadius").outputs[0], instances.inputs["Scale"]),
-            (parts.outputs["Mesh"], join.inputs["Geometry"]), (instances.outputs["Instances"], join.inputs["Geometry"]),
-            (join.outputs["Geometry"], end.inputs["Geometry"])):
-        group.links.new(source, target)
-    end.location.x = 200.0 * len(group.nodes)
-    return group
-
-
-def _shapes(group, start):
-    """Socket of the instances that flakes choose among: the object, or those of the collection."""
-    single = node_groups.add_node(group, "GeometryNodeObjectInfo", transform_space='ORIGINAL')
-    single.inputs["As Instance"].default_value = True
-    several = node_groups.add_node(group, "GeometryNodeCollectionInfo", transform_space='ORIGINAL')
-    several.inputs["Separate Children"].default_value = True
-    several.inputs["Reset Children"].default_value = True
-    join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
-    group.links.new(start.outputs[OBJECT], single.inputs["Object"])
-    group.links.new(start.outputs[COLLECTION], several.inputs["Collection"])
-    group.links.new(single.outputs["Geometry"], join.inputs["Geometry"])
-    group.links.new(several.outputs[0], join.inputs["Geometry"])
-    return join.outputs["Geometry"]
 
 
 # --- the shapes ------------------------------------------------------------------------------------------------------

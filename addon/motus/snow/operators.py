@@ -6,7 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import libraries, viewports, wiring
-from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -14,7 +14,6 @@ from . import build, colliders, flakes, look, presets, rows
 from .properties import KEYWORDS, SnowKeywords
 
 ABOVE = 6.0  # m, of an emitter that is added by hand, over the 3D cursor or what the viewport looks at
-_OBJECT = "Name of the emitter; empty takes the active object"
 
 
 def _name(name, description):
@@ -78,18 +77,17 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
             settings.shape, settings.surface = 'SURFACE', surface
         if camera is not None:
             settings.shape, settings.camera = 'CAMERA', camera
-        settings.collider, settings.colliders = collider, collection
+        for name, value in (("collider", collider), ("colliders", collection)):
+            if value is not None:
+                setattr(settings, name, value)
         try:
             _check_count(settings)
         except Refused:
             build.remove(emitter, False)
             raise
         build.wire(emitter)
-        for obj in context.selected_objects:
-            obj.select_set(False)
-        emitter.select_set(True)
-        context.view_layer.objects.active = emitter
-        _report(self, context, emitter)
+        select_only(context, emitter)
+        wiring.report_problems(self, context, build.system(), [emitter])
 
     def _chosen(self):
         """Settings of what flakes look like, where it was named."""
@@ -140,17 +138,10 @@ def _check_count(settings):
             count=f"{count:.3g}", memory=memory, most=f"{flakes.MOST:,}"))
 
 
-def _report(operator, context, emitter):
-    context.view_layer.update()
-    problem = wiring.problem(build.system(), emitter, context.view_layer.depsgraph)
-    if problem:
-        operator.report({'WARNING'}, tr(problem.sentence))
-
-
 def emitter_for(context, name):
     """The emitter of this name, or the active one; refuses what has no snow."""
     found = named(name) if name else context.object
-    if found is None or not found.motus.snow.is_active:
+    if found is None or not build.is_emitter(found):
         raise Refused(tr("Nothing here snows"))
     check_local(found)
     check_unbaked(found, found.motus.snow)
@@ -187,20 +178,17 @@ class MOTUS_OT_snow_remove(Operator, bpy.types.Operator):
         if name:
             return [emitter_for(context, name)]
         selected = context.selected_objects or [one for one in [context.object] if one]
-        found = [one for one in selected if one.motus.snow.is_active]
+        found = [one for one in selected if build.is_emitter(one)]
         if not found:
             raise Refused(tr("Nothing here snows"))
         return found
 
 
-class _OnEmitter(Operator):
+class _OnEmitter(OfAnObject):
     """Operators on the emitter that is named, or the active one."""
 
-    object: object_keyword(_OBJECT)
-
-    @classmethod
-    def check_offer(cls, context):
-        emitter_for(context, "")
+    object: object_keyword("Name of the emitter; empty takes the active object")
+    found = staticmethod(emitter_for)
 
 
 class MOTUS_OT_snow_preset(_OnEmitter, bpy.types.Operator):
@@ -213,7 +201,7 @@ class MOTUS_OT_snow_preset(_OnEmitter, bpy.types.Operator):
     redo = (Rows(("preset",)),)
 
     def run(self, context):
-        emitter = emitter_for(context, self.object)
+        emitter = self.found(context, self.object)
         presets.put(emitter.motus.snow, self.preset, context.scene)
 
 
@@ -223,7 +211,7 @@ class MOTUS_OT_snow_stop_add(_OnEmitter, bpy.types.Operator):
     bl_description = "Add a colour at the end of the gradient"
 
     def run(self, context):
-        stops = emitter_for(context, self.object).motus.snow.stops
+        stops = self.found(context, self.object).motus.snow.stops
         last = stops[-1] if stops else None
         # What is added comes last, so its position is kept apart from the one before.
         color = tuple(last.color) if last else None
@@ -245,7 +233,7 @@ class MOTUS_OT_snow_stop_remove(_OnEmitter, bpy.types.Operator):
         options={'SKIP_SAVE'})
 
     def run(self, context):
-        emitter = emitter_for(context, self.object)
+        emitter = self.found(context, self.object)
         stops = emitter.motus.snow.stops
         index = self.index if self.index >= 0 else len(stops) - 1
         if not 0 <= index < len(stops):
@@ -262,9 +250,8 @@ class MOTUS_OT_snow_colliders_record(_OnEmitter, bpy.types.Operator):
     bl_description = "Keep what flakes land on as it is on this frame, in the file, whatever moves later"
 
     def run(self, context):
-        emitter = emitter_for(context, self.object)
-        context.view_layer.update()
-        if not colliders.record(emitter, context.view_layer.depsgraph):
+        emitter = self.found(context, self.object)
+        if not colliders.record(emitter, context.view_layer):
             raise Refused(tr("There is nothing with faces that flakes land on"))
         emitter.motus.snow.recorded_frame = context.scene.frame_current_final
 
@@ -275,7 +262,7 @@ class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):
     bl_description = "Let flakes land on the colliders themselves again"
 
     def run(self, context):
-        emitter = emitter_for(context, self.object)
+        emitter = self.found(context, self.object)
         if emitter.motus.snow.recorded is None:
             raise Refused(tr("Nothing was recorded"))
         colliders.forget(emitter)
@@ -287,7 +274,7 @@ class MOTUS_OT_snow_refresh(_OnEmitter, bpy.types.Operator):
     bl_description = "Wire the emitter again"
 
     def run(self, context):
-        emitter = emitter_for(context, self.object)
+        emitter = self.found(context, self.object)
         wiring.refresh(build.system(), emitter)
         look.dress(emitter)
 

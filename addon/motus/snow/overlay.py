@@ -4,6 +4,7 @@ import math
 
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
+from ..core.system import is_owner, registered
 from . import handles
 
 COLOR = (0.55, 0.80, 1.0, 0.9)
@@ -12,7 +13,7 @@ RAYS = 8
 
 
 def _batches(context, obj):
-    if not obj.motus.snow.is_active or obj.motus.snow.shape in {'SURFACE', 'CAMERA'}:
+    if not is_owner(registered["snow"], obj) or obj.motus.snow.shape in {'SURFACE', 'CAMERA'}:
         return []
     settings = obj.motus.snow
     matrix = np.array(obj.evaluated_get(context.evaluated_depsgraph_get()).matrix_world)

@@ -66,7 +66,8 @@ def put(settings, identifier, scene):
     settings.stops.clear()
     for position, color in _GRADIENTS[identifier]:
         stop = settings.stops.add()
-        stop.position, stop.color = position, color
+        _set(stop, "position", position)
+        _set(stop, "color", color)
 
 
 def kind_of(settings):
@@ -88,7 +89,7 @@ def _of_a_kind(settings):
 def _set(settings, name, value):
     """Set what is different: the file grows by each setting that was ever set."""
     present = getattr(settings, name)
-    if (tuple(present) if hasattr(present, "to_tuple") else present) != value:
+    if (tuple(present) if isinstance(value, tuple) else present) != value:
         setattr(settings, name, value)
 
 

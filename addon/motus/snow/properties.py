@@ -179,6 +179,13 @@ class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
         soft_max=1.0, options=set(), update=touch, override=OVERRIDABLE)
 
 
+class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
+    object: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Object", description="Collider that was recorded", override=OVERRIDABLE)
+    count: bpy.props.IntProperty(
+        name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE)
+
+
 class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
     surface: bpy.props.PointerProperty(
@@ -193,6 +200,9 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     recorded: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Recorded", description="What flakes land on, as it was on one frame", update=rewire,
         override=OVERRIDABLE)
+    recorded_of: bpy.props.CollectionProperty(
+        type=MOTUS_PG_snow_recorded, name="Recorded Colliders",
+        description="Of what was recorded: whose its faces are, in their order", override=EXTENDABLE)
     recorded_frame: bpy.props.FloatProperty(
         name="Recorded Frame", description="On which the colliders were as flakes land on them", options=set(),
         override=OVERRIDABLE)

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ..core import deleted, tracks
 from ..core.lazy import numpy as np
-from ..core.system import Problem, Variable
+from ..core.system import Problem, Variable, pointed
 
 NO_CAMERA = Problem("Choose a camera in whose view flakes come into being")
 CAMERA_DELETED = Problem("The camera is in no collection any more: choose another one")
@@ -15,6 +15,8 @@ LENS_UNKNOWN = Problem(
 PROBLEMS = NO_CAMERA, CAMERA_DELETED, NO_PERSPECTIVE, LENS_UNKNOWN
 WIDEST = math.radians(89.0)
 """Half of what a camera sees by, at most."""
+_OF_LENS = "lens", "sensor_width", "sensor_height", "shift_x", "shift_y"
+"""Of a camera's data, the numbers that what it sees follows from."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +30,7 @@ class Lens:
     of: str
 
     def variable(self, _owner, settings):
-        camera = getattr(settings, self.of)
+        camera = pointed(settings, self.of)
         return Variable('CAMERA', camera.data, "lens") if camera is not None and camera.type == 'CAMERA' else None
 
     @staticmethod
@@ -44,23 +46,32 @@ def angles(camera, matrix, scene):
         return CAMERA_DELETED
     if camera.data.type != 'PERSP':
         return NO_PERSPECTIVE
-    corners = np.abs(np.array([tuple(corner) for corner in camera.data.view_frame(scene=scene)]))
-    longer = camera.data.lens / _shortest(camera.data)
-    tangents = longer * corners[:, :2].max(axis=0) / corners[:, 2].min()
-    return tuple(min(math.atan(tangent), WIDEST) for tangent in tangents.tolist())
+    data = camera.data
+    sensor = "sensor_height" if data.sensor_fit == 'VERTICAL' else "sensor_width"
+    # Flakes of all times are born in the same view: whatever is seen on any frame.
+    wider = _on_all_frames(data, sensor).max() / max(1.0, _on_all_frames(data, "lens").min())
+    shifts = (np.abs(_on_all_frames(data, name)).max() for name in ("shift_x", "shift_y"))
+    return tuple(min(math.atan(wider * (half + shift)), WIDEST) for half, shift in zip(_halves(data, scene.render), shifts))
+
+
+def _halves(data, render):
+    """Half the picture's width and height, in sizes of the sensor. Not by view_frame(), whose bits differ with lens and shift."""
+    width, height = render.resolution_x * render.pixel_aspect_x, render.resolution_y * render.pixel_aspect_y
+    fitted = {'HORIZONTAL': width, 'VERTICAL': height}.get(data.sensor_fit, max(width, height))
+    return 0.5 * width / fitted, 0.5 * height / fitted
 
 
 def lens_problem(data):
     """LENS_UNKNOWN of a camera's data whose lens may be another one on other frames, and nobody can tell which; else None."""
-    return None if data.animation_data is None or tracks.property_track(data, "lens").is_known else LENS_UNKNOWN
+    if data.animation_data is None or all(tracks.property_track(data, name).is_known for name in _OF_LENS):
+        return None
+    return LENS_UNKNOWN
 
 
-def _shortest(data):
-    """The least focal length of all frames, so that flakes of all times are born in the same view."""
-    if data.animation_data is None:
-        return data.lens
-    track = tracks.property_track(data, "lens")
-    if not track.is_known or track.extent is None:
-        return data.lens
+def _on_all_frames(data, name):
+    """Values of a number of a camera's data, (n,): those of its keys, and between; or its present one."""
+    track = tracks.property_track(data, name) if data.animation_data is not None else None
+    if track is None or not track.is_known or track.extent is None:
+        return np.array([getattr(data, name)], float)
     first, last = (min(max(at, -1e6), 1e6) for at in track.extent)
-    return max(1.0, float(track.values(np.array(track.bounds(first, last), float)).min()))
+    return track.values(np.array(track.bounds(first, last), float))

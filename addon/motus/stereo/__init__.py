@@ -1,5 +1,6 @@
 """Stereo camera rig: eyes of a camera by a budget of depth, and what an audience will see of it."""
 
+from ..core import handlers
 from ..core.system import System
 from . import checking, measuring, operators, output, overlay, panel, presets, properties, results, rig, solve, viewing
 
@@ -14,7 +15,7 @@ SYSTEM = System(
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,
-    extras=(results,),
+    extras=(handlers.Forgetting(results.forget_all),),
     outputs=rig.OUTPUTS,
     groups=rig.groups,
     overlay=overlay.overlay,

@@ -29,7 +29,7 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
         default=100.0 * LEFT_OUT, min=0.0, max=49.0, subtype='PERCENTAGE')
     ahead: bpy.props.IntProperty(
         name="Look Ahead", description="By how many samples at least near and far change before what makes them change", default=12, min=0,
-        soft_max=100)
+        max=10000, soft_max=100)
     redo = (*OverFrames.redo, Rows(("left_out", Row("ahead", when=is_not("range", 'CURRENT')))))
 
     def steps(self, context, frames):

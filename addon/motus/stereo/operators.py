@@ -82,10 +82,7 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
         rig.add(context.scene, camera, self.mode, focus, keywords)
         self._select(context, camera)
         self.report({'INFO'}, tr("{object} has a stereo rig").format(object=camera.name))
-        context.view_layer.update()
-        problem = wiring.problem(rig.system(), camera, context.view_layer.depsgraph)
-        if problem:
-            self.report({'WARNING'}, tr(problem.sentence))
+        wiring.report_problems(self, context, rig.system(), [camera])
         if not rig.renders_both_eyes(context.scene):
             self.report({'WARNING'}, rig.one_eye())
 

@@ -28,20 +28,32 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
     squeeze: bpy.props.BoolProperty(
         name="Squeezed", description="Both images together are as large as one", default=False)
     use_360: bpy.props.BoolProperty(
-        name="360 Degrees", description="Let the camera see all around, where the render engine can", default=False)
+        name="360 Degrees", description="Let the camera see all around, where the render engine can. What it sees stays, where "
+        "this is not given", default=False, options={'SKIP_SAVE'})
 
     def invoke(self, context, _event):
         if self.is_given("format"):
             return self.execute(context)
+        try:
+            self._camera(context)
+        except Refused as refusal:
+            return self.refuse(refusal)
         return context.window_manager.invoke_props_dialog(self)
 
-    def run(self, context):
+    def _camera(self, context):
         camera = targets.rig_for(context, self.object)
         targets.check_removable(camera)
+        if not self.is_given("use_360"):
+            self.use_360 = bool(camera.motus.stereo.before_type)
+        return camera
+
+    def run(self, context):
+        camera = self._camera(context)
         scene = context.scene
-        if self.use_360 and scene.render.engine != 'CYCLES':
+        is_new = self.use_360 and not camera.motus.stereo.before_type
+        if is_new and scene.render.engine != 'CYCLES':
             raise Refused(tr("Only Cycles can see all around in stereo: choose that as the render engine first"))
-        if self.use_360 and camera.motus.stereo.convergence == 'BUDGET':
+        if is_new and camera.motus.stereo.convergence == 'BUDGET':
             raise Refused(tr("A camera that sees all around has no budget of depth: choose another convergence first"))
         self._set_format(scene)
         see = around.begin if self.use_360 else around.end

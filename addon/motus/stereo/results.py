@@ -2,10 +2,6 @@
 
 from typing import Any, NamedTuple
 
-import bpy
-from bpy.app.handlers import persistent
-
-from ..core import handlers
 from ..core.lazy import numpy as np
 
 COLUMNS = 32
@@ -48,21 +44,6 @@ def forget(camera):
     _found.pop(camera.name_full, None)
 
 
-@persistent
-def _forget_all(*_):
+def forget_all():
+    """There is no check of any camera: another file may have some of the same names."""
     _found.clear()
-
-
-def _watched():
-    return ((bpy.app.handlers.load_pre, _forget_all),)
-
-
-def register():
-    """Forget all when another file is opened, which may have cameras of the same names."""
-    handlers.add(_watched())
-
-
-def unregister():
-    """Forget all."""
-    handlers.remove(_watched())
-    _forget_all()

@@ -9,7 +9,7 @@ from core.wiring.wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
 carriers = support.addon("core.wiring.carriers")
-outbox = support.addon("core.wiring.outbox")
+hub_lookup = support.addon("core.wiring.hub_lookup")
 SYSTEM = toy_bone_system.SYSTEM
 
 
@@ -262,7 +262,7 @@ class ArmatureTest(BoneTestCase):
         for system in (SYSTEM, nod):
             settings = getattr(rig.motus, system.name)
             self.assertEqual(settings.wired, carriers.signature(system, rig, tuple(system.groups(rig))), system.name)
-        self.assertEqual([key for key, _ in outbox.carriers(SYSTEM, rig)], ["1"])
+        self.assertEqual([key for key, _ in hub_lookup.carriers(SYSTEM, rig)], ["1"])
 
     def check_renamed_entry(self, plays):
         rig = build()
@@ -307,7 +307,7 @@ class DetachTest(BoneTestCase):
     def test_leaves_nothing_of_a_deleted_hub(self, build):
         rig = build()
         frame_set(7)
-        for _, hub in outbox.hubs(SYSTEM, rig):
+        for _, hub in hub_lookup.hubs(SYSTEM, rig):
             bpy.data.objects.remove(hub)
         bpy.context.view_layer.update()
         wiring.detach(SYSTEM, rig)

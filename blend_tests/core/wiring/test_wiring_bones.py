@@ -10,7 +10,7 @@ from core.wiring.bone_cases import FRAMES, BoneTestCase, build, build_few, build
 from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
-outbox = support.addon("core.wiring.outbox")
+hub_lookup = support.addon("core.wiring.hub_lookup")
 solving = support.addon("core.wiring.solving")
 capabilities = support.addon("core.capabilities")
 SYSTEM, NOD = toy_bone_system.SYSTEM, toy_bone_system.NOD
@@ -163,12 +163,12 @@ class WaitingTest(BoneTestCase):
     def test_other_system_is_wired_again(self):
         rig = build()
         toy_bone_system.bend(rig, {"A.end": (rig, "B.1")}, system=NOD, length=1)
-        self.assertEqual([key for key, _ in outbox.carriers(NOD, rig)], ["1"])
+        self.assertEqual([key for key, _ in hub_lookup.carriers(NOD, rig)], ["1"])
         entry = rig.motus.bend.entries["B.0"]
         rig.motus.bend.entries.remove(list(rig.motus.bend.entries).index(entry))
         rig.motus.bend.entries.remove(0)
         wiring.refresh(SYSTEM, rig)
-        self.assertEqual([key for key, _ in outbox.carriers(NOD, rig)], [""])
+        self.assertEqual([key for key, _ in hub_lookup.carriers(NOD, rig)], [""])
         frame_set(5)
         self.assert_bent(rig, (NOD,))
 

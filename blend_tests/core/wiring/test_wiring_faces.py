@@ -2,8 +2,8 @@
 
 import bpy
 import numpy as np
-import support
-import toy_points_system as toy
+import toy_faces_system as toy
+import toy_points_system
 import toy_system
 from core.wiring.test_wiring_points import FRAMES, PointsTestCase
 from core.wiring.wiring_cases import frame_set
@@ -37,10 +37,12 @@ def assert_sheet(owner, frame):
 
 
 class FacesTest(PointsTestCase):
+    SYSTEMS = toy_points_system.SPARKS, toy.SHEET  # whose settings are of the same class
+
     def sheet(self, **values):
         # It stands in the world, where the owner is as well.
         owner = toy_system.new_object("Owner", data=bpy.data.meshes.new("Owner"))
-        toy.make(toy.SHEET, owner, target=toy_system.new_target(), **values)
+        toy_points_system.make(toy.SHEET, owner, target=toy_system.new_target(), **values)
         return owner
 
     def assert_all_sheets(self, owner):

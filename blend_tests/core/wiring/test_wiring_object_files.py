@@ -7,6 +7,7 @@ from core.wiring.object_cases import FRAMES, ObjectTestCase, build, build_driven
 from core.wiring.wiring_cases import each_of, frame_set
 
 wiring = support.addon("core.wiring")
+hub_lookup = support.addon("core.wiring.hub_lookup")
 outbox = support.addon("core.wiring.outbox")
 SYSTEM = toy_sway_system.SYSTEM
 each_lasting_kind = each_of((build, build_driven, build_rig))
@@ -74,7 +75,7 @@ class FileTest(ObjectTestCase):
         for value in ({}, {"text": "["}, {"text": "[]", "version": 99}):
             support.empty_scene()
             owner = build()
-            for key, hub in outbox.hubs(SYSTEM, owner):
+            for key, hub in hub_lookup.hubs(SYSTEM, owner):
                 hub.data[outbox.info_key(SYSTEM, key)] = value
                 hub.data.update_tag()
             self.assert_untouched(owner)

@@ -8,6 +8,7 @@ from core.wiring.object_cases import ObjectTestCase, build, build_rig, each_kind
 from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
+hub_lookup = support.addon("core.wiring.hub_lookup")
 outbox = support.addon("core.wiring.outbox")
 SYSTEM = toy_sway_system.SYSTEM
 
@@ -35,24 +36,24 @@ class EvaluationTest(ObjectTestCase):
 
     def test_levels(self):
         owner = build()
-        self.assertEqual(sorted(key for key, _ in outbox.hubs(SYSTEM, owner)), ["", "1", "2"])
+        self.assertEqual(sorted(key for key, _ in hub_lookup.hubs(SYSTEM, owner)), ["", "1", "2"])
         rig = build_rig()
-        self.assertEqual(sorted(key for key, _ in outbox.hubs(SYSTEM, rig)), ["", "1"])
+        self.assertEqual(sorted(key for key, _ in hub_lookup.hubs(SYSTEM, rig)), ["", "1"])
 
     def test_a_loop_is_left_out(self):
         owner, other = (keyed(toy_system.new_object(name)) for name in ("Owner", "Other"))
         toy_sway_system.sway(owner, (other, owner), (None, other))
-        self.assertEqual(outbox.hubs(SYSTEM, owner), [])
+        self.assertEqual(hub_lookup.hubs(SYSTEM, owner), [])
 
     def test_order_by_way_of_another_owner(self):
         owner, between, last = (keyed(toy_system.new_object(name)) for name in ("Owner", "Between", "Last"))
         target = toy_system.new_target()
         toy_sway_system.sway(owner, (None, target), (last, between))
-        self.assertEqual(len(outbox.hubs(SYSTEM, owner)), 1)
+        self.assertEqual(len(hub_lookup.hubs(SYSTEM, owner)), 1)
         frame_set(2)
         toy_sway_system.sway(between, (None, owner))
         bpy.context.view_layer.update()
-        self.assertEqual(len(outbox.hubs(SYSTEM, owner)), 2)
+        self.assertEqual(len(hub_lookup.hubs(SYSTEM, owner)), 2)
         self.assert_sways(owner)
         self.assert_sways(between)
 
@@ -110,7 +111,7 @@ class EditingTest(ObjectTestCase):
         bpy.ops.object.duplicate()
         copy = bpy.data.objects[f"{owner.name}.001"]
         frame_set(2)
-        owned = {hub.data.get(outbox.OWNER_KEY) for _, hub in outbox.hubs(SYSTEM, copy)}
+        owned = {hub.data.get(outbox.OWNER_KEY) for _, hub in hub_lookup.hubs(SYSTEM, copy)}
         self.assertEqual(owned, {copy})
         self.assertTrue(all(thing.id_data.name.endswith(".001") for thing in things(copy)))
         for one in (owner, copy):

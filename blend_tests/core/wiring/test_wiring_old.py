@@ -13,7 +13,7 @@ from core.wiring.wiring_cases import WiringTestCase, build_bone, build_object, e
 
 wiring = support.addon("core.wiring")
 attaching = support.addon("core.wiring.attaching")
-outbox = support.addon("core.wiring.outbox")
+hub_lookup = support.addon("core.wiring.hub_lookup")
 FRAMES = (12, 40.5, 3)
 
 
@@ -35,7 +35,7 @@ def link(path, *names):
 
 
 def carriers(system, owner):
-    return [type(carrier).__name__ for _, carrier in outbox.carriers(system, owner)]
+    return [type(carrier).__name__ for _, carrier in hub_lookup.carriers(system, owner)]
 
 
 class ObjectTest(WiringTestCase):

@@ -23,7 +23,7 @@ print("KINDS", sorted({{one.object.type for one in bpy.context.evaluated_depsgra
 """
 FRESH = """
 import support, toy_points_system as toy
-support.register_systems(toy.SPARKS, toy.TRAILS, toy.SHEET)
+support.register_systems(toy.SPARKS, toy.TRAILS)
 import bpy
 bpy.ops.wm.open_mainfile(filepath={path!r}, use_scripts=False)
 from core.wiring.test_wiring_points import assert_sparks
@@ -87,10 +87,12 @@ def assert_sparks(owner, frame):
 
 
 class PointsTestCase(support.SceneTestCase):
+    SYSTEMS = toy.SPARKS, toy.TRAILS, toy.LINES
+
     @classmethod
     def setUpClass(cls):
-        support.register_systems(toy.SPARKS, toy.TRAILS, toy.LINES, toy.SHEET)
-        cls.addClassCleanup(support.unregister_systems, toy.SPARKS, toy.TRAILS, toy.LINES, toy.SHEET)
+        support.register_systems(*cls.SYSTEMS)
+        cls.addClassCleanup(support.unregister_systems, *cls.SYSTEMS)
 
     def sparks(self, **values):
         owner = toy_system.new_object("Owner", (1.0, 2.0, 3.0), bpy.data.meshes.new("Owner"))
@@ -210,6 +212,34 @@ class PointsTest(PointsTestCase):
                  if one.object.type == 'POINTCLOUD']
         self.assertEqual([[one.original for one in some] for some in found], [[material]])
         self.assertEqual([one.name for one in owner.modifiers], ["Motus Sparks", "Later"])
+
+    def test_instances(self):
+        shapes = [toy_system.new_object(name, data=bpy.data.meshes.new(name)) for name in ("First", "Second")]
+        collection = bpy.data.collections.new("Shapes")
+        for shape in shapes:
+            shape.data.from_pydata([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)], [], [(0, 1, 2)])
+            collection.objects.link(shape)
+        owner = self.sparks()
+        node_groups = len(bpy.data.node_groups)
+        for give, what, names in ((wiring.set_points_object, shapes[0], {"First"}),
+                                  (wiring.set_points_collection, collection, {"First", "Second"})):
+            give(toy.SPARKS, owner, what)
+            wiring.refresh(toy.SPARKS, owner)
+            self.assertEqual(len(bpy.data.node_groups), node_groups)
+            frame_set(20)
+            numbers, ages = toy.alive(20 / 24, 100.0, 1.0)
+            found = [(one.object.name, np.array(one.matrix_world)) for one in bpy.context.evaluated_depsgraph_get().object_instances
+                     if one.is_instance and one.object.type == 'MESH']
+            self.assertEqual({name for name, _ in found}, names)
+            matrices = np.array([matrix for _, matrix in found])
+            places, _ = toy.fly(numbers, ages, np.array(owner.motus.sparks.target.matrix_world.translation))
+            np.testing.assert_allclose(matrices[:, :3, 3], places, atol=1e-5)
+            np.testing.assert_allclose(np.linalg.norm(matrices[:, :3, 0], axis=1), 0.01 + 0.01 * ages, rtol=1e-4)
+            turned = matrices[:, :3, 1] / (0.01 + 0.01 * ages)[:, None]  # about X, by twice the age
+            np.testing.assert_allclose(turned, np.stack((0.0 * ages, np.cos(2.0 * ages), np.sin(2.0 * ages)), axis=1), atol=1e-4)
+        wiring.set_points_material(toy.SPARKS, owner, None)
+        self.assertEqual((len(bpy.data.node_groups), collection.users), (node_groups, 0))
+        self.assert_all_frames(owner)
 
     def test_removed(self):
         before = {kind: len(getattr(bpy.data, kind)) for kind in ("objects", "meshes", "node_groups")}

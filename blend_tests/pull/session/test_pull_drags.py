@@ -8,7 +8,7 @@ import numpy as np
 import support
 from mathutils import Matrix, Vector
 from pull.pull_cases import forces
-from pull.session.test_pull_sessions import SessionTestCase
+from pull.session.session_cases import SessionTestCase
 
 WAYS = ((0.1, 0.0, 0.3), (0.0, 0.2, -0.4), (0.05, 0.1, 0.2))
 

@@ -106,6 +106,28 @@ def test_what_stands_still_is_said():
         ui.draw_message = draw
 
 
+def test_what_hangs_on_a_keyed_arm_is_known():
+    """The panel asks originals, and may not write into their actions."""
+    for obj in list(bpy.data.objects):
+        bpy.data.objects.remove(obj)
+    arm, cup = cases.rope(2, name="Arm"), cases.link("Cup")
+    cases.moved("Goal")
+    bpy.ops.motus.ik_add(object="Arm", bone="Tail 0 1", target="Goal", chain_length=2)
+    cup.parent, cup.parent_type, cup.parent_bone = arm, 'BONE', "Tail 0 1"
+    bpy.ops.motus.dynamics_add(object="Cup", follow='WORLD')
+    bpy.context.view_layer.objects.active = cup
+    ui, said = support.addon("core.ui"), []
+    draw = ui.draw_message
+    ui.draw_message = lambda layout, sentence, icon: said.append(sentence) or draw(layout, sentence, icon)
+    try:
+        drawn = yield from window_support.open_tab("Motus")
+        assert "MOTUS_PT_dynamics_input" in drawn, drawn
+        yield from window_support.picture("dynamics_on_an_arm")
+        assert "Exact at any frame" in said, said
+    finally:
+        ui.draw_message = draw
+
+
 def test_a_property_from_its_menu_to_the_list():
     ball = build()
     bpy.ops.motus.dynamics_remove(object="Ball")

@@ -153,7 +153,7 @@ def test_another_file_has_none():
     yield
     with window_support.override():
         assert not views.is_on(bpy.context)
-    assert not views._before
+    assert not views._before._kept
 
 
 def test_a_quad_view_of_the_artists_own_stays():

@@ -1,6 +1,7 @@
 """Handles of an emitter: radius, speed and cone angle are dragged, one undo step each, Esc puts all back."""
 
 import math
+from unittest import mock
 
 import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
@@ -92,6 +93,26 @@ def test_escape_puts_it_back():
     assert settings().cone_radius == before
     mouse.simulate('LEFTMOUSE', 'RELEASE', *place)
     yield
+
+
+def test_an_emitter_that_is_removed_while_the_drag_waits():
+    build('SQUARE')
+    yield
+    place, ended = seen("cone_radius"), []
+    dragging = support.addon("core.drag").PointDrag
+    cancel = dragging.cancel
+
+    def noted(self, context):
+        ended.append(True)
+        cancel(self, context)
+    with mock.patch.object(dragging, "cancel", noted):
+        with window_support.override():
+            bpy.ops.motus.snow_drag('INVOKE_DEFAULT')
+        yield
+        bpy.data.objects.remove(emitter())
+        yield from mouse.drag('LEFTMOUSE', place, place, steps=1)
+        yield
+    assert ended, "the drag was not given up"
 
 
 def test_none_of_what_leaves_a_mesh_or_is_seen_by_a_camera():

@@ -202,9 +202,11 @@ Arguments and errors as there; ValueError for another `which`.)");
         "double_pendulums",
         [](const py::object& time, const py::object& starts, const py::object& mass1, const py::object& mass2,
            const py::object& length1, const py::object& length2, const py::object& gravity,
-           const py::object& damping, const py::object& most_acceleration, const py::object& most_velocity) {
+           const py::object& damping, const py::object& most_acceleration, const py::object& most_velocity,
+           const py::object& pivot_step, const py::object& pivot_accelerations) {
             const DoublePendulum pendulum = double_pendulum_of(mass1, mass2, length1, length2, gravity,
                                                                damping, most_acceleration, most_velocity);
+            const Pivot pivot(pivot_step, pivot_accelerations);
             const DoubleArray given = doubles(starts, "starts");
             if (given.ndim() != 2 || given.shape(1) != 4)
                 value_error("starts", "must have the shape (n, 4), not " + shape_of(given));
@@ -215,15 +217,19 @@ Arguments and errors as there; ValueError for another `which`.)");
             const double at = number(time, "time");
             {
                 const ReleaseGil released(count, state_cost);
-                double_pendulums(pendulum, first, at, rows);
+                if (pivot.moves())
+                    double_pendulums(pendulum, first, pivot.motion(), at, rows);
+                else
+                    double_pendulums(pendulum, first, at, rows);
             }
             return result;
         },
         "time"_a, "starts"_a, "mass1"_a = 1.0, "mass2"_a = 1.0, "length1"_a = 1.0, "length2"_a = 1.0,
         "gravity"_a = 9.81, "damping"_a = 0.0, "most_acceleration"_a = py::none(),
-        "most_velocity"_a = py::none(), R"(
+        "most_velocity"_a = py::none(), "pivot_step"_a = 0.0, "pivot_accelerations"_a = py::none(), R"(
 States (n, 4) of many equal double pendulums at one time, s, from states `starts` (n, 4) at time 0. The same numbers as
-double_pendulum() gives one by one, sooner.  Other arguments and errors as double_pendulum().)");
+double_pendulum() gives one by one, sooner.  Other arguments and errors as double_pendulum(); ValueError too where the time is
+so far, or starts so many, that what is kept of all would need more than 448 MB.)");
     m.def(
         "double_pendulum_longest_time",
         [](const py::object& theta1, const py::object& theta2, const py::object& omega1,

@@ -77,7 +77,7 @@ struct ProfileArgument {
     return result;
 }
 
-/// (v,) float32, or none at all. Values are looked at by pull().
+/// (v,) float32, or none at all. Values are checked by pull().
 class Weights {
   public:
     Weights(const py::object& object, std::size_t count) {
@@ -259,7 +259,7 @@ FloatArray pull_positions(const py::object& positions, const py::object& root, c
     if (has_to_measure && mesh.picker == nullptr && triangles.is_none())
         value_error("triangles", "must be given for the distances 'surface' and 'edges', or a picker");
 
-    // What is walked along must stay as it was checked; pull() itself looks at each value as it takes it.
+    // What is walked along must stay as it was checked; pull() takes any numbers without harm to memory.
     std::vector<glm::vec3> steady_positions;
     std::vector<glm::ivec3> steady_faces;
     std::vector<glm::ivec2> steady_lines;
@@ -338,9 +338,8 @@ shape: (v, 3) float32, what distances are measured on, the root's place included
 may all act on the shape with which it began. A picker is of that shape then.
 out: (v, 3) float32, C-contiguous, written into; positions itself may be given.
 copy: the same, filled with what out is in the same pass, which takes less time than to copy it later.
-Returns out, or a new array. Raises ValueError or TypeError that names the argument. Positions and weights are looked at
-on the way (with picker or reach only those in reach), so that out may be written by then: it then holds what is right for
-all vertices that are finite.)");
+Returns out, or a new array. Raises ValueError or TypeError that names the argument, before anything is written. With picker
+or reach only positions and weights of vertices in reach are looked at.)");
     m.def("pull_forces", &forces_at, "distances"_a, "radius"_a, "falloff"_a = "smooth",
           "scale_factor"_a = 0.0, "curve"_a = py::none(), R"(
 Forces of a falloff at distances >= 0, a number or (n,): float32 of that shape. Arguments and errors as pull().)");

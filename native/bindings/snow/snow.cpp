@@ -415,7 +415,8 @@ wind_times (w,), s, rising, and wind_values (w, 3) it goes evenly from each of t
 It varies by the fraction `gusts`, >= 0, about gust_frequency times a second.  turbulence: m/s, root
 mean square, of air in eddies of turbulence_size m that flakes are carried along by.  tumble: rad/s up to which they spin.
 ground: height that flakes land on from above; None: they do not.  collider: a SnowCollider or None.  A flake lands once, on
-what it meets first after birth; a way between looks 1/32 s apart counts as straight.  collision: 'stay', where it landed and
+what it meets first after birth, of a collider rather than the ground at the same height; a way between looks counts as
+straight, which are 1/32 s apart, or lifetime / 4096 to twice that of lives over 128 s.  collision: 'stay', where it landed and
 as it was turned; 'slide', straight down the triangle and those beyond its edges, of a collider, as acceleration pulls it
 (with gravity or without) and friction, >= 0, slows it, until it stops, at a loose edge, or where two lead down to one edge;
 'melt', smaller and smaller over melt_time, s, and then gone.  rest_time: s after which a landed flake is gone; None: when its

@@ -268,7 +268,7 @@ x: (m,), where the middle between the eyes sees each sample, fractions of the wi
 depths: (m,); those that are not above 0 do not count.  tolerance: parallax that nobody sees, >= 0.
 Returns (left, right), magnitudes, 0 where nothing is cut off.)");
     m.def("smooth_ahead", &smoothed, "values"_a, "ahead"_a, "side"_a = "either", R"(
-Values at equal times, smoothed without lag by those up to `ahead` (a whole number >= 0) before and behind.
+Values at equal times, smoothed without lag by those up to `ahead` (a whole number, 0 to 10000) before and behind.
 
 side: "either"; "below" or "above": on which side of all the values the curve stays; then values twice as far count.
 Returns (m,).)");

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <initializer_list>
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -145,19 +146,37 @@ void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start,
 }
 
 template <class System>
-void integrate_many(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts, double time,
-                    std::span<DoublePendulumState> out) {
+void integrate_many(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
+                    const PivotMotion* pivot, double time, std::span<DoublePendulumState> out) {
+    if (starts.size() > most_tables_together) throw std::length_error("starts must be fewer");
     const Scale scale(pendulum);
+    const double at = scale.unit().from_seconds(time);
     std::vector<Motion<System>> motions;
     std::vector<const MotionTable<System>*> tables;
     motions.reserve(starts.size());
+    std::size_t bytes = 0;
     for (const DoublePendulumState& start : starts) {
-        motions.emplace_back(scale.settings(pendulum, start, System{}));
-        tables.push_back(&motions.back().table(time < 0.0));
+        MotionSettings<System> settings = scale.settings(pendulum, start, System{});
+        if (pivot != nullptr) drive(settings, *pivot, scale.unit(), pendulum.length1);
+        Motion<System>& motion = motions.emplace_back(std::move(settings));
+        tables.push_back(&motion.table(at < 0.0));
+        bytes += motion.bytes_until(at);
+        if (bytes > most_bytes_together)
+            throw std::length_error("time must be nearer to 0 for so many pendulums");
     }
     std::vector<std::array<double, System::size>> states(starts.size());
-    MotionTable<System>::at(tables, scale.unit().from_seconds(time), states);
+    MotionTable<System>::at(tables, at, states);
     for (std::size_t i = 0; i < starts.size(); ++i) out[i] = scale.state(states[i], System{});
+}
+
+void integrate_many(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
+                    const PivotMotion* pivot, double time, std::span<DoublePendulumState> out) {
+    require_valid(pendulum);
+    for (const DoublePendulumState& start : starts) require_valid(start);
+    require(std::isfinite(time), "time must be finite");
+    require(starts.size() == out.size(), "out must have a state for each start");
+    const auto run = has_limits(pendulum) ? &integrate_many<LimitedSystem> : &integrate_many<DoubleSystem>;
+    in_ieee_floats([&] { run(pendulum, starts, pivot, time, out); });
 }
 
 }  // namespace
@@ -175,12 +194,12 @@ void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& 
 
 void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
                       double time, std::span<DoublePendulumState> out) {
-    require_valid(pendulum);
-    for (const DoublePendulumState& start : starts) require_valid(start);
-    require(std::isfinite(time), "time must be finite");
-    require(starts.size() == out.size(), "out must have a state for each start");
-    const auto run = has_limits(pendulum) ? &integrate_many<LimitedSystem> : &integrate_many<DoubleSystem>;
-    in_ieee_floats([&] { run(pendulum, starts, time, out); });
+    integrate_many(pendulum, starts, nullptr, time, out);
+}
+
+void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePendulumState> starts,
+                      const PivotMotion& pivot, double time, std::span<DoublePendulumState> out) {
+    integrate_many(pendulum, starts, &pivot, time, out);
 }
 
 double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& start) {

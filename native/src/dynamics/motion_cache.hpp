@@ -36,13 +36,18 @@ template <class System>
 using MotionCache =
     Cache<MotionSettings<System>, MotionTable<System>, MotionHash<System>, MotionBytes<System>>;
 
+inline constexpr std::size_t most_tables = 4096;
+inline constexpr std::size_t most_table_bytes = std::size_t{512} << 20U;
+/// Tables of motions that are asked for together find room beside others: were there too little for them,
+/// each time that is asked for would drop the tables that the next one needs.
+inline constexpr std::size_t most_tables_together = most_tables / 2;
+inline constexpr std::size_t most_bytes_together = most_table_bytes / 8 * 7;
+
 /// The one cache of a system's tables. It is never destroyed: other threads may still use it when the process
 /// ends.
 template <class System>
 [[nodiscard]] MotionCache<System>& motion_cache() {
-    constexpr std::size_t most_tables = 4096;
-    constexpr std::size_t most_bytes = std::size_t{512} << 20U;
-    static auto& cache = *new MotionCache<System>(most_tables, most_bytes);
+    static auto& cache = *new MotionCache<System>(most_tables, most_table_bytes);
     return cache;
 }
 
@@ -60,6 +65,11 @@ class Motion {
   public:
     /// settings: forwards.
     explicit Motion(MotionSettings<System> settings) : settings_(std::move(settings)) {}
+
+    /// Of the table that a time is in, with its key, at most. Throws as at().
+    [[nodiscard]] std::size_t bytes_until(double time) {
+        return table(time < 0.0).bytes_until(time) + bytes_of(settings_.accelerations);
+    }
 
     /// In the motion's own unit of time.
     [[nodiscard]] std::array<double, System::size> at(double time) { return table(time < 0.0).at(time); }

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "motion.hpp"
+#include "motus/core/cache.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::dynamics {
@@ -76,8 +77,14 @@ class MotionTable {
 
     [[nodiscard]] std::size_t bytes() const {
         const std::shared_lock lock(states_lock_);
-        return sizeof *this + states_.capacity() * (sizeof(State) + 1) +
-               settings_.accelerations.capacity() * sizeof(double);
+        return sizeof *this + states_.capacity() * node_bytes + bytes_of(settings_.accelerations);
+    }
+
+    /// What the table of a motion takes at most that has grown up to a time. Throws as at().
+    [[nodiscard]] std::size_t bytes_until(double time) const {
+        const std::size_t nodes = place_of(time).last() + 1;
+        return sizeof *this + (nodes + nodes / spare + least_room) * node_bytes +
+               bytes_of(settings_.accelerations);
     }
 
   private:
@@ -95,6 +102,10 @@ class MotionTable {
     static constexpr double largest_tail = 1e-5;
     static constexpr double needless = 1.0 / 1024.0;  ///< of the largest: half as many steps would do
     static constexpr int highest_level = 12;
+
+    static constexpr std::size_t node_bytes = sizeof(State) + 1;
+    static constexpr std::size_t spare = 8;        ///< a table has room for an 8th more than it holds,
+    static constexpr std::size_t least_room = 64;  ///< and for so many
 
     [[nodiscard]] Place place_of(double time) const {
         const double intervals = std::floor(time / settings_.interval);
@@ -209,6 +220,11 @@ class MotionTable {
 
     void add(const State& state, int level) const {
         const std::scoped_lock lock(states_lock_);
+        if (states_.size() == states_.capacity()) {
+            const std::size_t room = states_.size() + states_.size() / spare + least_room;
+            states_.reserve(room);
+            levels_.reserve(room);
+        }
         levels_.back() = static_cast<std::uint8_t>(level);
         states_.push_back(state);
         levels_.push_back(0);

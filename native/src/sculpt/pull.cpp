@@ -45,6 +45,13 @@ void bring(std::span<const glm::vec3> positions, std::span<glm::vec3> out) {
     });
 }
 
+void check_among(const Puller& puller, const Shapes& shapes, std::span<const float> weights,
+                 std::span<const std::uint32_t> vertices) {
+    in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
+        puller.check_among(shapes, pointer(weights), vertices.subspan(first, last - first));
+    });
+}
+
 void check(std::span<const mesh::Reach> reaches, std::size_t images, std::size_t vertex_count) {
     if (reaches.size() != images) throw std::invalid_argument("reach: there must be one for each image");
     for (const mesh::Reach& reach : reaches) {
@@ -91,6 +98,9 @@ void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const 
         if (!copy.empty() && copy.size() != positions.size())
             throw std::invalid_argument("copy: must be as long as positions");
         in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
+            puller.check_whole(shapes, pointer(weights), first, last);
+        });
+        in_parts(positions.size(), grain, [&](std::size_t first, std::size_t last) {
             for (std::size_t begin = first; begin < last; begin += part) {
                 const std::size_t end = std::min(begin + part, last);
                 if (!copy.empty()) ask_for(copy.subspan(end, std::min(part, last - end)));
@@ -98,7 +108,6 @@ void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const 
                 if (!copy.empty()) std::copy_n(out.data() + begin, end - begin, copy.data() + begin);
             }
         });
-        puller.report();
     });
 }
 
@@ -107,11 +116,11 @@ void pull_among(std::span<const glm::vec3> positions, const Dab& dab, std::span<
     in_ieee_floats([&] {
         const Puller puller(dab, positions.size(), weights.size(), out.size());
         const Shapes shapes = shapes_of(positions, shape);
+        check_among(puller, shapes, weights, vertices);
         bring(positions, out);
         in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
             puller.act_among(shapes, pointer(weights), vertices.subspan(first, last - first), out.data());
         });
-        puller.report();
     });
 }
 
@@ -120,16 +129,16 @@ void pull_along(std::span<const glm::vec3> positions, const Dab& dab, std::span<
     in_ieee_floats([&] {
         const Puller puller(dab, positions.size(), weights.size(), out.size());
         check(reaches, puller.images().size(), positions.size());
-        bring(positions, out);
         const std::vector<std::uint32_t> several =
             reaches.size() > 1 ? united(reaches) : std::vector<std::uint32_t>{};
         const std::span<const std::uint32_t> vertices =
             reaches.size() > 1 ? several : reaches.front().vertices;
+        check_among(puller, {positions.data(), positions.data()}, weights, vertices);
+        bring(positions, out);
         in_parts(vertices.size(), scattered_grain, [&](std::size_t first, std::size_t last) {
             puller.act_along(positions.data(), pointer(weights), vertices.subspan(first, last - first),
                              reaches, out.data());
         });
-        puller.report();
     });
 }
 

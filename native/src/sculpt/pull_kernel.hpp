@@ -40,12 +40,6 @@ struct MoveTerms {
     int clamp_axis = 2;
 };
 
-/// What was seen in a block of positions.
-struct Seen {
-    bool is_near = false;     ///< some vertex is within reach
-    bool is_strange = false;  ///< some number is not finite, or so large that its square is not
-};
-
 /// What several images do to a block, summed up from clear() on.
 struct Shares {
     PerVertex<float> x, y, z;
@@ -58,24 +52,26 @@ struct Shares {
 };
 
 /// Loops over `count` <= pull_block vertices for one instruction set; all sets give the same bits. Positions
-/// are x, y, z after each other.
+/// are x, y, z after each other, and finite.
 struct PullKernel {
     const char* name;
+    /// Whether all are finite.
+    bool (*are_finite)(const float* numbers, std::size_t count);
+    /// Whether all lie in [0, 1].
+    bool (*are_weights)(const float* weights, std::size_t count);
     /// Distances from `root`, or their squares, as `force` takes them. metric: distances are
-    /// |metric (p - root)|; null for straight ones.
-    Seen (*measure)(const ForceTerms& force, const glm::mat3* metric, const glm::vec3& root,
+    /// |metric (p - root)|; null for straight ones. False where no vertex is within reach.
+    bool (*measure)(const ForceTerms& force, const glm::mat3* metric, const glm::vec3& root,
                     const float* positions, std::size_t count, float* values);
     /// Forces in place of what was measured.
     void (*force)(const ForceTerms& terms, float* values, std::size_t count);
-    /// Whether all lie in [0, 1].
-    bool (*are_weights)(const float* weights, std::size_t count);
     /// Multiplies forces by weights.
     void (*weigh)(const float* weights, std::size_t count, float* forces);
     /// Moves by one image.
     void (*move)(const MoveTerms& terms, const float* forces, std::size_t count, float* positions);
     /// All of these of any number of vertices, by one image without limits. measured: other positions that
     /// distances are those of, or null. weights: one for each vertex, or null.
-    Seen (*pull)(const ForceTerms& force, const MoveTerms& move, const glm::vec3& root,
+    void (*pull)(const ForceTerms& force, const MoveTerms& move, const glm::vec3& root,
                  const glm::mat3* metric, std::size_t count, const float* measured, const float* weights,
                  float* positions);
     /// Adds an image to the shares, then moves by all of them.

@@ -80,30 +80,38 @@ Puller::Puller(const Dab& dab, std::size_t vertex_count, std::size_t weight_coun
     }
 }
 
-void Puller::report() const {
-    require(!saw_strange_position_, "positions: every value must be finite");
-    require(!saw_strange_weight_, "weights: every value must lie in [0, 1]");
+/// measured: null where that is the positions.
+void Puller::check(const glm::vec3* positions, const glm::vec3* measured, const float* weights,
+                   std::size_t count) const {
+    const bool are_positions = kernel_.are_finite(numbers(positions), 3 * count) &&
+                               (measured == nullptr || kernel_.are_finite(numbers(measured), 3 * count));
+    require(are_positions, "positions: every value must be finite");
+    require(weights == nullptr || kernel_.are_weights(weights, count),
+            "weights: every value must lie in [0, 1]");
 }
 
-void Puller::look_at_positions(const glm::vec3* positions, std::size_t count) const {
-    // Without a way out of the loop, so that a compiler makes vectors of it.
-    const float* const values = numbers(positions);
-    int is_strange = 0;
-    for (std::size_t i = 0; i < 3 * count; ++i)
-        is_strange |= static_cast<int>(!(std::abs(values[i]) <= std::numeric_limits<float>::max()));
-    if (is_strange != 0) saw_strange_position_ = true;
+void Puller::check_whole(const Shapes& shapes, const float* weights, std::size_t first,
+                         std::size_t last) const {
+    check(shapes.positions + first, shapes.is_one() ? nullptr : shapes.measured + first,
+          weights != nullptr ? weights + first : nullptr, last - first);
 }
 
-void Puller::look_at_weights(const float* weights, std::size_t count) const {
-    if (!kernel_.are_weights(weights, count)) saw_strange_weight_ = true;
+void Puller::check_among(const Shapes& shapes, const float* weights,
+                         std::span<const std::uint32_t> vertices) const {
+    Gathered block;
+    for (std::size_t begin = 0; begin < vertices.size(); begin += pull_block) {
+        const auto part = vertices.subspan(begin, std::min(pull_block, vertices.size() - begin));
+        for (const std::uint32_t vertex : part)
+            require(vertex < vertex_count_, "vertices: every index must be below the number of positions");
+        gather(shapes, weights, part, block);
+        check(block.positions.data(), shapes.is_one() ? nullptr : block.measured.data(), block.weights.data(),
+              part.size());
+    }
 }
 
 bool Puller::measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
                      float* distances) const {
-    const Seen seen = kernel_.measure(straight_, metric(), image.root, numbers(positions), count, distances);
-    // Far away the square is infinite while the position is not.
-    if (seen.is_strange) look_at_positions(positions, count);
-    return seen.is_near;
+    return kernel_.measure(straight_, metric(), image.root, numbers(positions), count, distances);
 }
 
 /// distances(image, values) fills in the distances to the image with that number; false where all are out of
@@ -119,7 +127,6 @@ bool Puller::act(const ForceTerms& force, const glm::vec3* positions, const floa
         if (weights != nullptr) kernel_.weigh(weights, count, values);
         return true;
     };
-    if (weights != nullptr) look_at_weights(weights, count);
     if (images_.size() == 1) {
         if (!make_forces(0)) return false;
         if (out != positions) std::copy_n(positions, count, out);
@@ -149,16 +156,11 @@ void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t f
         const std::size_t count = std::min(pull_block, last - begin);
         const glm::vec3* from = positions + begin;
         const float* const weight = weights != nullptr ? weights + begin : nullptr;
-        if (!shapes.is_one()) look_at_positions(from, count);
         if (is_simple) {
             if (out != positions) std::copy_n(from, count, out + begin);
-            const glm::vec3* const measured = shapes.is_one() ? out : shapes.measured;
-            if (weight != nullptr) look_at_weights(weight, count);
-            const Seen seen = kernel_.pull(straight_, move_, images_[0].root, metric(), count,
-                                           shapes.is_one() ? nullptr : numbers(measured + begin), weight,
-                                           numbers(out + begin));
-            // One that is strange has not moved.
-            if (seen.is_strange) look_at_positions(measured + begin, count);
+            kernel_.pull(straight_, move_, images_[0].root, metric(), count,
+                         shapes.is_one() ? nullptr : numbers(shapes.measured + begin), weight,
+                         numbers(out + begin));
             continue;
         }
         const auto distances = [&](std::size_t image, float* values) {
@@ -170,10 +172,8 @@ void Puller::act_whole(const Shapes& shapes, const float* weights, std::size_t f
 }
 
 void Puller::gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
-                    Gathered& block) const {
+                    Gathered& block) {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
-        if (vertices[i] >= vertex_count_)
-            throw std::invalid_argument("vertices: every index must be below the number of positions");
         block.positions[i] = shapes.positions[vertices[i]];
         if (!shapes.is_one()) block.measured[i] = shapes.measured[vertices[i]];
         block.weights[i] = weights != nullptr ? weights[vertices[i]] : 1.0f;
@@ -186,7 +186,6 @@ void Puller::act_among(const Shapes& shapes, const float* weights, std::span<con
     for (std::size_t begin = 0; begin < vertices.size(); begin += pull_block) {
         const auto part = vertices.subspan(begin, std::min(pull_block, vertices.size() - begin));
         gather(shapes, weights, part, block);
-        if (!shapes.is_one()) look_at_positions(block.positions.data(), part.size());
         const glm::vec3* const measured = (shapes.is_one() ? block.positions : block.measured).data();
         const auto distances = [&](std::size_t image, float* values) {
             return measure(images_[image], measured, part.size(), values);
@@ -213,7 +212,6 @@ void Puller::act_along(const glm::vec3* positions, const float* weights,
     for (std::size_t begin = 0; begin < vertices.size(); begin += pull_block) {
         const auto part = vertices.subspan(begin, std::min(pull_block, vertices.size() - begin));
         gather({positions, positions}, weights, part, block);
-        look_at_positions(block.positions.data(), part.size());
         const auto distances = [&](std::size_t image, float* values) {
             const mesh::Reach& reach = reaches[image];
             std::size_t& at = next[image];
@@ -223,8 +221,7 @@ void Puller::act_along(const glm::vec3* positions, const float* weights,
                 values[i] = out_of_reach;
                 if (!is_held) continue;
                 const float distance = reach.distances[at];
-                if (is_finite(block.positions[i]))
-                    values[i] = force_.of_squares ? distance * distance : distance;
+                values[i] = force_.of_squares ? distance * distance : distance;
                 ++at;
             }
             return at > first;

@@ -1,6 +1,5 @@
 // One dab, checked and ready to be applied to blocks of vertices. Private to the library.
 #pragma once
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -22,7 +21,7 @@ struct Shapes {
     [[nodiscard]] bool is_one() const noexcept { return positions == measured; }
 };
 
-/// Several threads may call the const members at once.
+/// Several threads may call the const members at once. What act_... are given has been checked.
 class Puller {
   public:
     /// Throws std::invalid_argument where a number is outside its domain, or sizes differ.
@@ -30,6 +29,12 @@ class Puller {
            const PullKernel& kernel = pull_kernels().back());
 
     [[nodiscard]] std::span<const PullImage> images() const noexcept { return images_; }
+
+    /// Throw std::invalid_argument where a position is not finite, or a weight lies outside [0, 1]: of all
+    /// vertices in [first, last), or of those that are named. weights: one for each vertex, or null.
+    void check_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last) const;
+    void check_among(const Shapes& shapes, const float* weights,
+                     std::span<const std::uint32_t> vertices) const;
 
     /// The vertices of [first, last), from `positions` to `out`, which may be the same.
     void act_whole(const Shapes& shapes, const float* weights, std::size_t first, std::size_t last,
@@ -41,19 +46,16 @@ class Puller {
     void act_along(const glm::vec3* positions, const float* weights, std::span<const std::uint32_t> vertices,
                    std::span<const mesh::Reach> reaches, glm::vec3* out) const;
 
-    /// Throws std::invalid_argument where something strange was met on the way.
-    void report() const;
-
   private:
     struct Gathered;
 
     [[nodiscard]] const glm::mat3* metric() const noexcept { return is_plain_ ? nullptr : &metric_; }
     [[nodiscard]] bool measure(const PullImage& image, const glm::vec3* positions, std::size_t count,
                                float* distances) const;
-    void gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
-                Gathered& block) const;
-    void look_at_positions(const glm::vec3* positions, std::size_t count) const;
-    void look_at_weights(const float* weights, std::size_t count) const;
+    static void gather(const Shapes& shapes, const float* weights, std::span<const std::uint32_t> vertices,
+                       Gathered& block);
+    void check(const glm::vec3* positions, const glm::vec3* measured, const float* weights,
+               std::size_t count) const;
 
     template <class Distances>
     [[nodiscard]] bool act(const ForceTerms& force, const glm::vec3* positions, const float* weights,
@@ -68,8 +70,6 @@ class Puller {
     std::size_t vertex_count_;
     const PullKernel& kernel_;
     std::vector<PullImage> images_;
-    mutable std::atomic<bool> saw_strange_position_{false};
-    mutable std::atomic<bool> saw_strange_weight_{false};
 };
 
 }  // namespace motus::sculpt

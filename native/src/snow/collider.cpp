@@ -97,6 +97,8 @@ struct Collider::Mesh {
                 high = glm::max(high, corner);
             }
         }
+        for (int axis = 0; axis < 3 && !triangles.empty(); ++axis)
+            rounding = std::max(rounding, 0x1p-22 * std::max(-low[axis], high[axis]));
     }
 
     [[nodiscard]] std::array<glm::dvec3, 3> corners(std::uint32_t triangle) const {
@@ -116,6 +118,7 @@ struct Collider::Mesh {
     std::vector<glm::ivec3> triangles;
     glm::dvec3 low{std::numeric_limits<double>::infinity()};
     glm::dvec3 high{-std::numeric_limits<double>::infinity()};
+    double rounding = 0.0;
 
   private:
     mutable std::once_flag once;
@@ -132,6 +135,10 @@ std::span<const glm::vec3> Collider::positions() const noexcept {
 }
 std::span<const glm::ivec3> Collider::triangles() const noexcept {
     return mesh_->triangles;
+}
+
+double Collider::rounding() const noexcept {
+    return mesh_->rounding;
 }
 
 std::optional<Collider::Hit> Collider::first_hit(const glm::dvec3& start, const glm::dvec3& end) const {

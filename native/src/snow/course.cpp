@@ -109,8 +109,8 @@ void require_valid(const Settings& s) {
     return sum / static_cast<double>(s.wind_values.size());
 }
 
-/// Of the same length however fine the steps are, and so that a flake's way is looked at a few thousand times
-/// at most.
+/// Of the same length however fine the steps are, and twice, four times as long and so on for lives that are
+/// longer than 128 s, so that a flake's way is looked at a few thousand times at most.
 [[nodiscard]] double look_step_for(double longest) {
     constexpr double most = 4096.0;
     double step = largest_step;

@@ -41,18 +41,17 @@ constexpr double grip_range = 0.5;
         glm::dvec3 up = collider.normal(place.triangle);
         if (place.is_behind) up = -up;
         // What came to the lower side of something falls, too.
-        std::optional<glm::dvec3> over = up;
+        glm::dvec3 off = up;
         if (glm::dot(up, down) <= 0.0) {
             slides.clear();
             const Collider::Rest rest = collider.slide(place, glm::dvec3(0.0), pull, friction, slides);
             place = rest.place;
-            over = rest.over;
             // A slide ends after so many triangles, wherever that is.
-            if (!over && slides.size() > Collider::most_slides) continue;
+            if (!rest.over && slides.size() > Collider::most_slides) continue;
+            if (!rest.over) return place;
+            off = *rest.over - down;
         }
-        if (!over) return place;
-        const std::optional<Collider::Place> next =
-            collider.below(place.point + clear * (*over - down), down);
+        const std::optional<Collider::Place> next = collider.below(place.point + clear * off, down);
         if (!next) return {};
         place = *next;
     }

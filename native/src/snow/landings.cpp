@@ -57,7 +57,8 @@ std::optional<Landings::Hit> Landings::first_hit(const glm::dvec3& start, const 
     }
     if (!collider_) return first;
     const std::optional<Collider::Hit> hit = collider_->first_hit(start, end);
-    if (hit && !(first && first->part < hit->part))
+    // Where the ground is as high as a surface, rounding does not decide what is met: the surface is.
+    if (hit && !(first && hit->point.z < *ground_ - collider_->rounding()))
         first = {hit->point, collider_->normal(hit->triangle), hit->part,
                  static_cast<std::int32_t>(hit->triangle)};
     return first;

@@ -163,10 +163,7 @@ void count_living(const Course& course, const Landings& landings, Living& living
 }  // namespace
 
 Snow::Snow(const Settings& settings)
-    : parts_(in_ieee_floats([&] { return std::make_unique<const Parts>(settings); })) {}
-Snow::~Snow() = default;
-Snow::Snow(Snow&& other) noexcept = default;
-Snow& Snow::operator=(Snow&& other) noexcept = default;
+    : parts_(in_ieee_floats([&] { return std::make_shared<const Parts>(settings); })) {}
 
 Living Snow::living(double time, std::size_t threads) const {
     const Course& course = parts_->course;

@@ -62,6 +62,7 @@ Window window_violations(const Eyes& eyes, std::span<const Sample> samples, doub
 
 void smooth(std::span<const double> values, std::size_t ahead, Side side, std::span<double> out) {
     require(out.size() == values.size(), "out must have as many numbers as values");
+    require(ahead <= most_ahead, "ahead must be at most 10000");
     ahead = std::min(ahead, values.size());
     // The least of all values in reach is below each of them, and so is any mean of such numbers in reach.
     std::vector<double> bound(values.begin(), values.end());

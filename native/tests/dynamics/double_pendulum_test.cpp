@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "data/pendulum.hpp"
+#include "motion_table.hpp"
 #include "random.hpp"
 
 using namespace motus::dynamics;
@@ -150,6 +151,52 @@ TEST_CASE("many double pendulums are the same as one by one", "[double_pendulum]
     for (std::size_t i = 0; i < fan.size(); ++i) CHECK(together[i] == at(apart, fan[i], 13.37));
     // Chaos: neighbours are far apart after a while.
     CHECK(std::abs(together[0].theta2 - together[1].theta2) > 0.1);
+}
+
+TEST_CASE("many double pendulums on a moved pivot are the same as one by one", "[double_pendulum]") {
+    std::vector<double> samples;
+    for (int k = 0; k < 120; ++k) samples.push_back(6.0 * std::sin(0.3 * k));
+    const PivotMotion pivot{1.0 / 25.0, samples};
+    std::vector<DoublePendulumState> fan;
+    for (int i = 0; i < 9; ++i) fan.push_back({1.0, 1.2 + 0.01 * i, 0.0, 0.0});
+    std::vector<DoublePendulumState> together(fan.size());
+    double_pendulums({}, fan, pivot, 1.91, together);
+    for (std::size_t i = 0; i < fan.size(); ++i) {
+        const double time = 1.91;
+        DoublePendulumState alone;
+        double_pendulum({}, fan[i], pivot, {&time, 1}, {&alone, 1});
+        CHECK(together[i] == alone);
+    }
+    CHECK_THROWS_AS(double_pendulums({}, fan, pivot, -1.0, together), std::invalid_argument);
+}
+
+TEST_CASE("what is kept of many double pendulums finds room", "[double_pendulum]") {
+    std::vector<DoublePendulumState> fan(500);
+    for (std::size_t i = 0; i < fan.size(); ++i)
+        fan[i] = {2.0, 2.0 + 0.01 * static_cast<double>(i), 0.0, 0.0};
+    std::vector<DoublePendulumState> out(fan.size());
+    // Each of them may be asked for at that time, but their tables would push each other out at every frame.
+    CHECK_THROWS_WITH(double_pendulums({}, fan, 1500.0, out), Catch::Matchers::StartsWith("time "));
+    CHECK_THROWS_WITH(double_pendulums({}, fan, -1500.0, out), Catch::Matchers::StartsWith("time "));
+    const std::vector<DoublePendulumState> few(fan.begin(), fan.begin() + 2);
+    double_pendulums({}, few, 1500.0, std::span(out).first(2));
+    CHECK(out[1] == at({}, few[1], 1500.0));
+    fan.resize(5000);
+    out.resize(5000);
+    CHECK_THROWS_WITH(double_pendulums({}, fan, 1.0, out), Catch::Matchers::StartsWith("starts "));
+
+    SECTION("as the sum of what each table takes") {
+        MotionSettings<DoubleSystem> settings;
+        settings.start = {2.0, 2.0, 0.0, 0.0};
+        settings.interval = 0.125;
+        const MotionTable<DoubleSystem> table(settings);
+        for (const double time : {0.0, 1.0, 20.0, 100.0, 1000.0}) {
+            const std::size_t most = table.bytes_until(time);
+            static_cast<void>(table.at(time));
+            CHECK(table.bytes() <= most);
+            CHECK(most < table.bytes() / 4 * 5 + 4096);
+        }
+    }
 }
 
 TEST_CASE("threads that ask for one pendulum get one answer", "[double_pendulum]") {

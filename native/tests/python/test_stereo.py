@@ -80,6 +80,7 @@ class StereoTest(unittest.TestCase):
                 (native.window_violations, samples, "depths", [1.0, 2.0]),
                 (native.window_violations, samples, "tolerance", -1.0),
                 (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "ahead", -1),
+                (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "ahead", 10001),
                 (native.smooth_ahead, {"values": [1.0], "ahead": 1}, "side", "left")):
             key = "points" if name == "point" else name
             with self.subTest(function=function.__name__, name=name, value=value), \

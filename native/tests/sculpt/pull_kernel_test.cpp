@@ -46,7 +46,6 @@ std::vector<glm::vec3> pulled_by(const PullKernel& kernel, std::span<const glm::
     std::vector<glm::vec3> out(points.size());
     puller.act_whole({points.data(), points.data()}, weights.empty() ? nullptr : weights.data(), 0,
                      points.size(), out.data());
-    puller.report();
     return out;
 }
 

@@ -64,6 +64,48 @@ TEST_CASE("all that landed lies on the cover, at any time", "[snow]") {
     }
 }
 
+TEST_CASE("snow lies on a surface at the height of the ground", "[snow]") {
+    for (const float height : {0.0F, 0.1F, -3.7F}) {
+        // To rounding: what is turned, or refined, is as near.
+        for (const float lower : {0.0F, 2e-7F}) {
+            Settings settings = falling(2000.0);
+            settings.random_speed = true;
+            settings.lifetime = 20.0;
+            settings.collider = sheet(2.0F, height - lower, 0.0F, 7);
+            const Covered alone(settings, {.end = 8.0});
+            settings.ground = static_cast<double>(height);
+            const Covered both(settings, {.end = 8.0});
+            CAPTURE(height, 1e7F * lower);
+            CHECK(both.cover.volume(8.0) > 0.5);
+            CHECK(both.cover.volume(8.0) == alone.cover.volume(8.0));
+            CHECK(std::ranges::none_of(both.snow.touchdowns(8.0),
+                                       [](const Touchdown& down) { return down.triangle < 0; }));
+            // What is clearly below the ground stays bare.
+            settings.ground = static_cast<double>(height) + 1e-3;
+            CHECK(Covered(settings, {.end = 8.0}).cover.volume(8.0) == 0.0);
+        }
+    }
+}
+
+TEST_CASE("what rises to the lower side of something falls off", "[snow]") {
+    for (const float slope : {0.0F, 1e-4F, 0.3F}) {
+        Settings settings = falling(500.0);
+        settings.start_speed = 1.5;
+        settings.cone_radius = 1.5;
+        Points positions;
+        Triangles triangles;
+        add_sheet(4.0F, 0.0F, 0.0F, 8, positions, triangles);
+        const std::size_t floor = positions.size();
+        add_sheet(2.0F, 4.0F, slope, 4, positions, triangles);
+        settings.collider = std::make_shared<const Collider>(positions, triangles);
+        const Covered one(settings, {.end = 4.0, .smoothing = 0});
+        CAPTURE(slope);
+        CHECK(one.cover.volume(4.0) == Approx(1e-4 * static_cast<double>(one.snow.touchdowns(4.0).size())));
+        CHECK(one.volume(4.0, floor) == 0.0);
+        CHECK(one.volume(4.0) == Approx(one.cover.volume(4.0)).epsilon(1e-5));
+    }
+}
+
 TEST_CASE("steep snow slides off, however finely the slope is divided", "[snow]") {
     for (const int cells : {4, 150}) {
         Settings settings = falling(2000.0);

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "flakes.hpp"
@@ -174,4 +175,21 @@ TEST_CASE("what is kept of one snow's landings is no other's", "[snow]") {
             for (const glm::vec3& place : flakes.position) lowest = std::min(lowest, place.z);
             CHECK(lowest == Approx(-1.0 - static_cast<double>(i)).margin(1e-4));
         }
+}
+
+TEST_CASE("a snow that was moved from is still the snow", "[snow]") {
+    for (const Settings& settings : kinds(701.0)) {
+        const Flakes wanted = flakes_at(Snow(settings), 2.3);
+        Snow snow(settings);
+        Snow moved = std::move(snow);
+        CHECK(are_same(flakes_at(moved, 2.3), wanted));
+        // NOLINTBEGIN(bugprone-use-after-move): that is what it is about
+        CHECK(are_same(flakes_at(snow, 2.3), wanted));
+        Snow other{Settings{}};
+        other = std::move(moved);
+        CHECK(are_same(flakes_at(other, 2.3), wanted));
+        CHECK(are_same(flakes_at(moved, 2.3), wanted));
+        CHECK(moved.acceleration() == settings.acceleration);
+        // NOLINTEND(bugprone-use-after-move)
+    }
 }

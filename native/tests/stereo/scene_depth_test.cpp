@@ -92,3 +92,12 @@ TEST_CASE("a smooth curve leads as much as it lags", "[stereo]") {
     CHECK_THROWS_AS(smooth(step, 1, Side::either, std::span(out).first(3)), std::invalid_argument);
     smooth({}, 5, Side::below, {});
 }
+
+TEST_CASE("a smooth curve looks ahead no further than its work is bounded", "[stereo]") {
+    const std::vector<double> values{1.0, 2.0, 3.0};
+    std::vector<double> out(3);
+    smooth(values, most_ahead, Side::below, out);
+    CHECK(out == std::vector<double>(3, 1.0));
+    for (const Side side : {Side::either, Side::below, Side::above})
+        CHECK_THROWS_WITH(smooth(values, most_ahead + 1, side, out), Catch::Matchers::StartsWith("ahead "));
+}

@@ -28,7 +28,7 @@ def _candidates(thing):
     systems = system.systems()
     yield thing, [one for one in systems if wiring.is_attached(one, thing)]
     for one in systems:
-        leader = system.of_owner(one, thing).leader
+        leader = system.leader_of(one, thing)
         if leader:
             yield leader, [one]
 
@@ -71,7 +71,7 @@ def unbake(thing, name=""):
 def check_baked(thing, name=""):
     """(systems, objects) that were baked together with a thing. Raises Refused where nothing was."""
     owner = _baked_owner(thing)
-    systems = [one for one in system.systems() if system.of_owner(one, owner).is_baked]
+    systems = [one for one in system.systems() if state.is_baked_owner(one, owner)]
     baked = state.baked_with(owner)
     if not baked or (name and name not in [one.name for one in systems]):
         raise Refused(tr("{object} is not baked").format(object=thing.name))
@@ -82,9 +82,9 @@ def _baked_owner(thing):
     """The owner with which an object was baked, or properties of what it uses."""
     if thing.motus.bake.is_baked:
         return thing.motus.bake.owner or thing
-    leaders = [system.of_owner(one, thing).leader for one in system.systems()]
+    leaders = [system.leader_of(one, thing) for one in system.systems()]
     return next((leader for leader in leaders if leader and any(
-        system.of_owner(one, leader).is_baked for one in system.systems())), thing)
+        state.is_baked_owner(one, leader) for one in system.systems())), thing)
 
 
 def objects_of(owner, systems):

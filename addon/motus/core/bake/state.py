@@ -3,7 +3,7 @@
 import bpy
 
 from .. import datablocks
-from ..system import System, of_owner
+from ..system import System, has_settings, leader_of, of_owner
 
 KEY = "motus_bake"
 """Custom property that holds, on what is no object, what MOTUS_PG_bake does."""
@@ -59,17 +59,17 @@ def _may_be_baked(one):
 
 def owner_of(system, obj):
     """The object whose settings of the system move this one: its leader, what the system says, or itself."""
-    # To ask an object for its settings would give it some.
-    leader = of_owner(system, obj).leader if obj.is_property_set("motus") else None
-    return leader or (system.owner_of and system.owner_of(obj)) or obj
+    return leader_of(system, obj) or (system.owner_of and system.owner_of(obj)) or obj
 
 
 def is_baked(system, obj):
     """Whether the system's motion of an object stands in keyframes."""
-    if not isinstance(system, System):
-        return False
-    owner = owner_of(system, obj)
-    return owner.is_property_set("motus") and of_owner(system, owner).is_baked
+    return isinstance(system, System) and is_baked_owner(system, owner_of(system, obj))
+
+
+def is_baked_owner(system, owner):
+    """Whether what the system moves for an owner stands in keyframes."""
+    return has_settings(system, owner) and of_owner(system, owner).is_baked
 
 
 def frames(system, obj):

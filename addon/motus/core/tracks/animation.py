@@ -127,7 +127,7 @@ class Channel:
         if self._stack is not None:
             return strips.together((self._path, self.number.index, self._stack.stamp))
         if self._curve is not None:
-            return self._path, self.number.index, strips.stamp_of_action(self._id.animation_data)
+            return strips.together((self._path, self.number.index, strips.stamp_of_action(self._id.animation_data)))
         return self.number.present
 
 

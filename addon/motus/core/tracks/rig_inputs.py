@@ -123,8 +123,8 @@ def once(rig, name, times, make):
 
 def stamp_of(rig):
     """As Channel.stamp, of all that a rig and its bones themselves are, but for drivers: settings, keys and rest pose."""
-    copy = copies.of(rig) if rig.is_evaluated else None
-    return together((copy and copy.number, strips.stamp_of(rig.animation_data), copies.number_of(rig.data) or None))
+    copy = copies.of(rig)
+    return copy and together((copy.number, strips.stamp_of(rig.animation_data), copies.stamp_of_data(rig)))
 
 
 def kept(rig, name, make):

@@ -91,17 +91,17 @@ def together(stamps):
 
 
 def stamp_of_action(player):
-    """Which action an evaluated player plays (actions.curves_of), and which slot of it."""
+    """Which action an evaluated player plays (actions.curves_of), and which slot of it; None of an original."""
     # A property of what plays actions since these have slots.
-    return copies.number_of_action(player.action), getattr(player, "action_slot_handle", 0)
+    return together((copies.number_of_action(player.action), getattr(player, "action_slot_handle", 0)))
 
 
 def stamp_of(animation):
     """Of all that evaluated animation data plays, whatever that sets: hashable; None where nobody can tell its edits."""
     if animation is None:
         return ()
-    acting = (stamp_of_action(animation), animation.action_influence, animation.action_blend_type,
-              animation.action_extrapolation) if animation.action else ()
+    acting = together((stamp_of_action(animation), animation.action_influence, animation.action_blend_type,
+                       animation.action_extrapolation)) if animation.action else ()
     if not animation.nla_tracks:
         return acting
     return together((acting, animation.use_nla, animation.use_tweak_mode, *(
@@ -264,9 +264,10 @@ def _strip_stamp(strip):
     """None of a strip with F-curves of its own, of which nothing tells whether they were edited."""
     if strip.use_animated_influence or strip.use_animated_time:
         return None
-    return (stamp_of_action(strip) if strip.action else (), strip.mute, strip.frame_start, strip.frame_end,
-            strip.action_frame_start, strip.action_frame_end, strip.scale, strip.repeat, strip.use_reverse, strip.blend_type,
-            strip.extrapolation, strip.blend_in, strip.blend_out)
+    return together((
+        stamp_of_action(strip) if strip.action else (), strip.mute, strip.frame_start, strip.frame_end, strip.action_frame_start,
+        strip.action_frame_end, strip.scale, strip.repeat, strip.use_reverse, strip.blend_type, strip.extrapolation, strip.blend_in,
+        strip.blend_out))
 
 
 def _influences(strip, times):

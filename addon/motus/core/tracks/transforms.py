@@ -88,7 +88,7 @@ class Own:
             return None
         if not self._is_simple:
             return strips.together((self._mode, *(one.stamp for one in self._counted)))
-        return self._mode, self._prefix, self._action, *self._still_values()
+        return strips.together((self._mode, self._prefix, self._action, *self._still_values()))
 
     def values(self, times):
         """Transforms at times (n,)."""
@@ -160,7 +160,7 @@ class Own:
 
     @functools.cached_property
     def _action(self):
-        """What tells the action of an evaluated thing, and the slot of it, from all others; () without one."""
+        """As strips.stamp_of_action; () without one."""
         animation = self._id.animation_data
         return strips.stamp_of_action(animation) if animation and animation.action else ()
 

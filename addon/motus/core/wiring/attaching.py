@@ -3,10 +3,10 @@
 import bpy
 
 from .. import actions, copies
-from ..system import drop_dead_copy, groups_of, of_owner, systems
+from ..system import drop_dead_copy, groups_of, is_owner, of_owner, systems
 from . import (
-    attribute_sink, carriers, drivers, geometry_sink, order, outbox, override_drivers, overrides, property_sink, proxy_sink, readers,
-    rows, solver_driver, transform_sink)
+    attribute_sink, carriers, drivers, geometry_sink, hub_lookup, order, outbox, outputs, override_drivers, overrides, property_sink,
+    proxy_sink, readers, rows, solver_driver, transform_sink)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
 
@@ -21,8 +21,9 @@ def _attach(system, owner):
     _detach(system, owner)
     settings = of_owner(system, owner)
     settings.is_active = True
-    settings.is_released = False
-    settings.order_proxy = order.proxy_for(system, settings)
+    if settings.is_released:
+        settings.is_released = False
+    order.set_proxy(system, settings)
     copies.prepare(owner)
     copies.mark(*solver_driver.curves_for(system, owner))
     groups = groups_of(system, owner)
@@ -47,7 +48,7 @@ def _wire(system, owner, group):
     outbox.create(system, hub.data, group, uses_attribute)
     copies.mark(hub.data)
     if carriers.has_outlet(system, owner):
-        outbox.create_outlet(system, owner, hub.data)
+        outputs.create_outlet(system, owner, hub.data)
     solver_driver.add(system, owner, group, hub)
     property_sink.add(system, owner, group, hub, is_off=of_owner(system, owner).is_baked)
     for one in group.properties:
@@ -103,7 +104,7 @@ def _wire_row(system, owner, group):
             hub.data[rows.target_key(name)] = target
         copies.mark(hub.data)
     row = rows.take(system, owner, hub)
-    outbox.create_outlet(system, owner, hub.data)
+    outputs.create_outlet(system, owner, hub.data)
     if is_new:
         solver_driver.add(system, owner, group, hub)
     active = owner.constraints.active
@@ -133,8 +134,8 @@ def _detach(system, owner):
     for other in led_by(system, owner):
         of_owner(system, other).leader = None
         overrides.unmark(system, other)
-    hubs = [hub for _, hub in outbox.hubs(system, owner)]
-    own = [hub.data for hub in hubs if outbox.is_own_hub(hub, owner)] + outbox.lost_hubs(system, owner)
+    hubs = [hub for _, hub in hub_lookup.hubs(system, owner)]
+    own = [hub.data for hub in hubs if hub_lookup.is_own_hub(hub, owner)] + hub_lookup.lost_hubs(system, owner)
     property_sink.remove(system, own)
     for mesh in [hub.data for hub in hubs if hub.data not in own]:
         property_sink.remove_copies(system, owner, mesh)
@@ -142,7 +143,7 @@ def _detach(system, owner):
     for mesh in own:
         read.update(solver_driver.marked_by(mesh))
         bpy.data.meshes.remove(mesh)
-    shared = outbox.hub_of(system, owner)
+    shared = hub_lookup.hub_of(system, owner)
     if shared and not shared.library and outbox.is_shared(system, shared.data):
         read.update(solver_driver.marked_by(shared.data))
         settings.hub = None  # by which the row is free
@@ -162,7 +163,7 @@ def _detach(system, owner):
     order.release(settings)
     settings.is_active = False
     settings.wired = ""
-    if not any(of_owner(one, owner).is_active for one in systems()):
+    if not any(is_owner(one, owner) for one in systems()):
         copies.release(owner)
     drivers.drop_empty_animation(owner)
     owner.update_tag()
@@ -170,13 +171,12 @@ def _detach(system, owner):
 
 def _is_wired(datablock):
     """Whether it is the owner of any system."""
-    return isinstance(datablock, bpy.types.Object) and datablock.is_property_set("motus") and any(
-        of_owner(one, datablock).is_active for one in systems())
+    return isinstance(datablock, bpy.types.Object) and any(is_owner(one, datablock) for one in systems())
 
 
 def refresh(system, owner):
     """Wire again after a change of what is driven or read: targets, members, channels. What is linked stays as it is."""
-    if owner.library or not is_attached(system, owner):
+    if owner.library or not is_owner(system, owner):
         return
     _refresh(system, owner)
     refresh_others(system, owner)
@@ -200,7 +200,7 @@ def refresh_others(system, owner):
     if system.entries is None:
         return
     for other in systems():
-        if other is not system and other.entries is not None and is_attached(other, owner):
+        if other is not system and other.entries is not None and is_owner(other, owner):
             # The solvers of all other systems wait for the hubs of one that lays poses, which are new ones now.
             (refresh if system.lays_pose else refresh_changed)(other, owner)
 
@@ -268,15 +268,10 @@ def set_muted(system, owner, muted):
     for _, constraint in sinks(system, owner):
         constraint.mute = muted
     for group in groups_of(system, owner) if system.groups is not None else ():
-        hub = outbox.hub_of(system, owner, group.key)
-        if hub and outbox.is_own_hub(hub, owner):
+        hub = hub_lookup.hub_of(system, owner, group.key)
+        if hub and hub_lookup.is_own_hub(hub, owner):
             property_sink.remove(system, [hub.data])
             property_sink.add(system, owner, group, hub, is_off=muted)
-
-
-def is_attached(system, owner):
-    """Whether the system is wired on this object as its owner (members of others' are not)."""
-    return of_owner(system, owner).is_active
 
 
 def touch(system, owner):
@@ -290,9 +285,9 @@ def touch(system, owner):
 def _tag(system, owner):
     """Let Blender evaluate the owner and its hubs again; returns whether there are as many members as were wired."""
     owner.update_tag()
-    for _, hub in outbox.hubs(system, owner):
+    for _, hub in hub_lookup.hubs(system, owner):
         hub.data.update_tag()
-    hub = outbox.hub_of(system, owner)
+    hub = hub_lookup.hub_of(system, owner)
     if hub and outbox.is_shared(system, hub.data):
         return rows.write(system, owner)
     if hub and system.member_data:

@@ -18,7 +18,7 @@ from ..lazy import numpy as np
 from ..scratch import scratch
 from ..stored import Damaged
 from ..system import Variable, groups_of, systems
-from . import attributes, drivers, marks, outbox
+from . import attributes, drivers, hub_lookup, marks, outbox
 
 ATTRIBUTE = "motus_transform"
 STILL_KEY = "motus_still"
@@ -45,7 +45,7 @@ def prepare_row(mesh):
 def add(system, group, index, hub, row=None):
     """Drive member `index` of the group by its row of the hub's attribute; row: where that is another, as the hub is shared."""
     member = group.members[index]
-    first = 0 if row is None else outbox.first_slot(system, member.thing)
+    first = 0 if row is None else hub_lookup.first_slot(system, member.thing)
     place = index if row is None else row
     constraint = member.thing.constraints.new('GEOMETRY_ATTRIBUTE')
     constraint.name = marks.name(system)
@@ -162,7 +162,7 @@ def store_own_poses(*_):
 
 
 def _store_own_poses(system, owner, mesh):
-    wired = [key for key, hub in outbox.hubs(system, owner) if hub.data == mesh]
+    wired = [key for key, hub in hub_lookup.hubs(system, owner) if hub.data == mesh]
     for group in groups_of(system, owner) if wired else ():
         if group.key == wired[0]:
             _store(mesh, *_own_poses_of(mesh, group.members))

@@ -6,7 +6,7 @@ import bpy
 
 from .. import capabilities, copies
 from ..system import OwnMatrix, input_variables, of_owner
-from . import drivers, outbox, proxy_sink, rows
+from . import drivers, hub_lookup, outbox, proxy_sink, rows
 
 VERSION = 2
 """Of how owners are wired; what an older version has wired, which is noted with it, is wired anew."""
@@ -19,14 +19,14 @@ def uses_attribute(system):
 
 def has_strange_carriers(system, owner):
     """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
-    return any(_is_strange(system, owner, hub) for _, hub in outbox.hubs(system, owner)) or (
+    return any(_is_strange(system, owner, hub) for _, hub in hub_lookup.hubs(system, owner)) or (
         system.groups is not None and proxy_sink.has_strange_proxies(owner))
 
 
 def _is_strange(system, owner, hub):
     if outbox.is_shared(system, hub.data):
         return bool(hub.library or hub.override_library) or not rows.is_own(system, owner, hub.data)
-    return not outbox.is_own_hub(hub, owner)
+    return not hub_lookup.is_own_hub(hub, owner)
 
 
 def new_hub(*names):
@@ -51,7 +51,7 @@ def make_hub(system, owner, group):
 
 
 def has_outlet(system, owner):
-    """Whether the owner is to have an outlet: see outbox.create_outlet.
+    """Whether the owner is to have an outlet: see outputs.create_outlet.
 
     To Blender the outlet is one with the owner's settings, for which the solvers of its other systems wait, and by those its
     matrix does: an owner whose solver waits for its own matrix has none.

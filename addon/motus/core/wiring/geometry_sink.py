@@ -8,7 +8,7 @@ it is. In Edit Mode, where the points of a mesh come and go before the solver he
 import bpy
 
 from .. import capabilities, node_groups
-from . import made_points, moved_points, outbox
+from . import hub_lookup, made_points, moved_points
 
 KEY = "motus_system"
 """Custom property of the node group: name of the system whose sinks have it."""
@@ -24,7 +24,7 @@ def add(system, owner, hub):
     """Let the owner's points be moved by what the hub holds, by the modifier that is there already or a new one."""
     found = modifier(system, owner)
     if found is not None:
-        if not _is_whole(system, found.node_group):
+        if _form_of(system, found.node_group) is None:
             found.node_group = _node_group(system)
         node_groups.set_input(found, HUB, hub)
         return
@@ -54,19 +54,26 @@ def remove(system, owner):
     """Take the sink away, and what it was made of where nobody else needs that."""
     for found in [one for one in owner.modifiers if _is_sink(system, one)]:
         group = found.node_group
+        node_groups.let_go(found)
         owner.modifiers.remove(found)
-        if group.users == 0:
-            bpy.data.node_groups.remove(group)
+        _drop_unused(group)
 
 
 def is_stale(system, owner):
     """Whether the hub waits for another mesh than the owner has now."""
-    hub = outbox.hub_of(system, owner)
+    hub = hub_lookup.hub_of(system, owner)
     if hub is None or not hub.data.animation_data or owner.type != 'MESH':
         return False
     targets = [target for curve in hub.data.animation_data.drivers for variable in curve.driver.variables
                for target in variable.targets if target.id_type == 'MESH']
     return any(target.id != owner.data for target in targets)
+
+
+def is_cut_off(system, owner):
+    """Whether the modifier brings in what another hub holds: an override that has another node group loses what it was given (5.2)."""
+    found = modifier(system, owner)
+    return found is not None and _form_of(system, found.node_group) is not None and (
+        node_groups.input_of(found, HUB) != hub_lookup.hub_of(system, owner))
 
 
 def room(system, carrier, inputs, context):
@@ -80,8 +87,36 @@ def write_nothing(system, carrier):
 
 
 def set_material(system, owner, material):
-    """Give what the system makes on an owner a material."""
-    node_groups.set_input(modifier(system, owner), made_points.MATERIAL, material)
+    """Give the points that the system makes on an owner, or what their shape is, a material."""
+    _set_form(system, owner, made_points.MATERIAL, material)
+
+
+def set_object(system, owner, instanced):
+    """Let the owner have an instance of an object on each point, scaled by its radius and turned by its quaternion."""
+    _set_form(system, owner, made_points.OBJECT, instanced)
+
+
+def set_collection(system, owner, instanced):
+    """The same with the objects of a collection, among which points choose by their ids."""
+    _set_form(system, owner, made_points.COLLECTION, instanced)
+
+
+def _set_form(system, owner, form, value):
+    found = modifier(system, owner)
+    if found is None:
+        return  # somebody has removed it
+    group = found.node_group
+    if _form_of(system, group) != form:
+        node_groups.let_go(found)
+        found.node_group = _node_group(system, form)
+        node_groups.set_input(found, HUB, hub_lookup.hub_of(system, owner))
+        _drop_unused(group)
+    node_groups.set_input(found, form, value)
+
+
+def _drop_unused(group):
+    if group.users == 0:
+        bpy.data.node_groups.remove(group)
 
 
 def _kind(system):
@@ -102,25 +137,29 @@ def _move_first(owner, found):
         bpy.ops.object.modifier_move_to_index(modifier=found.name, index=0)
 
 
-def _is_whole(system, group):
-    """Whether it has its inputs, which somebody may have removed."""
-    return node_groups.has_inputs(group, {name for name, way, _ in _sockets(system) if way == 'INPUT'})
+def _form_of(system, group):
+    """Which of its kind's forms a group is, by its inputs; None where somebody has removed one of them."""
+    return next((form for form in _kind(system).FORMS if node_groups.has_inputs(
+        group, {name for name, way, _ in _sockets(system, form) if way == 'INPUT'})), None)
 
 
-def _sockets(system):
-    return (("Geometry", 'INPUT', "NodeSocketGeometry"), (HUB, 'INPUT', "NodeSocketObject"), *_kind(system).MORE_INPUTS,
+def _sockets(system, form):
+    return (("Geometry", 'INPUT', "NodeSocketGeometry"), (HUB, 'INPUT', "NodeSocketObject"), *_kind(system).FORMS[form],
             ("Geometry", 'OUTPUT', "NodeSocketGeometry"))
 
 
-def _node_group(system):
-    """The node group of all the system's sinks in this file."""
+def _node_group(system, form=None):
+    """The node group of all the system's sinks of a form in this file; without one of the first."""
+    first = next(iter(_kind(system).FORMS))
+    form = first if form is None else form
     for group in bpy.data.node_groups:
-        if group.get(KEY) == system.name and group.library is None and _is_whole(system, group):
+        if group.get(KEY) == system.name and group.library is None and _form_of(system, group) == form:
             return group
-    group = bpy.data.node_groups.new(f"Motus {system.label}", 'GeometryNodeTree')
+    name = f"Motus {system.label}" if form == first else f"Motus {system.label} {form}"
+    group = bpy.data.node_groups.new(name, 'GeometryNodeTree')
     group[KEY] = system.name
-    node_groups.add_sockets(group, _sockets(system))
+    node_groups.add_sockets(group, _sockets(system, form))
     start, end = (node_groups.add_node(group, kind) for kind in ("NodeGroupInput", "NodeGroupOutput"))
-    _kind(system).add_nodes(system, group, start, end)
+    group.links.new(_kind(system).add_nodes(system, group, start, form), end.inputs["Geometry"])
     end.location.x = 200.0 * len(group.nodes)
     return group

@@ -20,8 +20,8 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native
-from ..system import of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, order, outbox, overrides, property_sink, proxy_sink, relations, rows
+from ..system import has_settings, is_owner, leader_of, of_owner, registered, systems
+from . import attaching, carriers, geometry_sink, hub_lookup, order, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
 from .solver_driver import waits
 
@@ -197,8 +197,7 @@ def _heal_gathered():
 def _find(name, owner_name):
     """The system and the owner of these names; (None, None) where they are not there or not wired in this file."""
     system, owner = registered.get(name), bpy.data.objects.get((owner_name, None))
-    # To ask an object for its settings gives it some.
-    if not system or not owner or not owner.is_property_set("motus") or not of_owner(system, owner).is_active:
+    if not system or not owner or not is_owner(system, owner):
         return None, None
     return system, owner
 
@@ -223,7 +222,7 @@ def _heal_copies():
 def _attached():
     """(system, owner) of all that is wired in this file."""
     owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
-    return [(system, owner) for owner in owners for system in systems() if of_owner(system, owner).is_active]
+    return [(system, owner) for owner in owners for system in systems() if is_owner(system, owner)]
 
 
 def _heal_old():
@@ -238,15 +237,17 @@ def _heal_overrides():
         return
     _release_overrides()
     for system, owner in _attached():
-        if overrides.is_lost(system, owner):
+        if overrides.is_lost(system, owner) or geometry_sink.is_cut_off(system, owner):
             attaching.refresh(system, owner)
+            if system.dress is not None:
+                system.dress(owner)
 
 
 def _release_overrides():
     """Take off overrides again what was taken off them, and came back from their library."""
     found = [obj for obj in bpy.data.objects if obj.override_library and not obj.library and obj.is_property_set("motus")]
     for obj in found:
-        for system in systems():
+        for system in [one for one in systems() if has_settings(one, obj)]:
             settings = of_owner(system, obj)
             if settings.is_released and not settings.is_active:
                 release(system, obj)
@@ -274,15 +275,11 @@ def _heal_joined(grown):
     # What is released takes objects out of the file, which Blender must not be going through then.
     joined, found = {}, [obj for obj in bpy.data.objects if obj.data in grown and not (obj.library or obj.override_library)]
     for obj in found:
-        has_settings = obj.is_property_set("motus")
         for system in systems():
-            is_wired = has_settings and of_owner(system, obj).is_active
-            is_led = has_settings and of_owner(system, obj).leader is not None
-            if system.groups is not None and not is_wired and not is_led and has_sinks(system, obj):
+            is_driven = is_owner(system, obj) or leader_of(system, obj)
+            if system.groups is not None and not is_driven and has_sinks(system, obj):
                 joined |= dict.fromkeys(rig for rig in makers(system, obj) if not rig.users_collection)
                 release(system, obj)
-        if not has_settings:
-            obj.property_unset("motus")
     for rig in joined:
         _discard(rig)
 
@@ -290,7 +287,7 @@ def _heal_joined(grown):
 def _discard(rig):
     """Remove a rig that was joined into another one, but is kept alive by its hubs and proxies, and they by it."""
     for system in systems():
-        for hub in [hub for _, hub in outbox.hubs(system, rig) if outbox.is_own_hub(hub, rig)]:
+        for hub in [hub for _, hub in hub_lookup.hubs(system, rig) if hub_lookup.is_own_hub(hub, rig)]:
             bpy.data.meshes.remove(hub.data)
         proxy_sink.release(of_owner(system, rig))
     bpy.data.objects.remove(rig)
@@ -303,7 +300,7 @@ def _key(datablock):
 
 def _armatures(system, owner):
     """The data of the owner and of all objects that it reads."""
-    read = [pair[0] for key, _ in outbox.carriers(system, owner) for pair in waits(system, owner, key)]
+    read = [pair[0] for key, _ in hub_lookup.carriers(system, owner) for pair in waits(system, owner, key)]
     return {owner.data, *(obj.data for obj in read if obj)}
 
 

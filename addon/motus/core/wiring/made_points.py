@@ -15,8 +15,12 @@ from . import attributes
 
 IS_FIRST = False
 """The modifier is added behind those that the owner has: these shape what the owner has by itself."""
-MATERIAL = "Material"
-MORE_INPUTS = ((MATERIAL, 'INPUT', "NodeSocketMaterial"),)
+MATERIAL, OBJECT, COLLECTION = "Material", "Object", "Collection"
+FORMS = {name: ((name, 'INPUT', f"NodeSocket{name}"),) for name in (MATERIAL, OBJECT, COLLECTION)}
+"""What is made of the points, by the input that says it: what the system's shape is, or instances of an object or collection.
+
+Each has nodes of its own and no more inputs than it needs, for the file's sake.
+"""
 TUBE_SIDES = 8
 RADIUS = "radius"
 
@@ -89,8 +93,8 @@ def write_nothing(_system, carrier):
     _clear(carrier)
 
 
-def add_nodes(system, group, start, end):
-    """The nodes of the modifier, between those of the group's inputs and outputs."""
+def add_nodes(system, group, start, form):
+    """The nodes of the modifier; returns the socket of what it makes, with the owner's own geometry."""
     made = system.makes_points
     hub = node_groups.add_node(
         group, "GeometryNodeObjectInfo", transform_space='RELATIVE' if made.space == 'WORLD' else 'ORIGINAL')
@@ -98,14 +102,40 @@ def add_nodes(system, group, start, end):
     # but where it is, and modifiers behind, which do not look into instances, are to have it.
     hub.inputs["As Instance"].default_value = made.space == 'WORLD' and made.shape != 'FACES'
     group.links.new(start.outputs["Hub"], hub.inputs["Object"])
-    found = _SHAPES[made.shape](made, group, hub.outputs["Geometry"])
-    material = node_groups.add_node(group, "GeometryNodeSetMaterial")
+    mesh = hub.outputs["Geometry"]
+    if form == MATERIAL:
+        found = _with_material(group, start, _SHAPES[made.shape](made, group, mesh))
+    else:
+        found = _as_instances(made, group, start, mesh, form)
     join = node_groups.add_node(group, "GeometryNodeJoinGeometry")
-    for source, target in (
-            (found, material.inputs["Geometry"]), (start.outputs[MATERIAL], material.inputs["Material"]),
-            (material.outputs["Geometry"], join.inputs["Geometry"]), (start.outputs["Geometry"], join.inputs["Geometry"]),
-            (join.outputs["Geometry"], end.inputs["Geometry"])):
-        group.links.new(source, target)
+    for source in (found, start.outputs["Geometry"]):
+        group.links.new(source, join.inputs["Geometry"])
+    return join.outputs["Geometry"]
+
+
+def _with_material(group, start, geometry):
+    node = node_groups.add_node(group, "GeometryNodeSetMaterial")
+    group.links.new(geometry, node.inputs["Geometry"])
+    group.links.new(start.outputs[MATERIAL], node.inputs["Material"])
+    return node.outputs["Geometry"]
+
+
+def _as_instances(made, group, start, mesh, form):
+    info = node_groups.add_node(group, f"GeometryNode{form}Info", transform_space='ORIGINAL')
+    group.links.new(start.outputs[form], info.inputs[form])
+    node = node_groups.add_node(group, "GeometryNodeInstanceOnPoints")
+    # Which of a collection's objects an instance is follows from the attribute "id", where nothing else is linked.
+    switches = (info.inputs["Separate Children"], info.inputs["Reset Children"]) if form == COLLECTION else (
+        info.inputs["As Instance"],)
+    for switch in (*switches, node.inputs["Pick Instance"]):
+        switch.default_value = True
+    group.links.new(mesh, node.inputs["Points"])
+    group.links.new(info.outputs[-1], node.inputs["Instance"])
+    for name, kind in made.attributes:
+        if kind == 'QUATERNION':
+            group.links.new(node_groups.named_attribute(group, name, _type(kind)), node.inputs["Rotation"])
+    _link_radius(made, group, node, "Scale")
+    return node.outputs["Instances"]
 
 
 def _as_points(made, group, mesh):

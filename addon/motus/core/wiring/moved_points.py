@@ -9,7 +9,8 @@ from . import attributes
 ATTRIBUTE = "motus_offset"
 IS_FIRST = True
 """The modifier is the first of the stack: the vectors are those of the mesh's own points."""
-MORE_INPUTS = ()
+FORMS = {"": ()}
+"""One, which has no inputs of its own."""
 
 
 class Room:
@@ -40,8 +41,8 @@ def write_nothing(_system, carrier):
     _write(carrier, _zeros(carrier, 0))
 
 
-def add_nodes(_system, group, start, end):
-    """The nodes of the modifier, between those of the group's inputs and outputs."""
+def add_nodes(_system, group, start, _form):
+    """The nodes of the modifier; returns the socket of the owner's geometry, moved."""
     hub = node_groups.add_node(group, "GeometryNodeObjectInfo")
     index = node_groups.add_node(group, "GeometryNodeInputIndex")
     sample = node_groups.add_node(group, "GeometryNodeSampleIndex", data_type='FLOAT_VECTOR', domain='POINT')
@@ -51,8 +52,9 @@ def add_nodes(_system, group, start, end):
             (start.outputs["Geometry"], move.inputs["Geometry"]), (start.outputs["Hub"], hub.inputs["Object"]),
             (hub.outputs["Geometry"], sample.inputs["Geometry"]),
             (offset, node_groups.enabled(sample.inputs, "Value")), (index.outputs["Index"], sample.inputs["Index"]),
-            (node_groups.enabled(sample.outputs), move.inputs["Offset"]), (move.outputs["Geometry"], end.inputs["Geometry"])):
+            (node_groups.enabled(sample.outputs), move.inputs["Offset"])):
         group.links.new(source, target)
+    return move.outputs["Geometry"]
 
 
 def _zeros(carrier, count):

@@ -6,7 +6,7 @@ the transform of the empty that carries it; a driver that declares that transfor
 
 import bpy
 
-from ..system import Deformed
+from ..system import Deformed, pointed
 
 _WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION'}
 """Type of an object -> of the constraint that waits for its geometry, or, where it has none, for its transform."""
@@ -20,21 +20,24 @@ def geometries(system, settings):
 
 def waited_for(settings):
     """{original: evaluated} of the objects that come before a solver, of the evaluated settings that it was called with."""
-    proxy = settings.order_proxy
+    proxy = pointed(settings, "order_proxy")
     return {one.original: one for one in _waits_for(proxy) if one} if proxy else {}
 
 
 def is_stale(system, settings):
     """Whether the proxy waits for other objects than it would have to now."""
-    proxy = settings.order_proxy
+    proxy = pointed(settings, "order_proxy")
     return (_waits_for(proxy) if proxy else []) != geometries(system, settings)
 
 
-def proxy_for(system, settings):
-    """The proxy that waits for these, shared by all who read the same; None without one."""
+def set_proxy(system, settings):
+    """Note the proxy that waits for the geometries, if there are any: all who read the same share one."""
     targets = geometries(system, settings)
-    if not targets:
-        return None
+    if targets:
+        settings.order_proxy = _proxy_for(targets)
+
+
+def _proxy_for(targets):
     name = f"Motus Order {targets[0].name}"
     for candidate in bpy.data.objects:
         if candidate.name.startswith(name) and candidate.library is None and _waits_for(candidate) == targets:
@@ -49,7 +52,8 @@ def proxy_for(system, settings):
 
 def release(settings):
     """Let go of the proxy; the last one to do so removes it."""
-    proxy, settings.order_proxy = settings.order_proxy, None
+    proxy = pointed(settings, "order_proxy")
+    settings.property_unset("order_proxy")
     if proxy and proxy.users == 0:
         bpy.data.objects.remove(proxy)
 

@@ -18,7 +18,6 @@ All of that may have been changed by whoever had the file: opened() and owner_of
 
 import functools
 import json
-import math
 import re
 from collections import OrderedDict
 from dataclasses import dataclass
@@ -28,8 +27,7 @@ import bpy
 
 from .. import stored
 from ..stored import Damaged, Newer
-from ..system import Variable, of_owner
-from . import drivers
+from ..system import has_settings
 
 STATUS, WEIGHT, FIRST_OUTPUT = 0, 1, 2
 POSE_SIZE = 6
@@ -73,7 +71,7 @@ class Info:
     @functools.cached_property
     def places(self):
         """Slot of each output by its name."""
-        return _places(self.outputs)
+        return places_of(self.outputs)
 
 
 class Layout(NamedTuple):
@@ -219,53 +217,6 @@ def add_row(system, mesh):
     mesh[out_key(system)] = slots + [float(SILENT)] + [0.0] * (layout.size - 1)
 
 
-def first_slot(system, owner):
-    """Where the slots of an owner begin in its hub's outbox; 0 where that is damaged."""
-    hub, row = hub_of(system, owner), row_of(system, owner)
-    try:
-        return 0 if row is None else row * row_layout(system, hub.data).size
-    except Damaged:
-        return 0
-
-
-def row_of(system, owner):
-    """Row of an owner in its hub; None where it shares none."""
-    settings = of_owner(system, owner)
-    hub = hub_of(system, owner)
-    return settings.row if hub and is_shared(system, hub.data) else None
-
-
-def create_outlet(system, owner, mesh):
-    """Let scripts and users' own drivers read the outputs, as far as System.outputs names them, from the owner itself.
-
-    Only where no setting is animated: the solver would have to wait for the settings, which to Blender are one with this.
-    """
-    owner[out_key(system)] = [float(SILENT)] + [0.0] * (FIRST_OUTPUT + len(system.outputs) - 1)
-    if not is_shared(system, mesh):
-        # The solver, which knows the owner, fills in the rest.
-        drivers.copy_value(owner, out_path(system), Variable('MESH', mesh, out_path(system, STATUS)), index=STATUS)
-        return
-    first = first_slot(system, owner)  # to copy all of them takes less than one call of Python's
-    for slot in range(FIRST_OUTPUT + len(system.outputs)):
-        drivers.copy_value(owner, out_path(system), Variable('MESH', mesh, out_path(system, first + slot)), index=slot)
-
-
-def has_outlet(system, owner):
-    """Whether an owner, original or evaluated, has an outlet and no outbox of its own."""
-    return bool(system.outputs) and _size(owner.get(out_key(system))) == FIRST_OUTPUT + len(system.outputs)
-
-
-def _size(value):
-    return len(value) if hasattr(value, "typecode") else 0
-
-
-def outlet(system, owner):
-    """Memory of an evaluated owner's outlet, which is to hold what its own hub's outbox begins with; None where it has none."""
-    found = owner.get(out_key(system)) if system.outputs else None
-    count = FIRST_OUTPUT + len(system.outputs)
-    return stored.doubles(found, count) if _size(found) == count else None
-
-
 def remove(system, carrier):
     """Take the outboxes of all groups away."""
     for key in [key for key in carrier.keys() if _is_ours(system, key)]:
@@ -276,63 +227,21 @@ def _is_ours(system, key):
     return any(key == own or key.startswith(f"{own}_") for own in (out_key(system), info_key(system)))
 
 
-def hub_of(system, owner, group=""):
-    """The hub object of a group; None where that is gone, or the owner carries the outbox itself."""
-    return dict(hubs(system, owner)).get(group)
-
-
-def hubs(system, owner):
-    """(group's key, hub object) of all groups that have one, whether it is the owner's own or not."""
-    settings = of_owner(system, owner)
-    pointers = [("", settings.hub), *((entry.name, entry.object) for entry in settings.more_hubs)]
-    return [(key, hub) for key, hub in pointers if hub and hub.type == 'MESH']
-
-
-def hub_meshes(system, owner):
-    """Meshes of all hubs of the owner, those whose object is gone too."""
-    return [hub.data for _, hub in hubs(system, owner)] + lost_hubs(system, owner)
-
-
 def is_hub(mesh):
     """Whether a mesh is that of a hub."""
     return OWNER_KEY in mesh or SHARED_KEY in mesh
 
 
-def lost_hubs(system, owner):
-    """Meshes of hubs of the owner whose object somebody has deleted: drivers keep them alive."""
-    known = {hub.data for _, hub in hubs(system, owner)}
-    return [mesh for mesh in bpy.data.meshes
-            if mesh.get(OWNER_KEY) == owner and mesh not in known and key_on_hub(system, mesh) is not None]
-
-
-def carriers(system, owner):
-    """(group's key, carrier) of everything that is wired: a hub's mesh, or the owner itself."""
-    return [(key, hub.data) for key, hub in hubs(system, owner)] + ([] if has_outlet(system, owner) else _on(system, owner))
-
-
-def _on(system, carrier):
+def groups_on(system, carrier):
+    """(group's key, carrier) of all outboxes that lie on a datablock."""
     names = [name[len(prefix):] for name in carrier.keys() for prefix in (out_key(system), info_key(system))
              if name == prefix or name.startswith(f"{prefix}_")]
     return [(name[1:], carrier) for name in dict.fromkeys(names)]
 
 
-def carrier_of(system, owner, group=""):
-    """The datablock that carries a group's solver and outbox: its hub's mesh, or the owner."""
-    hub = hub_of(system, owner, group)
-    return hub.data if hub else owner
-
-
-def is_own_hub(hub, owner):
-    """Whether a hub computes for this owner alone; a copy shares the hubs of the object it was copied from.
-
-    Blender may override the hub along with its owner, but saves only the library's owner with it.
-    """
-    return hub.data.get(OWNER_KEY) == owner and not hub.data.override_library
-
-
 def key_on_hub(system, mesh):
     """Key of the system's group that a hub's mesh serves; None where it serves none."""
-    return "" if out_key(system) in mesh else next((key for key, _ in _on(system, mesh)), None)
+    return "" if out_key(system) in mesh else next((key for key, _ in groups_on(system, mesh)), None)
 
 
 def opened(system, carrier, group="", row=None):
@@ -380,8 +289,7 @@ def has_room(mesh, count):
 def owner_of(system, carrier):
     """The object whose settings a carrier's solver computes. Raises Damaged without one."""
     owner = carrier.get(OWNER_KEY) if isinstance(carrier, _Mesh) else carrier
-    # To ask an object for settings that it has not would give it some.
-    if not isinstance(owner, _Object) or not owner.is_property_set("motus") or not owner.motus.is_property_set(system.name):
+    if not isinstance(owner, _Object) or not has_settings(system, owner):
         raise Damaged("no owner")
     return owner
 
@@ -424,51 +332,6 @@ def info(system, carrier, group=""):
         return None
 
 
-def output_names(system, carrier, group=""):
-    """Names of a group's outputs."""
-    known = info(system, carrier, group)
-    return system.outputs if known is None else tuple(known.outputs)
-
-
-def output_path(system, name, owner=None, group=""):
-    """Data path, on the carrier, of an output for users' own drivers. owner: needed where the system declares groups."""
-    if owner is None:
-        return out_path(system, FIRST_OUTPUT + system.outputs.index(name), group)
-    names = output_names(system, carrier_of(system, owner, group), group)
-    return out_path(system, first_slot(system, owner) + FIRST_OUTPUT + names.index(name), group)
-
-
-def output(system, owner, name, depsgraph, group=""):
-    """Value of an output as last evaluated; None where nothing was."""
-    evaluated = carrier_of(system, owner, group).evaluated_get(depsgraph)
-    _, values = _told(system, evaluated, group, [name], row_of(system, owner))
-    return values[0] if values else None
-
-
-def _told(system, evaluated, group, names, row=None):
-    """(weight, values of the outputs) on an evaluated carrier; values: None where not all of them are there."""
-    try:
-        box = opened(system, evaluated, group, row)
-    except Damaged:
-        return 0.0, None
-    known = _places(system.outputs) if box.info is None else box.info.places
-    values = [box.slots[known[name]] for name in names] if known.keys() >= set(names) else [math.nan]
-    return box.slots[WEIGHT], values if all(map(math.isfinite, values)) else None
-
-
-def _places(outputs):
+def places_of(outputs):
+    """Slot of each output by its name."""
     return {name: FIRST_OUTPUT + index for index, name in enumerate(outputs)}
-
-
-def outputs_of(system, owner, entry, names, depsgraph):
-    """Values of the outputs "<entry>.<name>" as last evaluated, in whichever group the entry is; None where nothing was.
-
-    Of a system whose members are relative: its weight is never 0 where it was solved.
-    """
-    wanted = [f"{entry}.{name}" for name in names]
-    for key, carrier in carriers(system, owner):
-        weight, values = _told(system, carrier.evaluated_get(depsgraph), key, wanted)
-        # Blender 5 may copy the owner anew without solving again (a change of mode): all is 0 for a while.
-        if values and weight != 0.0:
-            return values
-    return None

@@ -2,7 +2,8 @@
 
 from ..stored import Damaged, Newer
 from ..system import Problem, groups_of, of_owner
-from . import outbox, property_sink
+from ..translations import tr
+from . import hub_lookup, outbox, property_sink
 
 _DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
 _NEWER_PROBLEM = Problem(
@@ -21,11 +22,11 @@ _OWN_PROBLEMS = {
 
 def problem(system, owner, depsgraph):
     """The Problem that the solvers of the owner reported, a blocking one first; or None."""
-    carried = outbox.carriers(system, owner)
+    carried = hub_lookup.carriers(system, owner)
     if not carried:
         is_bereft = of_owner(system, owner).is_active and groups_of(system, owner)
         return _DAMAGED_PROBLEM if is_bereft else None
-    row = outbox.row_of(system, owner)
+    row = hub_lookup.row_of(system, owner)
     problems = (_problem_of(system, carrier.evaluated_get(depsgraph), key, row) for key, carrier in carried)
     found = sorted(filter(None, problems), key=lambda one: not one.blocking)
     if found:
@@ -37,6 +38,15 @@ def problem(system, owner, depsgraph):
     if system.has_modifier or system.is_relative or not owner.matrix_basis.is_negative:
         return None
     return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
+
+
+def report_problems(operator, context, system, owners):
+    """Let an operator warn of what keeps the system from working on owners, as far as they are evaluated here."""
+    context.view_layer.update()
+    depsgraph = context.view_layer.depsgraph
+    found = {problem(system, owner, depsgraph) for owner in owners if owner.evaluated_get(depsgraph).is_evaluated}
+    for sentence in sorted(one.sentence for one in found if one):
+        operator.report({'WARNING'}, tr(sentence))
 
 
 def _problem_of(system, evaluated, key, row):

@@ -22,7 +22,7 @@ from ..refusals import Refused, check_local
 from ..system import Variable
 from ..tracks import animation
 from ..translations import tr
-from . import drivers, outbox, readers
+from . import drivers, hub_lookup, outbox, readers
 
 KEY = "motus_properties"
 """Custom property of a hub's mesh: a Note of each property, as text."""
@@ -244,7 +244,7 @@ def _own(obj, note, frame):
 
 def driven(system, owner):
     """(object, function that gives the Place from it, or from its evaluated copy) of all properties that an owner drives now."""
-    for _, mesh in outbox.carriers(system, owner):
+    for _, mesh in hub_lookup.carriers(system, owner):
         for order, note in enumerate(_notes_of(mesh)):
             obj = mesh.get(_object_key(order), owner)
             found = _found(obj, note)
@@ -264,7 +264,7 @@ def are_driven(system, owner, mesh):
 def renamed_bones(system, owner):
     """(old name, new name) of bones whose properties an owner drives: Blender has renamed them in the drivers' own paths."""
     found = {}
-    for _, mesh in outbox.carriers(system, owner):
+    for _, mesh in hub_lookup.carriers(system, owner):
         for holder, curve, _ in _sinks([mesh]):
             note = next((one for one in _notes_of(mesh) if _reads(system, curve, one)), None)
             old, new = note and _OF_BONE.match(note.path), _OF_BONE.match(curve.data_path)

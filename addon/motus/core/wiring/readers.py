@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import bpy
 
-from . import outbox
+from . import hub_lookup, outbox, outputs
 
 
 SINK = "motus"
@@ -30,7 +30,7 @@ class Reader(NamedTuple):
 def of(system, owner):
     """The Readers of what an owner's system computes, as it is wired now or was last."""
     carriers = _carriers(system, owner)
-    names = {(carrier, key): outbox.output_names(system, carrier, key) for key, carrier in carriers}
+    names = {(carrier, key): outputs.output_names(system, carrier, key) for key, carrier in carriers}
     read = {owner, *(carrier for _, carrier in carriers)}
     slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
     found = []
@@ -39,7 +39,7 @@ def of(system, owner):
             continue
         target = variable.targets[index]
         at, absent = slot.match(target.data_path), waiting.match(target.data_path)
-        first = 0 if target.id == owner else outbox.first_slot(system, owner)
+        first = 0 if target.id == owner else hub_lookup.first_slot(system, owner)
         output = _output(names, target.id, at, first) if at else absent and bpy.utils.unescape_identifier(absent[1])
         if output is not None:
             found.append(Reader(holder, curve.data_path, curve.array_index, variable.name, index, output))
@@ -48,8 +48,8 @@ def of(system, owner):
 
 def _carriers(system, owner):
     """What outputs can be read from, by the groups' keys: the owner's outlet before the hub."""
-    outlet = [("", owner)] if outbox.has_outlet(system, owner) else []
-    return outlet + outbox.carriers(system, owner)
+    outlet = [("", owner)] if hub_lookup.has_outlet(system, owner) else []
+    return outlet + hub_lookup.carriers(system, owner)
 
 
 def targets_on(read):
@@ -87,8 +87,8 @@ def point(system, owner, readers):
     """Let drivers read their outputs where these are now."""
     places = {}
     for key, carrier in _carriers(system, owner):
-        for name in outbox.output_names(system, carrier, key):
-            path = outbox.output_path(system, name, *(() if carrier == owner and not system.groups else (owner, key)))
+        for name in outputs.output_names(system, carrier, key):
+            path = outputs.output_path(system, name, *(() if carrier == owner and not system.groups else (owner, key)))
             places.setdefault(name, (carrier, path))
     for reader in readers:
         animation = reader.user.animation_data

@@ -15,7 +15,7 @@ import bpy
 from .. import copies, stored
 from ..lazy import numpy as np
 from ..stored import Damaged
-from ..system import Setting, groups_of, of_owner
+from ..system import Setting, groups_of, is_owner, of_owner
 from . import attribute_sink, outbox
 
 LARGEST_CACHE = 4096
@@ -141,10 +141,10 @@ def is_own(system, owner, mesh):
 
 def claims(system, obj, mesh):
     """Whether an object points to a row of a hub."""
-    if not obj.is_property_set("motus"):  # to ask an object for its settings gives it some
+    if not is_owner(system, obj):
         return False
-    settings = of_owner(system, obj)
-    return settings.is_active and settings.hub is not None and settings.hub.data == mesh
+    hub = of_owner(system, obj).hub
+    return hub is not None and hub.data == mesh
 
 
 def holders(system, mesh):

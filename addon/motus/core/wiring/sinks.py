@@ -3,8 +3,8 @@
 import bpy
 
 from ..stored import Damaged
-from ..system import groups_of, of_owner
-from . import drivers, marks, outbox, property_sink, proxy_sink
+from ..system import groups_of, leader_of, of_owner
+from . import drivers, hub_lookup, marks, outbox, outputs, property_sink, proxy_sink
 
 
 def on_object(system, obj):
@@ -40,7 +40,7 @@ def _driven_by_outboxes(system, obj):
         carrier, key, index = slot
         if system.groups is not None and outbox.info(system, carrier, key) is None:
             continue  # nobody knows what the slot is
-        if index == outbox.WEIGHT or index >= outbox.FIRST_OUTPUT + len(outbox.output_names(system, carrier, key)):
+        if index == outbox.WEIGHT or index >= outbox.FIRST_OUTPUT + len(outputs.output_names(system, carrier, key)):
             bone = path.rpartition(".constraints[")[0]
             yield obj.path_resolve(bone) if bone else obj, constraint, carrier, key
 
@@ -48,12 +48,12 @@ def _driven_by_outboxes(system, obj):
 def sinks(system, owner):
     """(Object or PoseBone, constraint) of every sink that the owner drives."""
     driven = _driven_objects(system, owner)
-    carriers = {owner, *(carrier for _, carrier in outbox.carriers(system, owner)), *outbox.lost_hubs(system, owner)}
+    carriers = {owner, *(carrier for _, carrier in hub_lookup.carriers(system, owner)), *hub_lookup.lost_hubs(system, owner)}
     # Overrides may have been given sinks of their library again.
     overridden = [obj for obj in driven if obj.override_library]
     carriers.update(overridden)
     for obj in overridden:
-        carriers.update(carrier for _, carrier in outbox.carriers(system, obj.override_library.reference))
+        carriers.update(carrier for _, carrier in hub_lookup.carriers(system, obj.override_library.reference))
     return [(thing, constraint) for obj in driven
             for thing, constraint, carrier, _ in on_object(system, obj) if carrier in carriers]
 
@@ -91,7 +91,7 @@ def has_strays(system, owner):
 def _as_wired(system, owner):
     """Yields (PoseBone, name that it had when it was wired) for every sink on the owner's bones of which that can be told."""
     old_names = {}
-    for key, carrier in outbox.carriers(system, owner):
+    for key, carrier in hub_lookup.carriers(system, owner):
         known = outbox.info(system, carrier, key)
         if known is not None:
             old_names[carrier] = known.members
@@ -121,7 +121,8 @@ def release(system, *objects):
         drivers.remove_under(obj, f'["{outbox.out_key(system)}')
     remove([(thing, constraint) for thing, constraint, _, _ in found])
     for obj in objects:
-        of_owner(system, obj).leader = None
+        if leader_of(system, obj):
+            of_owner(system, obj).leader = None
     for mesh in {carrier for _, _, carrier, _ in found}:
         if isinstance(mesh, bpy.types.Mesh) and mesh.get(outbox.OWNER_KEY) is None and not _is_read(system, mesh):
             bpy.data.meshes.remove(mesh)
@@ -177,14 +178,12 @@ def led_by(system, owner):
     """Objects whose leader the owner is."""
     if _drives_itself_alone(system, owner):
         return []
-    # To ask an object for its settings gives it some.
-    return [other for other in bpy.data.objects
-            if other.is_property_set("motus") and of_owner(system, other).leader == owner]
+    return [other for other in bpy.data.objects if leader_of(system, other) == owner]
 
 
 def _drives_itself_alone(system, owner):
     """Whether its hubs have no members that are neither the owner nor bones of it."""
-    if any(_may_lead(system, mesh) for mesh in outbox.hub_meshes(system, owner)):
+    if any(_may_lead(system, mesh) for mesh in hub_lookup.hub_meshes(system, owner)):
         return False
     return system.groups is not None or has_sinks(system, owner)
 
@@ -201,7 +200,7 @@ def _may_lead(system, mesh):
 
 def _driven_objects(system, owner):
     objects = {owner, *led_by(system, owner)}
-    if any(outbox.is_own_hub(hub, owner) for _, hub in outbox.hubs(system, owner)):
+    if any(hub_lookup.is_own_hub(hub, owner) for _, hub in hub_lookup.hubs(system, owner)):
         objects.update(member.thing.id_data for group in groups_of(system, owner) for member in group.members
                        if member.thing)
     return objects

@@ -80,7 +80,7 @@ def _fill_namespace(*_):
 
 def _watched():
     found = bpy.app.handlers
-    return (found.load_post, _fill_namespace), (found.save_pre, attribute_sink.store_own_poses)
+    return (found.load_pre, copies.forget), (found.load_post, _fill_namespace), (found.save_pre, attribute_sink.store_own_poses)
 
 
 def register():

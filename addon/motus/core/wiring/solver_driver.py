@@ -4,7 +4,7 @@ import bpy
 
 from .. import copies
 from ..system import BonesOwn, Transform, Variable, input_variables, of_owner, systems
-from . import carriers, drivers, outbox, property_sink, waiting
+from . import carriers, drivers, hub_lookup, outbox, property_sink, waiting
 
 
 _OF_PROPERTY = "p"
@@ -42,7 +42,7 @@ def marked_by(mesh):
 
 def waits(system, owner, key):
     """(object, bone or "") of a group's reads, as it waits for them: where a bone is renamed Blender renames it here too."""
-    hub = outbox.hub_of(system, owner, key)
+    hub = hub_lookup.hub_of(system, owner, key)
     if hub:
         return waiting.waits(hub)
     animation = owner.animation_data
@@ -54,7 +54,7 @@ def waits(system, owner, key):
 def renamed_reads(system, owner):
     """(rig, old name, new name) of bones that the owner reads and that were renamed since it was wired."""
     found = {}
-    for key, carrier in outbox.carriers(system, owner):
+    for key, carrier in hub_lookup.carriers(system, owner):
         known, first = outbox.info(system, carrier, key), carrier.get(outbox.OWNER_KEY)
         for old, (rig, new) in zip(known.reads if known else (), waits(system, owner, key)):
             if old != new and rig and rig.pose and new in rig.pose.bones:
@@ -115,7 +115,7 @@ def _call(system, owner, group, hub):
         way = carriers.way_to_wait(owner, [group])
         if way == "keys":
             path = carriers.wait_for_keys(system, owner)
-        elif outbox.has_outlet(system, owner) or group.properties and not way:
+        elif hub_lookup.has_outlet(system, owner) or group.properties and not way:
             path = f'["{copies.KEY}"][0]'
         variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables
@@ -125,7 +125,7 @@ def _laid(system, owner):
     """Variables that wait for the systems that lay poses over the owner's bones, of one that starts from these."""
     laying = [one for one in systems() if one.lays_pose] if system.entries and not system.lays_pose else ()
     return [Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key))
-            for one in laying for key, hub in outbox.hubs(one, owner)]
+            for one in laying for key, hub in hub_lookup.hubs(one, owner)]
 
 
 def reads_the_same(system, owner, mesh):

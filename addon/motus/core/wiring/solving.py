@@ -11,7 +11,7 @@ from .. import copies, native, stored
 from ..lazy import numpy as np
 from ..stored import Damaged
 from ..system import Context, Setting, groups_of, of_owner, registered
-from . import attribute_sink, geometry_sink, healing, outbox, property_sink, rows
+from . import attribute_sink, geometry_sink, healing, outbox, outputs, property_sink, rows
 
 log = logging.getLogger(__name__)
 
@@ -46,7 +46,7 @@ class Solver:
         # What is kept of the settings, unless they are animated.
         self._memo = None if self._copy is None else self._copy.found.setdefault(("memo", system.name, key), {})
         self._slots, self._box, self._layout = found.slots, np.frombuffer(found.slots), layout
-        self._outlet = outbox.outlet(system, owner)
+        self._outlet = outputs.outlet(system, owner)
         self._poses = _Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
         # Whether settings are animated counts for outlets and driven properties alone.

@@ -5,7 +5,7 @@ with min = max: it keeps a negative scale and a shear, which Transformation lose
 """
 
 from ..system import Variable
-from . import drivers, marks, outbox
+from . import drivers, hub_lookup, marks, outbox
 
 AXES = "xyz"
 LIMITS = ("min_{}", "max_{}")
@@ -14,7 +14,7 @@ LIMITS = ("min_{}", "max_{}")
 def add(system, group, index, hub, row=None):
     """Drive member `index` of the group by its slots of the hub's outbox; row: its own, where the hub is shared."""
     member = group.members[index]
-    first = 0 if row is None else outbox.first_slot(system, member.thing)
+    first = 0 if row is None else hub_lookup.first_slot(system, member.thing)
     pose, scale = first + outbox.pose_slot(group, index), first + outbox.scale_slot(group, index)
     for channel, slot in (("location", pose), ("rotation", pose + 3), ("scale", scale)):
         if channel not in member.channels:

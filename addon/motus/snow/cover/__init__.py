@@ -1,7 +1,8 @@
 """Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
 
+from ...core import handlers
 from ...core.system import System
-from . import build, operators, panel, presets, properties, solve
+from . import build, look, operators, panel, presets, properties, solve, work
 
 SYSTEM = System(
     name="snow_cover",
@@ -17,7 +18,9 @@ SYSTEM = System(
     solve=solve.solve,
     problems=solve.PROBLEMS,
     makes_points=solve.POINTS,
+    dress=look.dress,
     settle=build.settle,
+    extras=(handlers.Forgetting(work.forget),),
     unbakeable=solve.UNBAKEABLE.sentence,
     object_menu=("motus.snow_cover_add", "motus.snow_cover_remove"),
 )

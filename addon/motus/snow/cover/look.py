@@ -15,33 +15,25 @@ CLOSED = 0.035
 
 
 def dress(cover):
-    """Give the snow its material: the one that was chosen, or one of ours."""
-    chosen = cover.motus.snow_cover.material
-    _set(cover, chosen or _own() or _new())
-    _drop_unused()
+    """Give the snow its material: the one that was chosen, or one of ours, which somebody may have changed and so stays."""
+    _set(cover, cover.motus.snow_cover.material or _own() or _new())
 
 
 def drop(cover):
     """Take it back."""
     _set(cover, None)
     cover.motus.snow_cover.property_unset("material")
-    _drop_unused()
+    found = _own()
+    if found is not None and found.users == 0:
+        bpy.data.materials.remove(found)
 
 
 def _set(cover, material):
-    system = registered["snow_cover"]
-    if wiring.points_place(system, cover) is not None:  # somebody may have removed the modifier
-        wiring.set_points_material(system, cover, material)
+    wiring.set_points_material(registered["snow_cover"], cover, material)
 
 
 def _own():
     return next((one for one in bpy.data.materials if KEY in one and one.library is None), None)
-
-
-def _drop_unused():
-    found = _own()
-    if found is not None and found.users == 0:
-        bpy.data.materials.remove(found)
 
 
 def _new():

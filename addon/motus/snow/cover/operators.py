@@ -3,11 +3,11 @@
 import bpy
 
 from ...core import gathered, libraries, wiring
-from ...core.operators import OBJECT_MODE, Operator, object_keyword
+from ...core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
 from ...core.over_frames import Job
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
 from ...core.rows import Rows
-from ...core.system import Problem
+from ...core.system import Problem, is_owner
 from ...core.translations import tr
 from . import build, rows, sources, work
 from .properties import KEYWORDS, SnowCoverKeywords
@@ -62,11 +62,8 @@ class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
         if self.lands:
             _let_land(emitters, surfaces, collection)
         build.wire(cover)
-        for obj in context.selected_objects:
-            obj.select_set(False)
-        cover.select_set(True)
-        context.view_layer.objects.active = cover
-        _report(self, context, cover)
+        select_only(context, cover)
+        wiring.report_problems(self, context, build.system(), [cover])
 
 
 def _surfaces(context, names, collection_name):
@@ -128,17 +125,10 @@ def _let_land(emitters, surfaces, collection):
             snow.collider = surfaces[0]
 
 
-def _report(operator, context, cover):
-    context.view_layer.update()
-    problem = wiring.problem(build.system(), cover, context.view_layer.depsgraph)
-    if problem:
-        operator.report({'WARNING'}, tr(problem.sentence))
-
-
 def cover_for(context, name):
     """The cover of this name, or the active one; refuses what is none."""
     found = named(name) if name else context.object
-    if found is None or not found.is_property_set("motus") or not found.motus.snow_cover.is_active:
+    if found is None or not is_owner(build.system(), found):
         raise Refused(tr("This is no snow cover"))
     check_local(found)
     check_unbaked(found, found.motus.snow_cover)
@@ -170,20 +160,17 @@ class MOTUS_OT_snow_cover_remove(Operator, bpy.types.Operator):
         if name:
             return [cover_for(context, name)]
         selected = context.selected_objects or [one for one in [context.object] if one]
-        found = [one for one in selected if one.is_property_set("motus") and one.motus.snow_cover.is_active]
+        found = [one for one in selected if is_owner(build.system(), one)]
         if not found:
             raise Refused(tr("This is no snow cover"))
         return [cover_for(context, cover.name) for cover in found]
 
 
-class _OnCover(Operator):
+class _OnCover(OfAnObject):
     """Operators on the cover that is named, or the active one."""
 
     object: object_keyword(_COVER)
-
-    @classmethod
-    def check_offer(cls, context):
-        cover_for(context, "")
+    found = staticmethod(cover_for)
 
 
 class _InList(_OnCover):
@@ -207,7 +194,7 @@ class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
     objects: _names("Objects", "Names of objects, between commas; empty takes the selected ones")
 
     def run(self, context):
-        cover = cover_for(context, self.object)
+        cover = self.found(context, self.object)
         entries = self.entries(cover)
         known = [entry.object for entry in entries]
         is_wanted, check = (sources.is_surface, _check_surface) if self.what == 'SURFACES' else (
@@ -235,7 +222,7 @@ class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
         name="Index", description="Of the object in the list; -1 for the last one", default=-1, min=-1, options={'SKIP_SAVE'})
 
     def run(self, context):
-        cover = cover_for(context, self.object)
+        cover = self.found(context, self.object)
         entries = self.entries(cover)
         index = self.index if self.index >= 0 else len(entries) - 1
         if not 0 <= index < len(entries):
@@ -275,7 +262,7 @@ class MOTUS_OT_snow_cover_refresh(_OnCover, bpy.types.Operator):
     bl_description = "Wire the snow cover again"
 
     def run(self, context):
-        build.wire(cover_for(context, self.object))
+        build.wire(self.found(context, self.object))
 
 
 classes = (MOTUS_OT_snow_cover_add, MOTUS_OT_snow_cover_remove, MOTUS_OT_snow_cover_entry_add,

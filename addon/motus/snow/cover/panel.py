@@ -1,14 +1,14 @@
 """The panel of lying snow: in the sidebar's tab and in the object's constraint properties, on the cover."""
 
 from ...core import panels, ui, wiring
+from ...core.system import is_owner
 from . import rows, solve, sources
 from .build import system
 from .presets import PANEL as PRESETS
 
 
 def _is_cover(obj):
-    # To ask an object for its settings gives it some.
-    return obj.is_property_set("motus") and obj.motus.snow_cover.is_active
+    return is_owner(system(), obj)
 
 
 def draw_main(layout, context):

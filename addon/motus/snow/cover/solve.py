@@ -65,14 +65,15 @@ def _fill(context, found, times, influence):
     depths = np.zeros(found.covers[0].vertex_count, np.float32)
     for cover, time in zip(found.covers, times):
         depths += cover.heights(time)
-    depths = depths[:found.ground.layer.vertex_count] * np.float32(influence)
+    shown = slice(found.ground.layer.vertex_count)
+    depths = depths[shown] * np.float32(influence)
     mesh = found.ground.layer.mesh(
         depths, context.settings.thinnest, math.tan(max(context.settings.repose, LEAST_SIDE)))
     room = context.points(len(mesh["position"]), len(mesh["edge"]), len(mesh["triangle"]))
     for name, own in (("position", "position"), ("depth", "depth"), ("edges", "edge"), ("triangles", "triangle"),
                       ("sides", "side")):
         room[name][...] = mesh[own][:len(room[name])]
-    context.outputs[0] = influence * sum(cover.volume(time) for cover, time in zip(found.covers, times))
+    context.outputs[0] = np.dot(depths.astype(float), found.covers[0].areas[shown])
     context.outputs[1] = mesh["depth"].max(initial=0.0)
 
 

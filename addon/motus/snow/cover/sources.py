@@ -4,13 +4,13 @@ The settings may be an evaluated object's; what is found are originals.
 """
 
 from ...core import deleted, gathered
+from ...core.system import is_owner, registered
 from .. import colliders
 from ..solve import source
 
 
 def _has(obj, name):
-    # To ask an object for its settings gives it some.
-    return obj.is_property_set("motus") and getattr(obj.motus, name).is_active
+    return is_owner(registered[name], obj)
 
 
 def is_surface(obj):
@@ -33,20 +33,25 @@ def surfaces(settings):
     listed = [entry.object.original for entry in settings.surfaces if entry.object]
     found = [gathered.Gathered(obj, ()) for obj in listed]
     if settings.collection:
-        found += gathered.meshes(settings.collection.original, lambda obj: not is_surface(obj))
+        found += gathered.meshes(settings.collection, lambda obj: not is_surface(obj))
     return [one for one in dict.fromkeys(found) if is_surface(one.object) and not deleted.is_deleted(one.object)]
 
 
 def emitters(settings):
     """The emitters, each once, but for those that were deleted."""
-    found = dict.fromkeys(entry.object.original for entry in settings.emitters if entry.object)
-    return [obj for obj in found if is_emitter(obj) and not deleted.is_deleted(obj)]
+    return list(_emitters(settings))
+
+
+def _emitters(settings):
+    """{original: emitter as the settings name it}."""
+    found = {entry.object.original: entry.object for entry in settings.emitters if entry.object}
+    return {original: obj for original, obj in found.items() if is_emitter(obj) and not deleted.is_deleted(obj)}
 
 
 def scenery(settings):
     """The objects whose geometry is read, and empties by which it is seen."""
     found = [one for each in surfaces(settings) for one in (each.object, *each.instancers)]
-    for emitter in emitters(settings):
+    for emitter in _emitters(settings).values():
         found += colliders.objects(emitter.motus.snow)
         if emitter.motus.snow.shape == 'SURFACE' and source(emitter):
             found.append(source(emitter))
@@ -56,8 +61,9 @@ def scenery(settings):
 
 def placed(settings):
     """The objects whose places are read."""
-    born_at = [source(emitter) for emitter in emitters(settings)]
-    return list(dict.fromkeys([*scenery(settings), *(obj.original for obj in (*emitters(settings), *born_at) if obj)]))
+    falling = _emitters(settings).values()
+    return list(dict.fromkeys([
+        *scenery(settings), *(obj.original for obj in (*falling, *map(source, falling)) if obj)]))
 
 
 def signature(settings):

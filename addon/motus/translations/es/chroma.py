@@ -88,6 +88,8 @@ INTERFACE = {
     "Take the key's nodes and its plane away; the compositor and the scene are what they were before":
         "Quita los nodos del croma y su plano; el compositor y la escena quedan como estaban",
     "The compositor's nodes are linked from another file": "Los nodos del compositor están vinculados desde otro archivo",
+    "Nodes Switched On": "Nodos activados",
+    "The compositor was switched on for the key": "El compositor se activó para el croma",
     "The compositor's nodes were made for the key": "Los nodos del compositor se hicieron para el croma",
     "The footage as it is": "La filmación tal como es",
     "The footage: name of an image or movie clip of this file, or path of a file":

@@ -159,6 +159,8 @@ INTERFACE = {
     "The masses must be greater than 0": "Las masas deben ser mayores que 0",
     "The motion is not known so far from its start: start it later, or let it run more slowly, or without damping":
         "El movimiento no se conoce tan lejos de su inicio: empiézalo más tarde, o hazlo más lento, o sin amortiguación",
+    "The motion of so many pendulums is not known so far from its start: start it later, let it run more slowly, or take fewer":
+        "El movimiento de tantos péndulos no se conoce tan lejos de su inicio: empiézalo más tarde, hazlo más lento, o toma menos",
     "The motion starts at frame {frame} now: the earlier motion is replaced":
         "El movimiento empieza ahora en el fotograma {frame}: sustituye al movimiento anterior",
     "The pendulum hangs on the active object, which may be animated":

@@ -34,6 +34,10 @@ INTERFACE = {
         "Nombre de una colección sobre cuyos objetos de malla caen los copos",
     "Recorded": "Registrado",
     "What flakes land on, as it was on one frame": "Aquello en que caen los copos, como estaba en un fotograma",
+    "Recorded Colliders": "Obstáculos registrados",
+    "Of what was recorded: whose its faces are, in their order": "De lo que se registró: de quién son sus caras, en su orden",
+    "Collider that was recorded": "Obstáculo que se registró",
+    "How many of the recorded triangles are the collider's": "Cuántos de los triángulos registrados son del obstáculo",
     "Recorded Frame": "Fotograma registrado",
     "On which the colliders were as flakes land on them": "En el que los obstáculos estaban como los copos los encuentran",
     "Keep what flakes land on as it is on this frame, in the file, whatever moves later":

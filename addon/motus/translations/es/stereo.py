@@ -71,8 +71,8 @@ INTERFACE = {
     "Is too far in front of a {width} m screen by {percent} % in {frames}":
         "Queda demasiado delante de una pantalla de {width} m por {percent} % en {frames}",
     "Left Out": "Excluido",
-    "Let the camera see all around, where the render engine can":
-        "Deja que la cámara vea todo alrededor, si el motor de procesamiento puede",
+    "Let the camera see all around, where the render engine can. What it sees stays, where this is not given":
+        "Deja que la cámara vea todo alrededor, si el motor de procesamiento puede. Si no se indica, sigue viendo lo mismo",
     "Look Ahead": "Anticipación",
     "Look for the frames on which the audience's eyes would have to turn apart, or something is cut off in one of them":
         "Busca los fotogramas en que los ojos del público tendrían que separarse, o algo queda cortado en uno de ellos",

@@ -44,20 +44,20 @@ struct PullImage {
 /// at all. shape: what distances are measured on in place of `positions`, of as many vertices, or nothing; so
 /// the dabs of a stroke may all act on the shape with which it began. copy: filled with the same as `out`, in
 /// the same pass, or nothing. Results do not depend on the number of threads or on the processor. Throws
-/// std::invalid_argument where sizes differ or something is outside its domain. Positions, shape and weights
-/// are looked at in the same pass, so that `out` may be written by then: a vertex that is not finite stays,
-/// the others move as they would.
+/// std::invalid_argument, before anything is written, where sizes differ or something is outside its domain.
 void pull(std::span<const glm::vec3> positions, const Dab& dab, std::span<const float> weights,
           std::span<glm::vec3> out, std::span<const glm::vec3> shape = {}, std::span<glm::vec3> copy = {});
 
 /// The same, bit for bit, if `vertices` has all that are within reach of an image, each once, in any order:
-/// what a tree finds. Others among them do no harm. In place it touches nothing else.
+/// what a tree finds. Others among them do no harm. In place it touches nothing else; positions, shape and
+/// weights of other vertices are not looked at.
 void pull_among(std::span<const glm::vec3> positions, const Dab& dab, std::span<const std::uint32_t> vertices,
                 std::span<const float> weights, std::span<glm::vec3> out,
                 std::span<const glm::vec3> shape = {});
 
 /// The same by distances measured elsewhere: `reaches` has one Reach for each of images_of(dab), each vertex
-/// at most once in a Reach. The dab's root and metric play no part.
+/// at most once in a Reach. The dab's root and metric play no part. Of vertices that are in no Reach neither
+/// positions nor weights are looked at.
 void pull_along(std::span<const glm::vec3> positions, const Dab& dab, std::span<const mesh::Reach> reaches,
                 std::span<const float> weights, std::span<glm::vec3> out);
 

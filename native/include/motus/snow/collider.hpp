@@ -49,6 +49,9 @@ class Collider {
     [[nodiscard]] std::span<const glm::vec3> positions() const noexcept;
     [[nodiscard]] std::span<const glm::ivec3> triangles() const noexcept;
 
+    /// m by which places on it may be off, as its positions are in single precision.
+    [[nodiscard]] double rounding() const noexcept;
+
     struct Hit {
         std::uint32_t triangle = 0;
         double part = 0.0;  ///< of the way from the start to the end, [0, 1]

@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "motus/core/parallel.hpp"
@@ -97,7 +98,7 @@ struct Settings {
 
     double tumble = 0.0;  ///< rad/s: each flake turns about an axis of its own at up to this speed, >= 0
 
-    std::optional<double> ground;              ///< height that flakes land on from above
+    std::optional<double> ground;  ///< height that flakes land on from above, if no triangle is there
     std::shared_ptr<const Collider> collider;  ///< triangles that they land on from either side
     Collision collision = Collision::stay;
     double rest_time = std::numeric_limits<double>::infinity();  ///< how long a landed flake lives at most
@@ -143,7 +144,7 @@ struct Living {
 };
 
 /// Immutable but for where flakes land, which is kept for the 18 million of all snows looked up last (1 GB),
-/// so that several threads may ask at once.
+/// so that several threads may ask at once. Copies share all that they have, and to move one is to copy it.
 class Snow {
   public:
     static constexpr double most_flakes = 1e8;      ///< living at once
@@ -152,11 +153,13 @@ class Snow {
     /// Throws std::invalid_argument, naming the argument, where a value is outside its domain, or more flakes
     /// than most_flakes would live at once.
     explicit Snow(const Settings& settings);
-    ~Snow();
-    Snow(Snow&& other) noexcept;
-    Snow& operator=(Snow&& other) noexcept;
-    Snow(const Snow&) = delete;
-    Snow& operator=(const Snow&) = delete;
+    ~Snow() = default;
+    Snow(const Snow&) noexcept = default;
+    Snow& operator=(const Snow&) noexcept = default;
+    // What is moved from stays the snow that it was.
+    // NOLINTNEXTLINE(performance-move-constructor-init): copying is what it is for, and costs a counter
+    Snow(Snow&& other) noexcept : Snow(std::as_const(other)) {}
+    Snow& operator=(Snow&& other) noexcept { return *this = std::as_const(other); }
 
     /// Flakes with 0 <= age < lifetime that have not rested, or melted, for their time. Throws
     /// std::invalid_argument where the time is not finite.
@@ -184,7 +187,7 @@ class Snow {
 
   private:
     struct Parts;
-    std::unique_ptr<const Parts> parts_;
+    std::shared_ptr<const Parts> parts_;  ///< never null
 };
 
 }  // namespace motus::snow

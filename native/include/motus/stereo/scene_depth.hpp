@@ -36,9 +36,13 @@ struct Sample {
 /// On which side of the values a smooth curve stays.
 enum class Side { either, below, above };
 
+/// Samples that a smooth curve looks ahead at most: each value takes as many steps of work, some 15 us.
+inline constexpr std::size_t most_ahead = 10000;
+
 /// Values at equal times, smoothed by what is up to `ahead` samples before and behind, without lag. Where the
 /// curve shall stay `below` or `above` all values, which it does except by rounding, values up to twice as
-/// far count. Writes values.size() numbers; constant values stay.
+/// far count. Writes values.size() numbers; constant values stay. Throws std::invalid_argument, naming the
+/// argument, where `ahead` is more than most_ahead or sizes differ.
 void smooth(std::span<const double> values, std::size_t ahead, Side side, std::span<double> out);
 
 }  // namespace motus::stereo

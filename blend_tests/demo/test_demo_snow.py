@@ -1,0 +1,17 @@
+"""The demo of snow: built twice, each village has snow of its own; and its flakes are left out of shadow maps."""
+
+import bpy
+import support
+
+
+class DemoSnow(support.SceneTestCase):
+    def test_built_twice(self):
+        for _ in range(2):
+            self.assertEqual(bpy.ops.motus.demo_scene(system='SNOW'), {'FINISHED'})
+            scene = bpy.context.window.scene
+            emitters = [obj for obj in scene.objects if obj.motus.snow.is_active]
+            cover, = (obj for obj in scene.objects if obj.motus.snow_cover.is_active)
+            self.assertEqual(len(emitters), 2)
+            self.assertEqual({entry.object for entry in cover.motus.snow_cover.emitters}, set(emitters))
+        ice = bpy.data.materials["Motus Flake"]
+        self.assertEqual(getattr(ice, "shadow_method", 'NONE'), 'NONE')

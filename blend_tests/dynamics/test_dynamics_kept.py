@@ -1,0 +1,123 @@
+"""What is made of what is followed is kept from frame to frame, until something of that is edited."""
+
+from unittest import mock
+
+import bpy
+import numpy as np
+import support
+from dynamics import dynamics_cases as cases
+
+
+def course():
+    """A curve 10 m long."""
+    curve = bpy.data.curves.new("Course", 'CURVE')
+    curve.dimensions = '3D'
+    spline = curve.splines.new('POLY')
+    spline.points.add(1)
+    spline.points[1].co = 10.0, 0.0, 0.0, 1.0
+    cases.link("Course", curve)
+    return spline
+
+
+class DynamicsKeptTest(support.SceneTestCase):
+    def made(self, act):
+        """How often all of a group is made anew meanwhile."""
+        solve = support.addon("dynamics.solve")
+        with mock.patch.object(solve, "_make", wraps=solve._make) as made:
+            act()
+        return made.call_count
+
+    def assertKept(self):
+        cases.go_to(2)
+        self.assertEqual(self.made(lambda: [cases.go_to(frame) for frame in (3, 4.5, 7)]), 0)
+
+    def assertSeen(self, rig, bone, before, frame):
+        """An edit counts at once, as if nothing had been kept."""
+        edited = cases.matrix(rig, frame, bone)
+        self.assertGreater(np.abs(edited - before).max(), 1e-3)
+        rig.update_tag()
+        np.testing.assert_array_equal(cases.matrix(rig, frame, bone), edited)
+
+    def test_the_course_of_the_rig(self):
+        """Its tails follow, also those that no bone carries."""
+        for name in ("Tail 0 0", "Root"):
+            with self.subTest(name):
+                support.empty_scene()
+                spline, rig = course(), cases.rope(2)
+                bpy.ops.motus.path_follow_add(object="Rope", curve="Course", duration=2.0)
+                cases.add(rig, bones=name, style='FLOPPY')
+                self.assertIsNone(cases.problem(rig))
+                self.assertKept()
+                before = cases.matrix(rig, 24, name)
+                spline.points[1].co = 4.0, 8.0, 3.0, 1.0
+                spline.id_data.update_tag()
+                bpy.context.view_layer.update()
+                self.assertSeen(rig, name, before, 24)
+
+    def test_what_the_rig_hangs_on(self):
+        rig, carrier = cases.rope(2), cases.moved("Carrier")
+        rig.parent = carrier
+        cases.add(rig, bones="Root", style='FLOPPY')
+        self.assertKept()
+        before = cases.matrix(rig, 24, "Root")
+        cases.key(carrier, "location", {20: (0.0, 3.0, 0.0)})
+        self.assertSeen(rig, "Root", before, 24)
+
+    def test_what_has_to_be_recorded(self):
+        """It is not followed until it is known, and asked for nothing meanwhile."""
+        carrier, ball = cases.link("Carrier"), cases.link("Ball")
+        carrier.constraints.new('CHILD_OF').target = cases.moved("Guide")
+        rig = cases.rope(2)
+        rig.parent = ball.parent = carrier
+        cases.add(rig, bones="Root", follow='OWN')
+        self.assertKept()
+        cases.add(ball, follow='WORLD', style='BOUNCY')
+        self.assertKept()
+        cases.add(rig, bones="Tail 0 0, Tail 0 1", style='BOUNCY')
+        self.assertKept()
+        self.assertIn("record", cases.problem(ball).sentence)
+        before, hanging = cases.matrix(rig, 22, "Tail 0 1"), cases.matrix(ball, 22)
+        for names in ({"datablock": "Carrier"}, {"datablock": "Rope"}, {"datablock": "Rope", "bone": "Root"}):
+            bpy.ops.motus.track_record(transform='WORLD', frame_start=1, frame_end=60, **names)
+        self.assertIsNone(cases.problem(ball))
+        self.assertSeen(rig, "Tail 0 1", before, 22)
+        self.assertGreater(np.abs(cases.matrix(ball, 22) - hanging).max(), 1e-3)
+        self.assertKept()
+
+    def test_a_base_that_comes_to_be_known(self):
+        """By an edit of what a bone reaches for, which tells nothing of the rig."""
+        rig, goal, guide = cases.rope(3), cases.link("Goal"), cases.moved("Guide")
+        bpy.ops.motus.ik_add(object="Rope", bone="Tail 0 0", target="Goal", chain_length=1)
+        wild = goal.constraints.new('COPY_LOCATION')
+        wild.target = guide
+        cases.add(rig, bones="Tail 0 2", style='FLOPPY')
+        self.assertIn("record", cases.problem(rig).sentence)
+        self.assertKept()
+        before = cases.matrix(rig, 24, "Tail 0 2")
+        goal.constraints.remove(wild)
+        cases.key(goal, "location", {1: (0.0, 0.0, 2.0), 20: (3.0, 0.0, 1.0)})
+        self.assertSeen(rig, "Tail 0 2", before, 24)
+        self.assertIsNone(cases.problem(rig))
+
+    def test_a_linked_armature(self):
+        """Its library may have it from before there was a Motus; whoever loads that again has it edited."""
+        cases.rope(2)
+        path = self.save("library.blend")
+        support.empty_scene()
+        with bpy.data.libraries.load(path, link=True) as (_, wanted):
+            wanted.armatures = ["Rope"]
+        rig = cases.link("Mine", bpy.data.armatures["Rope"])
+        cases.key(rig, "location", cases.STEP)
+        cases.add(rig, bones="Tail 0 0, Tail 0 1", style='BOUNCY')
+        self.assertIsNone(cases.problem(rig))
+        self.assertKept()
+        before = cases.matrix(rig, 22, "Tail 0 1")
+        edit = ("import bpy; from dynamics import dynamics_cases as cases; "
+                f"bpy.ops.wm.open_mainfile(filepath={path!r}); rig = bpy.data.objects['Rope']; "
+                "bpy.context.view_layer.objects.active = rig; bpy.ops.object.mode_set(mode='EDIT'); "
+                "rig.data.edit_bones['Tail 0 1'].tail = 0.4, 0.2, 1.7; bpy.ops.object.mode_set(mode='OBJECT'); "
+                f"bpy.ops.wm.save_as_mainfile(filepath={path!r})")
+        status, output = support.run_blender(edit)
+        self.assertEqual(status, 0, output)
+        bpy.data.libraries[0].reload()
+        self.assertSeen(bpy.data.objects["Mine"], "Tail 0 1", before, 22)
