@@ -25,7 +25,6 @@ class Clip:
         self._given, keys, kinds, curves = [], [], [], []
         found = _curves_of_bones(action, slot, names)
         used = [_mode(mode, found.get(name, {})) for name, mode in zip(names, modes)]
-        self.keyed = {name: {_FIRST[channel] for channel in channels} for name, channels in found.items()}
         count = 0
         for row, name in enumerate(names):
             for channel, index, curve in _used(found.get(name, {}), used[row]):

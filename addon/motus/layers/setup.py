@@ -2,7 +2,7 @@
 
 import re
 
-from ..core import actions, entries, entry_keys
+from ..core import actions, capabilities, entries, entry_keys
 from ..core.system import registered
 from .properties import KEYWORDS
 from .targets import LIST
@@ -103,8 +103,9 @@ def remove_from_mask(rig, index, place):
 def slot_of(rig, action):
     """Identifier of the slot by which a layer plays an action: the rig's own one, if the action has it; else the first."""
     own = actions.slot_identifier(rig)
-    slots = [one.identifier for one in actions.slots_for_objects(action)] if action and hasattr(action, "slots") else []
-    return own if own in slots else ""
+    if action is None or not capabilities.has_slotted_actions():
+        return ""
+    return own if own in [one.identifier for one in actions.slots_for_objects(action)] else ""
 
 
 def _add_items(entry, items):
