@@ -12,7 +12,8 @@ FRAMES_PER_SECOND, LAST_FRAME = 24, 216
 THROW_START, JUMP_START = 44.0, 128.0
 TOY_SIZE = 0.075  # of the aeroplane that the pilots fly
 TOY_IN_HAND = Matrix.Translation((0.0, 0.085, 0.0)) @ Matrix.Rotation(1.2, 4, 'X')
-FLIGHT = ((10, (-0.3, -2.6, 2.30)), (26, (-0.9, -6.5, 2.55)), (52, (-2.4, -14.0, 3.6)))  # frames after the release, places
+FLIGHT = ((10, (0.60, -1.65, 1.95)), (28, (2.40, -1.00, 2.25)), (60, (5.80, 4.00, 3.40)), (110, (6.00, 20.00, 6.50)), (150, (3.00, 44.00, 12.00)))
+"""Frames after the release, and places: ahead, round, and away."""
 
 CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = (-3.10, -4.95, 1.30), (0.02, -0.20, 1.16), 38.0
 CAMERA_DRIFT = (1.45, -0.35, 0.20)  # m over the scene
