@@ -14,7 +14,6 @@ PROBLEMS = (SOME_ARE_OFF, LOOPED_BONES, BONES_CHANGED)
 _AFTERS = {'STOP': 0.0, 'HOLD': 1.0, 'REPEAT': 2.0}
 _FORM = {"fingerprint": int, "bones": [str], "unknown": [str]}
 """Of what groups.py notes."""
-_NOTHING_MOVES = np.eye(4, dtype=np.float32).ravel
 
 
 class Wired:
@@ -85,7 +84,7 @@ def lay(source, found, settings, frame, basis, locations, rotations, scales):
     found: Clip or None of each layer. basis: own transforms of all bones.
     """
     wired = source.wired
-    basis[wired.unknown] = _NOTHING_MOVES()
+    basis[wired.unknown] = np.eye(4, dtype=np.float32).ravel()
     playing = [row for row, clip in enumerate(found) if clip is not None and settings[row, WEIGHT] > 0.0]
     numbers = settings[playing]
     given = [None] * len(playing)

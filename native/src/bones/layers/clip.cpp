@@ -17,7 +17,7 @@ constexpr std::array<double, channel_count> at_rest{0.0, 0.0, 0.0, 1.0, 0.0, 0.0
 
 /// What lies between two keys with handles, as a Bezier curve over frames that never turns back.
 struct Piece {
-    std::array<double, 4> frames, values;
+    std::array<double, 4> frames{}, values{};
 
     Piece(const Key& from, const Key& to) {
         glm::dvec2 right = from.place - from.right;
