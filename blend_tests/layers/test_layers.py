@@ -5,7 +5,7 @@ import random
 
 import bpy
 import support
-from layers.layer_cases import FIRST, LAST, LayerTestCase, new_action, turning
+from layers.layer_cases import FIRST, LayerTestCase, new_action, turning
 from look_at.look_at_cases import BONES
 from mathutils import Matrix, Quaternion, Vector
 

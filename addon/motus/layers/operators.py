@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import operators, wiring
-from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
+from ..core.refusals import check_finite, check_local, check_no_tweak_mode
 from ..core.rows import Row, Rows
 from ..core.translations import tr
 from . import rows, setup, targets
