@@ -2,6 +2,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -83,10 +84,10 @@ constexpr std::size_t curve_size = 5, key_size = 6;
 
 void write_row(const Transform& transform, std::span<double> row) {
     const glm::dquat& q = transform.rotation;
-    const double numbers[row_size] = {
+    const std::array<double, row_size> numbers{
         transform.location.x, transform.location.y, transform.location.z, q.w, q.x, q.y, q.z,
         transform.scale.x,    transform.scale.y,    transform.scale.z};
-    std::copy(std::begin(numbers), std::end(numbers), row.begin());
+    std::ranges::copy(numbers, row.begin());
 }
 
 [[nodiscard]] Transform read_row(std::span<const double> row) {
@@ -278,8 +279,7 @@ struct Moves {
             place[axis] = move.location[axis];
             size[axis] = move.scale[axis];
         }
-        const double numbers[4] = {q.w, q.x, q.y, q.z};
-        std::copy(std::begin(numbers), std::end(numbers), turn);
+        std::ranges::copy(std::array{q.w, q.x, q.y, q.z}, turn);
     }
 };
 
