@@ -7,7 +7,7 @@ import support
 from snow.cover_cases import CoverTestCase, layer
 from snow.snow_cases import go_to
 
-FRAMES = (200, 3)
+FRAMES = (3, 200)
 
 
 COLD = """
@@ -50,13 +50,14 @@ class Farm(CoverTestCase):
         sun = bpy.data.objects.new("Sun", bpy.data.lights.new("Sun", 'SUN'))
         scene.collection.objects.link(sun)
         set_render(scene)
-        own = {}
         for frame in FRAMES:
             go_to(frame)
             self.assertGreater(len(layer(cover)[0]), 0)
-            scene.render.filepath = os.path.join(self.folder, f"own{frame}")
-            bpy.ops.render.render(write_still=True)
-            own[frame] = pixels(f"{scene.render.filepath}.bmp")
+        # As `blender -a` does.
+        scene.frame_start, scene.frame_end, scene.frame_step = *FRAMES, FRAMES[1] - FRAMES[0]
+        scene.render.filepath = os.path.join(self.folder, "own")
+        bpy.ops.render.render(animation=True)
+        own = {frame: pixels(os.path.join(self.folder, f"own{frame:04d}.bmp")) for frame in FRAMES}
         self.assertNotEqual(own[FRAMES[0]], own[FRAMES[1]])
         go_to(1)
         file = os.path.join(self.folder, "snow.blend")
