@@ -4,7 +4,7 @@ import bpy
 import live_scenes
 import support
 
-OWNERS = {"path": "Car", "ik": "Arm", "look_at": "Figure", "dynamics": "Parcel", "pendulum": "Hook", "pull": "Grid"}
+OWNERS = {"path": "Car", "ik": "Arm", "look_at": "Figure", "layers": "Puppet", "dynamics": "Parcel", "pendulum": "Hook", "pull": "Grid"}
 
 
 def brought(name):
@@ -57,6 +57,6 @@ class BroughtPresets(support.SceneTestCase):
 
     def test_an_object_without_the_system(self):
         bpy.context.view_layer.objects.active = bpy.data.objects["Target"]
-        for name in ("path", "ik", "look_at", "dynamics", "pendulum"):
+        for name in ("path", "ik", "look_at", "layers", "dynamics", "pendulum"):
             with self.assertRaisesRegex(RuntimeError, "no settings here"):
                 getattr(bpy.ops.motus, f"{name}_preset_use")()

@@ -1,7 +1,7 @@
 """Layers: actions laid over a rig's own animation, each on the bones of a mask, by a weight that can be keyed."""
 
 from ..core.system import System
-from . import flattening, groups, list_operators, operators, over_time, overlay, panel, properties, solve
+from . import flattening, groups, list_operators, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="layers",
@@ -10,7 +10,8 @@ SYSTEM = System(
     classes=(
         # Groups before the group that holds them.
         properties.MOTUS_PG_layers_mask, properties.MOTUS_PG_layers_entry, properties.MOTUS_PG_layers,
-        *operators.classes, *list_operators.classes, *flattening.classes, *panel.classes,
+        *operators.classes, *list_operators.classes, *flattening.classes,
+        *presets.classes, *panel.classes,
     ),
     solve=solve.solve,
     problems=solve.PROBLEMS,

@@ -6,7 +6,7 @@ from ..core import capabilities, panels, ui
 from ..core.entries import active
 from ..core.system import is_owner
 from ..core.translations import tr
-from . import mask, rows
+from . import mask, presets, rows
 from .setup import system
 
 
@@ -119,6 +119,6 @@ PANEL = panels.SystemPanel(
     is_used=lambda rig: is_owner(system(), rig),
     draw=draw_main,
     parts=(panels.Part("mask", "Mask", draw_mask, is_open=True), panels.Part("timing", "Timing", draw_timing, is_open=True)),
-    actions=draw_actions, refresh="motus.layers_refresh", adders=("motus.layer_add",))
+    actions=draw_actions, refresh="motus.layers_refresh", presets=presets.PANEL, adders=("motus.layer_add",))
 
 classes = (MOTUS_UL_layers_entries, MOTUS_UL_layers_mask, *panels.classes(PANEL))

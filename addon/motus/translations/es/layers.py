@@ -146,6 +146,19 @@ INTERFACE = {
         "Las capas dan a {bone} una pose por encima de sus claves: aplánelas o siléncielas primero",
     "Choose an action for this layer": "Elija una acción para esta capa",
     "{object} has not what the mask names: {names}": "{object} no tiene lo que nombra la máscara: {names}",
+    "Animation Layers Presets": "Preajustes de capas de animación",
+    "Gesture": "Gesto",
+    "Takes the place of what lies beneath, from its first frame to its last":
+        "Ocupa el lugar de lo que hay debajo, del primer fotograma al último",
+    "Comes and goes softly, and is held steady over hips that swing":
+        "Viene y se va con suavidad, y se mantiene firme sobre caderas que se balancean",
+    "Pose to Keep": "Pose que queda",
+    "Grows over twelve frames, and the last pose stays": "Crece en doce fotogramas, y la última pose queda",
+    "Cycle": "Ciclo",
+    "Repeats without an end": "Se repite sin fin",
+    "On Top": "Encima",
+    "Adds what the action does beyond its first frame, again and again":
+        "Suma una y otra vez lo que la acción hace más allá de su primer fotograma",
     "Walk on a Small Planet": "Paseo por un planeta pequeño",
     "A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane and jumps by layers of animation":
         "Un piloto de madera camina sobre un planeta que gira bajo él, y lanza un avión y salta mediante capas de animación",
@@ -159,4 +172,6 @@ OPERATORS = {
     "Add to Mask": "Añadir a la máscara",
     "Remove from Mask": "Sacar de la máscara",
     "Flatten Layers": "Aplanar capas",
+    "Use Animation Layers Preset": "Usar preajuste de capas de animación",
+    "Add Animation Layers Preset": "Añadir preajuste de capas de animación",
 }
