@@ -44,20 +44,20 @@ def render_all(folder):
     scene = stage.new_scene((0.52, 0.60, 0.68), 0.80)
     stage.add_floor(stage.glossy_material("Floor", (0.44, 0.52, 0.58, 1.0), 0.95))
     stage.add_sun((math.radians(42), math.radians(-8), math.radians(-30)), 2.0, softness=10.0)
-    throw = _throw()
+    throw = throw_action()
     for index, (title, below, keywords) in enumerate(LAYERS):
         x = (index - (len(LAYERS) - 1) / 2) * SPACING
-        rig = _figure(x, title)
+        rig = figure(x, title)
         if keywords:
             bpy.ops.motus.layer_add(object=rig.name, action=throw.name, start=1.0, after='HOLD', **keywords)
-        _dress(rig)
+        dress(rig)
         stage.add_text(title, (x, TEXT_Y, 0.0), 0.105, upright=False)
         stage.add_text(below, (x, TEXT_Y - 0.16, 0.0), 0.08, upright=False)
     stage.add_camera(scene, (0.0, -9.0, 5.0), (0.0, 0.0, 0.84), width=SPACING * len(LAYERS) + 0.1)
     return [stage.render(scene, folder / "layers_modes.png", (1280, 520), samples=64)]
 
 
-def _figure(x, name):
+def figure(x, name):
     rig = stage.link(bpy.data.objects.new(name, bpy.data.armatures.new(name)))
     bpy.context.view_layer.objects.active = rig
     bpy.ops.object.mode_set(mode='EDIT')
@@ -67,11 +67,11 @@ def _figure(x, name):
     bpy.ops.object.mode_set(mode='OBJECT')
     rig.location.x = x
     rig.hide_render = True
-    _pose(rig, WALK)
+    pose(rig, WALK)
     return rig
 
 
-def _pose(rig, turns):
+def pose(rig, turns):
     """Turn bones by angles in the armature, each against its parent."""
     for name, angles in turns.items():
         bone = rig.pose.bones[name]
@@ -80,22 +80,28 @@ def _pose(rig, turns):
         bone.rotation_quaternion = rest.inverted() @ about @ rest
 
 
-def _throw():
-    """The throw as an action, keyed on a figure that is gone afterwards."""
-    rig = _figure(0.0, "Keyed")
+def throw_action(keys=((1, 1.0),)):
+    """The throw as an action, keyed on a figure that is gone afterwards. keys: frames, and how much of the throw there is."""
+    rig = figure(0.0, "Keyed")
     for bone in rig.pose.bones:
         bone.rotation_mode = 'QUATERNION'
         bone.rotation_quaternion = (1.0, 0.0, 0.0, 0.0)
-    _pose(rig, THROW)
-    for name in THROW:
-        rig.pose.bones[name].keyframe_insert("rotation_quaternion", frame=1)
+    for frame, share in keys:
+        key_pose(rig, {name: [share * angle for angle in angles] for name, angles in THROW.items()}, frame)
     action = rig.animation_data.action
     action.name, action.use_fake_user = "Throw", True
     bpy.data.objects.remove(rig)
     return action
 
 
-def _dress(rig):
+def key_pose(rig, turns, frame):
+    """Pose the bones, and key them."""
+    pose(rig, turns)
+    for name in turns:
+        rig.pose.bones[name].keyframe_insert("rotation_quaternion", frame=frame)
+
+
+def dress(rig):
     """A piece of wood for each bone; what the layer takes is orange."""
     driven = {bone.name for bone in rig.pose.bones if any(one.name.startswith("Motus") for one in bone.constraints)}
     materials = {is_taken: stage.glossy_material(f"{rig.name} {is_taken}", TAKEN if is_taken else WOOD, 0.4)

@@ -8,6 +8,7 @@ from ..core.system import is_owner
 from ..core.translations import tr
 from . import mask, presets, rows
 from .setup import system
+from .solve import SOME_ARE_OFF
 
 
 def active_entry(rig):
@@ -39,12 +40,12 @@ def draw_main(layout, context):
     for direction, icon in (('UP', 'TRIA_UP'), ('DOWN', 'TRIA_DOWN')):
         button = column.operator("motus.layer_move", text="", icon=icon)
         button.object, button.direction = rig.name, direction
-    ui.draw_problem(layout, context, system(), rig)
+    words = fault(rig, entry) if entry else ""
+    told = ui.draw_problem(layout, context, system(), rig, lambda problem: words if words and problem is SOME_ARE_OFF else problem.sentence)
+    if words and told is not SOME_ARE_OFF:
+        ui.draw_message(layout, words, 'ERROR')
     if entry is None:
         return
-    words = fault(rig, entry)
-    if words:
-        ui.draw_message(layout, words, 'ERROR')
     column = ui.split(layout)
     column.prop(entry, "action")
     if entry.action and capabilities.has_slotted_actions() and len(entry.action.slots) > 1:
