@@ -157,7 +157,8 @@ class Time(unittest.TestCase):
         self.assertEqual(fits(100.0, 2.0, 4, 24, 96), (96, 2))
         self.assertEqual(fits(100.0, 4.0, 4, 24, 96), (50, 2))
         self.assertEqual(fits(-5.0, 4.0, 4, 24, 96), (24, 2))
-        self.assertEqual(fits(demo_plan.NEVER, 60.0, 4, 24, 1078), (1078, 4))
+        self.assertEqual(fits(demo_plan.NEVER, 0.8, 4, 24, 1078), (1078, 4))
+        self.assertEqual(fits(demo_plan.NEVER, 60.0, 4, 24, 1078), (1078, 2))
         self.assertEqual(fits(100.0, 1.0, 1, 24, 4), (4, 1))
 
     def test_stills_are_fewer_and_then_smaller_where_time_is_short(self):

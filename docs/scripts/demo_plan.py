@@ -20,6 +20,7 @@ FILM_SHARE = 0.3  # of the seconds for the pictures
 STILLS = 2  # of a scene, at most, where its name is not given
 NARROWER = (960, 640)  # stills where there is no time for wider ones, pixels
 NEVER = float("inf")
+PATIENCE = 900.0  # seconds for a film at its best
 FILM = -1
 
 
@@ -89,10 +90,11 @@ def follow(shots, widest, clock, show, render):
 def fit_film(seconds, cost, samples, fps, longest):
     """(frames, samples) of a film that may take so many seconds, where a frame of so many samples takes `cost` seconds.
 
-    Fewer samples, down to half, if that makes the film longer; a second of film at least.
+    Fewer samples, down to half, if that makes the film longer; a second of film at least. Where it may take for ever it is
+    as long as it can be, with fewer samples if these would take longer than PATIENCE.
     """
     fewer = max(samples // 2, 1)
-    fitting = (number for number in range(samples, fewer, -1) if longest * cost * number / samples <= seconds)
+    fitting = (number for number in range(samples, fewer, -1) if longest * cost * number / samples <= min(seconds, PATIENCE))
     samples, cost = next(((number, cost * number / samples) for number in fitting), (fewer, cost * fewer / samples))
     return int(min(longest, max(seconds / cost, fps))), samples
 
