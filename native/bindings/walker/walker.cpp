@@ -237,8 +237,9 @@ stride, [1e-6, 1e6]: how far the body goes at most while a foot stands.  cadence
 max(cadence, duty * speed / stride) with the speed of the leg whose rest place goes fastest across `up`. A foot is to stand
 where its rest place is, along `up` on the ground, when its stand is half over; so it is never further than half a stride from
 it. Steps that lead nowhere are left out: feet of a body at rest end on their rest places and stay.
-clearance: of a foot half-way through its swing, above the ground under its way.  reach_up, reach_down: how far above and
-below a rest place ground is looked for.  minimum_step: shorter ones are left out; all >= 0.  up: not zero.
+clearance: of a foot half-way through its swing, above the ground under its way, less in steps below a quarter of the stride.
+reach_up, reach_down: how far above and below a rest place ground is looked for.  minimum_step: shorter ones are left out; all
+of these >= 0.  up: not zero.
 hips (n, 3), lengths (n,), >= 0, in the world, of whole legs; both or None: footholds out of reach are looked for nearer to
 the hip.  resets: rising indices of samples to which the body jumps, where the plan begins anew; so it does where a rest place
 goes further than `jump`, > 0, from one sample to the next; None: 4 strides.

@@ -35,22 +35,21 @@ struct Seats {
                              [&](std::size_t leg) { return glm::dot(rest[leg], forward); });
 
     const double narrow = 1e-4 * (high - low);  // nearer to the middle a leg is on no side
+    constexpr std::size_t no_side = 2;
     Seats seats;
-    std::vector<std::optional<std::size_t>> sides(rest.size());
-    for (std::size_t leg = 0; leg < rest.size(); ++leg) {
-        if (std::abs(across[leg] - middle) <= narrow) continue;
-        sides[leg] = across[leg] > middle ? 1 : 0;
-        ++seats.on_side.at(*sides[leg]);
-    }
-    for (const std::size_t leg : order) {
-        if (sides[leg]) continue;
-        sides[leg] = seats.on_side[1] < seats.on_side[0] ? 1 : 0;
-        ++seats.on_side.at(*sides[leg]);
-    }
+    std::vector<std::size_t> sides(rest.size(), no_side);
+    const auto seat = [&](std::size_t leg, std::size_t side) {
+        sides[leg] = side;
+        ++seats.on_side.at(side);
+    };
+    for (std::size_t leg = 0; leg < rest.size(); ++leg)
+        if (std::abs(across[leg] - middle) > narrow) seat(leg, across[leg] > middle ? 1 : 0);
+    for (const std::size_t leg : order)
+        if (sides[leg] == no_side) seat(leg, seats.on_side[1] < seats.on_side[0] ? 1 : 0);
     seats.rows = std::max(seats.on_side[0], seats.on_side[1]);
     seats.of_legs.resize(rest.size());
     std::array<std::size_t, 2> next{};
-    for (const std::size_t leg : order) seats.of_legs[leg] = {*sides[leg], next.at(*sides[leg])++};
+    for (const std::size_t leg : order) seats.of_legs[leg] = {sides[leg], next.at(sides[leg])++};
     return seats;
 }
 

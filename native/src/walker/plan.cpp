@@ -14,6 +14,8 @@ namespace {
 
 /// A step that is shorter than this part of the stride leads nowhere.
 constexpr double no_step = 1e-5;
+/// Shorter steps, in strides, rise less than the clearance, as much as they are shorter.
+constexpr double full_step = 0.25;
 /// So much a foot counts for the body's height and tilt half-way through its swing; standing it counts 1.
 constexpr double least_weight = 0.01;
 /// Parts of the way from a rest place to below the hip at which ground is looked for, one after the other.
@@ -45,6 +47,7 @@ Planner::Planner(const Settings& settings, const Course& course, const Ground* g
     : settings_(settings),
       course_(course),
       ground_(ground != nullptr && !ground->is_empty() ? ground : nullptr),
+      reach_{settings.reach_up, settings.reach_down},
       threads_(threads),
       hips_(settings.hips) {
     require(expected_steps(course) <= most_steps,
@@ -72,11 +75,10 @@ void Planner::for_legs(const Work& work) const {
 void Planner::find_place(Footfall& fall) const {
     fall.place = {fall.search.rest, fall.search.up, 0.0};
     if (ground_ == nullptr) return;
-    const Reach reach{settings_.reach_up, settings_.reach_down};
-    std::optional<Contact> place = footing(*ground_, fall.search, reach);
+    std::optional<Contact> place = footing(*ground_, fall.search, reach_);
     for (const double share : nearer)
-        if (!place) place = footing(*ground_, moved_nearer(fall.search, share), reach);
-    if (!place) place = footing_around_edge(*ground_, fall.search, reach);
+        if (!place) place = footing(*ground_, moved_nearer(fall.search, share), reach_);
+    if (!place) place = footing_around_edge(*ground_, fall.search, reach_);
     fall.is_grounded = place.has_value();
     if (place) fall.place = *place;
 }
@@ -128,12 +130,14 @@ std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obsta
         step.start = before != nullptr ? before->place.point : step.end;
         step.start_normal = before != nullptr ? before->place.normal : step.end_normal;
         if (before != nullptr) {
-            if (length_of(step.end - step.start) <= least) continue;
+            const double length = length_of(step.end - step.start);
+            if (length <= least) continue;
             const glm::dvec3 up = direction_or(before->search.up + fall.search.up, fall.search.up);
             const double over = looks_for_obstacles && ground_ != nullptr
                                     ? obstacle(*ground_, step.start, step.end, up, settings_.reach_up)
                                     : 0.0;
-            step.rise = (settings_.clearance + over) * up;
+            const double share = std::min(1.0, length / (full_step * course_.way().stride));
+            step.rise = (settings_.clearance * share + over) * up;
         }
         steps.push_back(step);
         before = &fall;
@@ -231,8 +235,7 @@ bool Planner::move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls
     for (Footfall& fall : falls) {
         if (!missed(leg, stretch, fall.place.point, fall.touch, fall.until)) continue;
         for (const double share : nearer) {
-            const auto place = footing(*ground_, moved_nearer(fall.search, share),
-                                       {settings_.reach_up, settings_.reach_down});
+            const auto place = footing(*ground_, moved_nearer(fall.search, share), reach_);
             if (!place || missed(leg, stretch, place->point, fall.touch, fall.until)) continue;
             fall.place = *place;
             fall.is_grounded = true;

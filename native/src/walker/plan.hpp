@@ -69,7 +69,8 @@ class Planner {
 
     const Settings& settings_;
     const Course& course_;
-    const Ground* ground_;
+    const Ground* ground_;  ///< none where it is empty
+    Reach reach_;
     std::size_t threads_;
     std::vector<glm::dvec3> hips_;           ///< the settings', or the middle of all feet for each leg
     std::vector<Footfalls> falls_;           ///< by row()

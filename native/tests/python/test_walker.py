@@ -105,7 +105,9 @@ class WalkerTest(unittest.TestCase):
         put = steps["lift"] == steps["touch"]
         self.assertEqual(put.sum(), 8)
         np.testing.assert_array_equal(steps["end"][:-1][~put[1:]], steps["start"][1:][~put[1:]])
-        np.testing.assert_allclose(steps["apex"][~put][:, 2], 0.1)
+        long = np.linalg.norm(steps["end"] - steps["start"], axis=1) > 0.125
+        self.assertTrue(long.any())
+        np.testing.assert_allclose(steps["apex"][long][:, 2], 0.1)
 
     def test_problems(self):
         for settings, reason in (({"ground": native.WalkerGround(plane=[[0, 0, -9], [0, 0, 1]])}, "no_ground"),

@@ -22,7 +22,9 @@ inline constexpr double most_steps = 1e6;
 
 /// How feet and body go on a way.
 struct Settings {
-    double clearance = 0.1;        ///< m, >= 0, of a swinging foot half-way, above the ground under its way
+    /// m, >= 0, of a swinging foot half-way, above the ground under its way; less in steps that are shorter
+    /// than a quarter of the stride.
+    double clearance = 0.1;
     double reach_up = 0.5;         ///< m, >= 0, above a rest place in which ground is looked for
     double reach_down = 1.0;       ///< the same below it
     double minimum_step = 0.0;     ///< m, >= 0; shorter steps are left out
