@@ -1,10 +1,9 @@
 // Planning the steps of a shot, and looking them up.
-#include "motus/walker/walker.hpp"
-
 #include <cmath>
 #include <cstdio>
 #include <vector>
 
+#include "motus/walker/walker.hpp"
 #include "stopwatch.hpp"
 #include "walker/walkers.hpp"
 
@@ -45,7 +44,8 @@ int main() {
     bench_plans("12,800 triangles", hilly, plain);
     bench_plans("the same, with hips", hilly, with_hips);
     const Land large = land(8.0, 707, hills);
-    const double built = nanoseconds([&] { keep(Ground(large.positions, large.triangles, std::nullopt, 1)); }, 3);
+    const double built =
+        nanoseconds([&] { keep(Ground(large.positions, large.triangles, std::nullopt, 1)); }, 3);
     std::printf("  a ground of %zu triangles built %.0f ms\n", large.triangles.size(), 1e-6 * built);
     bench_plans("a million triangles", ground_of(large), with_hips);
 }

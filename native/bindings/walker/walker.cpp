@@ -40,31 +40,6 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
     return copied(Points(object, name).values());
 }
 
-[[nodiscard]] std::vector<glm::dmat4> poses_argument(py::handle object) {
-    const DoubleArray array = doubles(object, "poses");
-    if (array.ndim() != 3 || array.shape(1) != 4 || array.shape(2) != 4)
-        value_error("poses", "must have the shape (k, 4, 4), not " + shape_of(array));
-    std::vector<glm::dmat4> poses;
-    poses.reserve(static_cast<std::size_t>(array.shape(0)));
-    for (const double* row = array.data(); row != array.data() + array.size(); row += 16) {
-        glm::dmat4& pose = poses.emplace_back();
-        for (int i = 0; i < 16; ++i) pose[i % 4][i / 4] = row[i];
-    }
-    return poses;
-}
-
-[[nodiscard]] std::vector<std::size_t> resets_argument(const py::object& object) {
-    std::vector<std::size_t> result;
-    if (object.is_none()) return result;
-    if (!py::isinstance<py::iterable>(object)) wrong_type(object, "resets", "a sequence of indices");
-    for (const py::handle item : object) {
-        const int index = whole_number(item, "resets");
-        if (index < 0) value_error("resets", "must be indices of samples");
-        result.push_back(static_cast<std::size_t>(index));
-    }
-    return result;
-}
-
 [[nodiscard]] py::tuple gait(const py::object& name, const py::object& rest, const py::object& forward,
                              const py::object& up) {
     const Gait wanted = choice<Gait>(name, "gait",
@@ -83,8 +58,7 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
                                                 const py::object& given_triangles,
                                                 const py::object& given_plane) {
     std::vector<glm::vec3> positions;
-    if (!given_positions.is_none())
-        positions = copied(Positions(given_positions, "positions").values());
+    if (!given_positions.is_none()) positions = copied(Positions(given_positions, "positions").values());
     const std::vector<glm::ivec3> triangles =
         copied(IndexRows<glm::ivec3>(given_triangles, "triangles").values());
     std::optional<walker::Plane> plane;
@@ -104,14 +78,14 @@ struct WayArguments {
 [[nodiscard]] walker::Way way_of(const WayArguments& given) {
     walker::Way way;
     way.times = numbers_argument(given.times, "times");
-    way.poses = poses_argument(given.poses);
+    way.poses = matrices(given.poses, "poses");
     way.rest = points_argument(given.rest, "rest");
     way.phases = numbers_argument(given.phases, "phases");
     way.duty = number(given.duty, "duty");
     way.stride = number(given.stride, "stride");
     way.cadence = number(given.cadence, "cadence");
     way.up = vector(given.up, "up");
-    way.resets = resets_argument(given.resets);
+    way.resets = indices(given.resets, "resets");
     if (!given.jump.is_none()) way.jump = number(given.jump, "jump");
     return way;
 }
@@ -125,8 +99,7 @@ struct WayArguments {
                                const py::object& resets, const py::object& jump, const py::object& frequency,
                                const py::object& damping, const py::object& response,
                                const py::object& height, const py::object& tilt) {
-    walker::Way way =
-        way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
+    walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
     walker::Settings settings;
     settings.clearance = number(clearance, "clearance");
     settings.reach_up = number(reach_up, "reach_up");
@@ -138,7 +111,8 @@ struct WayArguments {
                        number(response, "response")};
     settings.height = number(height, "height");
     settings.tilt = number(tilt, "tilt");
-    const Ground* on = ground.is_none() ? nullptr : &instance<Ground>(ground, "ground", "a WalkerGround or None");
+    const Ground* on =
+        ground.is_none() ? nullptr : &instance<Ground>(ground, "ground", "a WalkerGround or None");
     const py::gil_scoped_release released;
     return {std::move(way), std::move(settings), on};
 }

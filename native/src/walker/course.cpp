@@ -127,8 +127,7 @@ std::size_t Course::sample_before(std::size_t stretch, double time) const {
     const auto first = way_.times.begin() + static_cast<std::ptrdiff_t>(first_sample(stretch));
     const auto end = way_.times.begin() + static_cast<std::ptrdiff_t>(last_sample(stretch)) + 1;
     const auto after = std::upper_bound(first, end, time);
-    return first_sample(stretch) +
-           static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - first - 1, 0));
+    return first_sample(stretch) + static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - first - 1, 0));
 }
 
 double Course::rate(std::size_t sample, std::size_t last) const {
@@ -143,8 +142,7 @@ glm::dmat4 Course::pose(std::size_t stretch, double time) const {
     glm::dmat4 pose = way_.poses[sample];
     if (sample == last) return pose;
     const glm::dmat4& next = way_.poses[sample + 1];
-    const double share =
-        (time - way_.times[sample]) / (way_.times[sample + 1] - way_.times[sample]);
+    const double share = (time - way_.times[sample]) / (way_.times[sample + 1] - way_.times[sample]);
     if (share > 0.0)
         for (int axis = 0; axis < 3; ++axis) pose[axis] = axis_between(pose[axis], next[axis], share);
     pose[3] += (next[3] - pose[3]) * share;
@@ -182,8 +180,7 @@ Axes Course::axes(const glm::dmat4& pose) const {
 }
 
 std::size_t Course::bytes() const noexcept {
-    return (way_.times.capacity() + way_.phases.capacity() + phases_.capacity()) *
-               sizeof(double) +
+    return (way_.times.capacity() + way_.phases.capacity() + phases_.capacity()) * sizeof(double) +
            way_.poses.capacity() * sizeof(glm::dmat4) + way_.rest.capacity() * sizeof(glm::dvec3) +
            starts_.capacity() * sizeof(std::size_t);
 }

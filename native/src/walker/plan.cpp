@@ -28,7 +28,8 @@ constexpr std::array nearer{0.25, 0.5, 0.75};
 }
 
 [[nodiscard]] double expected_steps(const Course& course) {
-    // At both ends of a stretch there may be one more than there are cycles, and one is where the foot is put.
+    // At both ends of a stretch there may be one more than there are cycles, and one is where the foot is
+    // put.
     constexpr double at_ends = 3.0;
     double cycles = 0.0;
     for (std::size_t stretch = 0; stretch < course.stretch_count(); ++stretch)

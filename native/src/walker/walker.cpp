@@ -28,7 +28,8 @@ constexpr double largest_number = 1e12;
     require(is_length(settings.minimum_step), "minimum_step must be from 0 to 1e12");
     require(is_share(settings.height), "height must be from 0 to 1");
     require(is_share(settings.tilt), "tilt must be from 0 to 1");
-    require(settings.hips.empty() || settings.hips.size() == legs, "hips must be as many as the legs of rest");
+    require(settings.hips.empty() || settings.hips.size() == legs,
+            "hips must be as many as the legs of rest");
     require(settings.lengths.size() == settings.hips.size(), "lengths must be as many as hips");
     for (const glm::dvec3& hip : settings.hips)
         require(is_finite(hip) && is_length(length_of(hip)), "hips must be finite, and 1e12 at most");

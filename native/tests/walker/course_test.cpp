@@ -65,8 +65,7 @@ TEST_CASE("times and phases are each other's inverse, beyond the ends too", "[co
 TEST_CASE("poses are the samples', and go evenly between them", "[course]") {
     Random random(2);
     Way way = way_along(3.0, around);
-    for (glm::dmat4& pose : way.poses)
-        pose = pose * glm::scale(glm::dmat4(1.0), {2.0, -1.0, 0.5});
+    for (glm::dmat4& pose : way.poses) pose = pose * glm::scale(glm::dmat4(1.0), {2.0, -1.0, 0.5});
     const Course course(way);
     for (std::size_t i = 0; i < way.times.size(); ++i) CHECK(course.pose(0, way.times[i]) == way.poses[i]);
     const glm::dmat4 half = course.pose(0, 0.5 * (way.times[3] + way.times[4]));
@@ -101,9 +100,7 @@ TEST_CASE("axes are at right angles whatever the pose is", "[course]") {
 }
 
 TEST_CASE("jumps begin a stretch anew", "[course]") {
-    Way way = way_along(4.0, [](double time) {
-        return moved({time < 2.0 ? 0.0 : 30.0, 0.5 * time, 0.0});
-    });
+    Way way = way_along(4.0, [](double time) { return moved({time < 2.0 ? 0.0 : 30.0, 0.5 * time, 0.0}); });
     const Course found(way);
     REQUIRE(found.stretch_count() == 2);
     CHECK(found.first_sample(1) == 48);
@@ -133,7 +130,10 @@ TEST_CASE("a way that is none is refused by the argument's name", "[course]") {
         spoil(way);
         CHECK_THROWS_WITH(Course(way), Catch::StartsWith(name));
     };
-    refused("times", [](Way& w) { w.times.clear(); w.poses.clear(); });
+    refused("times", [](Way& w) {
+        w.times.clear();
+        w.poses.clear();
+    });
     refused("times", [&](Way& w) { w.times[3] = nan; });
     refused("times", [](Way& w) { w.times[3] = w.times[2]; });
     refused("times", [](Way& w) { w.times.resize(most_samples + 1); });

@@ -99,12 +99,10 @@ TEST_CASE("legs are told by where they are, not by their order", "[gait]") {
         random.shuffle(std::span(order));
         std::vector<glm::dvec3> mixed;
         // Turned so that forward is -X, and far away.
-        for (const std::size_t leg : order)
-            mixed.emplace_back(50.0 - rest[leg].y, rest[leg].x, 3.0);
+        for (const std::size_t leg : order) mixed.emplace_back(50.0 - rest[leg].y, rest[leg].x, 3.0);
         const Pattern found = pattern_of(gait, mixed, {-2.0, 0.0, 0.0}, {0.0, 0.0, 0.5});
         CHECK(found.duty == usual.duty);
-        for (std::size_t i = 0; i < order.size(); ++i)
-            CHECK(found.phases[i] == usual.phases[order[i]]);
+        for (std::size_t i = 0; i < order.size(); ++i) CHECK(found.phases[i] == usual.phases[order[i]]);
     }
 }
 

@@ -116,7 +116,8 @@ TEST_CASE("all feet stand when a body sets off, and it comes walking if it moves
     for (const Gait gait : all_gaits) {
         const auto at_once = [](double time) { return there(time + 1.0); };
         const Walker sets_off(way_along(6.0, at_once, gait), {}, &ground);
-        for (std::size_t leg = 0; leg < sets_off.leg_count(); ++leg) CHECK(sets_off.foot(leg, 0.0).swing == 0.0);
+        for (std::size_t leg = 0; leg < sets_off.leg_count(); ++leg)
+            CHECK(sets_off.foot(leg, 0.0).swing == 0.0);
         const auto evenly = [](double time) { return moved({0.0, 1.5 * time, 0.0}); };
         const Walker comes(way_along(6.0, evenly, gait), {}, &ground);
         std::size_t swinging = 0;
@@ -318,7 +319,8 @@ TEST_CASE("scaled, mirrored and vanished bodies walk too", "[walker]") {
     const Ground ground = plane();
     for (const glm::dvec3& scale : {glm::dvec3(2.0), glm::dvec3(-1.0, 1.0, 1.0), glm::dvec3(1.0, 2.0, 0.5),
                                     glm::dvec3(1.0, 1.0, -1.0), glm::dvec3(0.0)}) {
-        Way way = way_along(6.0, [&](double time) { return there(time) * glm::scale(glm::dmat4(1.0), scale); });
+        Way way =
+            way_along(6.0, [&](double time) { return there(time) * glm::scale(glm::dmat4(1.0), scale); });
         const Walker walker(way, {}, &ground);
         for (std::size_t leg = 0; leg < 8; ++leg) {
             const glm::dvec3 end = in_world(way.poses.back(), way.rest[leg]);
@@ -331,9 +333,8 @@ TEST_CASE("scaled, mirrored and vanished bodies walk too", "[walker]") {
         CHECK(motus::is_finite(walker.body(3.0).rotation));
     }
     // It grows out of nothing.
-    const Way grows = way_along(3.0, [](double time) {
-        return glm::scale(glm::dmat4(1.0), glm::dvec3(std::min(1.0, 0.5 * time)));
-    });
+    const Way grows = way_along(
+        3.0, [](double time) { return glm::scale(glm::dmat4(1.0), glm::dvec3(std::min(1.0, 0.5 * time))); });
     const Walker walker(grows, {}, &ground);
     for (std::size_t leg = 0; leg < 8; ++leg)
         CHECK(glm::length(walker.foot(leg, 9.0).position - grows.rest[leg]) < 1e-4);

@@ -52,7 +52,8 @@ namespace motus::walker {
 [[nodiscard]] inline glm::dmat4 around(double time) {
     const double turned = 0.5 * time;
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1.0), turned, {0.0, 0.0, 1.0});
-    const glm::dmat4 place = moved({2.0 * std::cos(turned), 2.0 * std::sin(turned), 0.1 * std::sin(5.0 * time)});
+    const glm::dmat4 place =
+        moved({2.0 * std::cos(turned), 2.0 * std::sin(turned), 0.1 * std::sin(5.0 * time)});
     return place * turn * glm::rotate(glm::dmat4(1.0), 0.05 * std::sin(3.0 * time), {1.0, 0.0, 0.0});
 }
 

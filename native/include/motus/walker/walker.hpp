@@ -55,8 +55,7 @@ class Walker {
     /// ground: none, or an empty one: feet stand on their rest places. Throws std::invalid_argument, naming
     /// the argument, where sizes differ, a number is not finite or outside its domain, there are no samples
     /// or more than most_samples, no legs or more than most_legs, or more than most_steps would be planned.
-    Walker(Way way, Settings settings, const Ground* ground = nullptr,
-           std::size_t threads = thread_count());
+    Walker(Way way, Settings settings, const Ground* ground = nullptr, std::size_t threads = thread_count());
 
     [[nodiscard]] std::size_t leg_count() const noexcept { return course_.way().rest.size(); }
     [[nodiscard]] Foot foot(std::size_t leg, double time) const;
