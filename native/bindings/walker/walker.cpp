@@ -204,7 +204,8 @@ The steps of legs that walk where a body goes, planned for a whole shot; any tim
 Metres, seconds, radians, world space; rest, hips and up are in the body's space.
 
 times (k,), s, strictly rising, 1 to 100,000; poses (k, 4, 4): the body's matrices, of any scale, mirrored too. Between
-samples it goes evenly; before the first one it comes as it goes on, after the last one it rests: sample once a frame.
+samples it goes evenly; before the first one it comes as it goes on, unless that is at the slowest cadence; after the last
+one it rests: sample once a frame.
 rest (n, 3), 1 to 256 legs: where each foot stands when the body rests.  ground: a WalkerGround; None: feet stand there.
 phases (n,), duty, [0.05, 0.95]: as from walker_gait(): leg i swings while frac(phase + phases[i]) < 1 - duty.
 stride, [1e-6, 1e6]: how far the body goes at most while a foot stands.  cadence, cycles/s, [0.001, 1000]: the slowest; it is

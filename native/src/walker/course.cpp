@@ -145,7 +145,7 @@ glm::dmat4 Course::pose(std::size_t stretch, double time) const {
     const double share = (time - way_.times[sample]) / (way_.times[sample + 1] - way_.times[sample]);
     if (share > 0.0)
         for (int axis = 0; axis < 3; ++axis) pose[axis] = axis_between(pose[axis], next[axis], share);
-    pose[3] += (next[3] - pose[3]) * share;
+    if (share > 0.0 || !starts_slowly(stretch)) pose[3] += (next[3] - pose[3]) * share;
     return pose;
 }
 

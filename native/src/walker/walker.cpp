@@ -1,6 +1,5 @@
 #include "motus/walker/walker.hpp"
 
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>

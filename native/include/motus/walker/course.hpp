@@ -55,7 +55,8 @@ class Course {
     }
 
     /// Between samples the axes' directions, their lengths and the location go evenly. Before the first
-    /// sample of a stretch the body comes as it goes on, without turning; after the last one it rests.
+    /// sample of a stretch the body comes as it goes on, without turning, but rests where that is slowly;
+    /// after the last one it rests.
     [[nodiscard]] glm::dmat4 pose(std::size_t stretch, double time) const;
     /// Before the first sample it goes at the cadence there, after the last one at the slowest.
     [[nodiscard]] double phase(std::size_t stretch, double time) const;
