@@ -132,7 +132,7 @@ class WalkerTest(unittest.TestCase):
     def test_errors_name_the_argument(self):
         wrong = {
             "times": (np.zeros(97), TIMES[:5], [TIMES], "now"), "poses": (np.eye(4), poses_ahead() * np.nan, poses_ahead()[:, :3]),
-            "rest": (REST[:0], REST[0], REST * np.inf), "phases": ([0.0], None, [[0.0] * 8]), "duty": (0.0, 1.0, "half", None),
+            "rest": (REST[:0], REST[0], np.full((8, 3), np.inf)), "phases": ([0.0], None, [[0.0] * 8]), "duty": (0.0, 1.0, "half", None),
             "stride": (0.0, -1.0, np.nan), "cadence": (0.0, np.inf), "clearance": (-0.1,), "reach_up": (-1.0,),
             "reach_down": (np.nan,), "minimum_step": (-1.0,), "up": ((0, 0, 0), (0, 1)), "resets": ([-1], [3, 3], 7, [0.5], [97]),
             "jump": (0.0, np.nan), "frequency": (0.0,), "damping": (-1.0,), "response": (np.inf,), "height": (1.5,),
