@@ -142,6 +142,13 @@ template <class Write>
     return result;
 }
 
+[[nodiscard]] DoubleArray vectors_at(const Walker& self, const py::object& times,
+                                     glm::dvec3 walker::Foot::*part) {
+    return feet_at(self, times, 3, [&](const walker::Foot& foot, double* row) {
+        for (int axis = 0; axis < 3; ++axis) row[axis] = (foot.*part)[axis];
+    });
+}
+
 [[nodiscard]] py::tuple body(const Walker& self, const py::object& times) {
     const Numbers at(times, "times");
     const std::size_t count = at.values().size();
@@ -230,18 +237,14 @@ Raises ValueError or TypeError that names the argument, also where more than 1,0
         .def(
             "feet",
             [](const Walker& self, const py::object& times) {
-                return feet_at(self, times, 3, [](const walker::Foot& foot, double* row) {
-                    for (int axis = 0; axis < 3; ++axis) row[axis] = foot.position[axis];
-                });
+                return vectors_at(self, times, &walker::Foot::position);
             },
             "times"_a, R"(
 Where feet are at times, s, a number or (m,): (n, 3) or (m, n, 3). While a foot stands these are the same bits.)")
         .def(
             "normals",
             [](const Walker& self, const py::object& times) {
-                return feet_at(self, times, 3, [](const walker::Foot& foot, double* row) {
-                    for (int axis = 0; axis < 3; ++axis) row[axis] = foot.normal[axis];
-                });
+                return vectors_at(self, times, &walker::Foot::normal);
             },
             "times"_a, R"(
 Unit normals of the ground under the feet, (n, 3) or (m, n, 3); in a swing from one foothold's to the next one's.)")
