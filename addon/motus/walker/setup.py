@@ -1,0 +1,96 @@
+"""Setting walkers up and taking them back: plain functions behind the operators."""
+
+from typing import Any, NamedTuple
+
+from mathutils import Vector
+
+from ..core import actions, entries, wiring
+from ..core.system import forget, registered
+from . import legs
+
+PREFIX = "motus.walker."
+SHARES = {"stride": 0.5, "clearance": 0.16, "reach_up": 0.8, "reach_down": 1.2}
+"""Lengths where none are given, times how far the feet stand from their middle on the average."""
+
+
+class Leg(NamedTuple):
+    """A leg to be. bone: of the owner, or foot: an Object. hip: place in the owner's space; length: 0 where nobody knows it."""
+
+    bone: str
+    foot: Any
+    hip: Vector
+    length: float
+
+    def place(self, owner):
+        """Where the foot stands, in the world, original or evaluated owner and foot alike."""
+        return owner.matrix_world @ owner.pose.bones[self.bone].head if self.bone else self.foot.matrix_world.translation
+
+
+def system():
+    """The registered System: the package's __init__ imports this module, not the other way round."""
+    return registered["walker"]
+
+
+def attach(owner, found, body, changes, depsgraph):
+    """Let an owner walk. found: Legs. body: name of a bone, or an Object, or None. changes: settings by name.
+
+    The feet stand where they belong; of lengths that are not given those of a new walker suit the legs.
+    """
+    rests = [_rest(owner, leg, depsgraph) for leg in found]
+    if not owner.motus.walker.is_active:
+        changes = lengths(rests) | changes
+    with entries.unwired(owner.motus.walker) as settings:
+        settings.legs.clear()
+        for leg, rest in zip(found, rests):
+            entry = settings.legs.add()
+            entry.name, entry.foot, entry.rest, entry.hip, entry.length = leg.bone, leg.foot, rest, leg.hip, leg.length
+        if owner.pose:
+            settings.body_bone = body or ""
+        else:
+            settings.body = body
+        for name, value in changes.items():
+            setattr(settings, name, value)
+    wire(owner)
+
+
+def wire(owner):
+    """Wire an owner as its settings are now."""
+    if owner.motus.walker.is_active:
+        wiring.refresh(system(), owner)
+    else:
+        wiring.attach(system(), owner)
+
+
+def _rest(owner, leg, depsgraph):
+    evaluated = owner.evaluated_get(depsgraph)
+    seen = leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph))
+    return evaluated.matrix_world.inverted_safe() @ seen.place(evaluated)
+
+
+def lengths(rests):
+    """Settings that suit feet which stand so, in the owner's space."""
+    middle = sum(rests, Vector()) / len(rests)
+    size = sum((rest - middle).length for rest in rests) / len(rests) or 1.0
+    return {name: share * size for name, share in SHARES.items()}
+
+
+def take_rests(context, owner):
+    """Let the feet belong where their own transforms have them now."""
+    wiring.set_muted(system(), owner, True)
+    context.view_layer.update()
+    depsgraph = context.view_layer.depsgraph
+    settings = owner.motus.walker
+    present = {foot.index for foot in legs.feet(owner)}
+    rests = {index: _rest(owner, Leg(leg.name, leg.foot, Vector(), 0.0), depsgraph)
+             for index, leg in enumerate(settings.legs) if index in present}
+    wiring.set_muted(system(), owner, False)
+    for index, rest in rests.items():
+        settings.legs[index].rest = rest
+    return len(rests)
+
+
+def remove(owner):
+    """Take the walker back: wiring, keys of its settings, and the settings themselves."""
+    wiring.detach(system(), owner)
+    actions.remove(owner, (PREFIX,))
+    forget(system(), owner)
