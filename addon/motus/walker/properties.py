@@ -50,16 +50,16 @@ class WalkerKeywords:
     """
 
     gait: _choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
-    use_duty: _switch("Own Contact", "Set how long feet stand, instead of what the gait says")
+    use_duty: _switch("Own Duty", "Set how long feet stand, instead of what the gait says")
     duty: _number(
-        "Contact", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
+        "Duty", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
     stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5)
     cadence: _number(
-        "Slowest Pace", "Cycles of all legs in a second, at least; a fast body makes it quicker", 1.0, min=1e-3, max=100.0,
+        "Cadence", "Cycles of all legs in a second, at least; a fast body has more", 1.0, min=1e-3, max=100.0,
         soft_min=0.2, soft_max=5.0)
-    clearance: _length("Lift", "How high feet are carried above the ground", 0.1)
+    clearance: _length("Clearance", "How high feet are carried above the ground", 0.1)
     minimum_step: _length(
-        "Shortest Step", "Feet that are no further than this from where they belong stay, so that a body that trembles does not patter",
+        "Minimum Step", "Feet that are no further than this from where they belong stay, so that a body that trembles does not patter",
         0.0)
     reach_up: _length("Reach Up", "How far above the feet's rest places ground is looked for", 0.5)
     reach_down: _length("Reach Down", "How far below the feet's rest places ground is looked for", 1.0)
