@@ -20,7 +20,7 @@ KEPT = 4
 def objects(settings):
     """What has to be evaluated before a walk is planned: meshes, and empties by which those of collections are seen."""
     ground = pointed(settings, "ground")
-    alone = [] if ground is None or is_walking(ground) else [ground]
+    alone = [] if ground is None or _leaves_out(settings)(ground) else [ground]
     return alone + seen.awaited(_members(settings))
 
 
@@ -53,23 +53,29 @@ def made(placed, plane):
 
 def _members(settings):
     collection = pointed(settings, "grounds")
-    return [] if collection is None else list(gathered.meshes(collection, is_walking))
+    return [] if collection is None else list(gathered.meshes(collection, _leaves_out(settings)))
 
 
-def is_walking(obj):
-    """Whether an object is part of a walker, this one or another: what walks on what walks would wait for itself."""
+def _leaves_out(settings):
+    """Says which objects are no ground: parts of this walker, its feet as well where it is being wired, and of others."""
+    feet = {leg.foot.original for leg in settings.legs if leg.foot}
+    return lambda obj: is_walking(obj, feet)
+
+
+def is_walking(obj, feet=frozenset()):
+    """Whether an object is part of a walker: what walks on what walks would wait for itself. feet: originals that count as such."""
     walker = registered["walker"]
     for modifier in obj.modifiers:
-        if modifier.type == 'ARMATURE' and modifier.object and _is_part(walker, modifier.object):
+        if modifier.type == 'ARMATURE' and modifier.object and _is_part(walker, modifier.object, feet):
             return True
     for _ in range(DEEPEST):
         if obj is None:
             return False
-        if _is_part(walker, obj):
+        if _is_part(walker, obj, feet):
             return True
         obj = obj.parent
     return True
 
 
-def _is_part(walker, obj):
-    return is_owner(walker, obj) or leader_of(walker, obj) is not None
+def _is_part(walker, obj, feet):
+    return is_owner(walker, obj) or leader_of(walker, obj) is not None or obj.original in feet

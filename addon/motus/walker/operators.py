@@ -5,6 +5,7 @@ import bpy
 from ..core import wiring
 from ..core.operators import OBJECT_OR_POSE_MODE, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import check_finite, named_collection
+from ..core.system import is_owner
 from ..core.translations import tr
 from . import rows, setup, targets
 from .properties import KEYWORDS, WalkerKeywords
@@ -55,13 +56,19 @@ class MOTUS_OT_walker_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Op
     def run(self, context):
         check_finite(self, KEYWORDS)
         owner = targets.owner_for(context, self.object)
-        context.view_layer.update()
-        found = targets.legs_for(context, owner, self.feet)
-        body = targets.body_for(owner, self.body)
         changes = self.given(KEYWORDS) | ground_of(self, owner)
-        setup.attach(owner, found, body, changes, context.view_layer.depsgraph)
-        self.report({'INFO'}, tr("{object} walks on {count} legs").format(object=owner.name, count=len(found)))
+        if is_owner(setup.system(), owner) and not self.feet:
+            setup.change(owner, changes | self._body(owner))
+        else:
+            found = targets.legs_for(context, owner, self.feet)
+            setup.attach(context, owner, found, targets.body_for(owner, self.body), changes)
+        self.report({'INFO'}, tr("{object} walks on {count} legs").format(
+            object=owner.name, count=len(owner.motus.walker.legs)))
         wiring.report_problems(self, context, setup.system(), [owner])
+
+    def _body(self, owner):
+        """What shall rise and lean of a walker that is there, if it was named."""
+        return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body)} if self.body else {}
 
 
 class _OfAWalker(OfAnObject):

@@ -17,6 +17,10 @@ from .properties import NUMBERS
 MOST_FRAMES = 20_000
 """That are planned."""
 KEPT = 16
+LEAST_STRIDE = 1e-4
+"""m: a body that is scaled to nothing has steps too."""
+EVERYWHERE = 1e6
+"""m: length of a leg of which nobody knows how long it is."""
 SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
 """Lengths before the body's scale, under the library's names."""
 
@@ -172,12 +176,6 @@ def _made(numbers, poses, placed):
             damping=numbers.value("damping"), height=numbers.value("body_height"), tilt=numbers.value("body_tilt"), **given)
     except ValueError:
         return OUT_OF_RANGE
-
-
-LEAST_STRIDE = 1e-4
-"""m: a body that is scaled to nothing has steps too."""
-EVERYWHERE = 1e6
-"""m: length of a leg of which nobody knows how long it is."""
 
 
 def _reach(numbers, scale):

@@ -31,14 +31,13 @@ def system():
     return registered["walker"]
 
 
-def attach(owner, found, body, changes, depsgraph):
+def attach(context, owner, found, body, changes):
     """Let an owner walk. found: Legs. body: name of a bone, or an Object, or None. changes: settings by name.
 
     The feet stand where they belong; of lengths that are not given those of a new walker suit the legs.
     """
-    rests = [_rest(owner, leg, depsgraph) for leg in found]
-    if not owner.motus.walker.is_active:
-        changes = lengths(rests) | changes
+    was_active = owner.motus.walker.is_active
+    rests = _own_rests(context, owner, found)
     with entries.unwired(owner.motus.walker) as settings:
         settings.legs.clear()
         for leg, rest in zip(found, rests):
@@ -48,6 +47,12 @@ def attach(owner, found, body, changes, depsgraph):
             settings.body_bone = body or ""
         else:
             settings.body = body
+    change(owner, changes if was_active else lengths(rests) | changes)
+
+
+def change(owner, changes):
+    """Give an owner other settings, by name, and wire it."""
+    with entries.unwired(owner.motus.walker) as settings:
         for name, value in changes.items():
             setattr(settings, name, value)
     wire(owner)
@@ -61,10 +66,19 @@ def wire(owner):
         wiring.attach(system(), owner)
 
 
-def _rest(owner, leg, depsgraph):
+def _own_rests(context, owner, found):
+    """Where the feet of Legs stand by their own transforms, in the owner's space."""
+    is_active = owner.motus.walker.is_active
+    if is_active:
+        wiring.set_muted(system(), owner, True)
+    context.view_layer.update()
+    depsgraph = context.view_layer.depsgraph
     evaluated = owner.evaluated_get(depsgraph)
-    seen = leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph))
-    return evaluated.matrix_world.inverted_safe() @ seen.place(evaluated)
+    inverse = evaluated.matrix_world.inverted_safe()
+    rests = [inverse @ leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph)).place(evaluated) for leg in found]
+    if is_active:
+        wiring.set_muted(system(), owner, False)
+    return rests
 
 
 def lengths(rests):
@@ -75,18 +89,13 @@ def lengths(rests):
 
 
 def take_rests(context, owner):
-    """Let the feet belong where their own transforms have them now."""
-    wiring.set_muted(system(), owner, True)
-    context.view_layer.update()
-    depsgraph = context.view_layer.depsgraph
-    settings = owner.motus.walker
-    present = {foot.index for foot in legs.feet(owner)}
-    rests = {index: _rest(owner, Leg(leg.name, leg.foot, Vector(), 0.0), depsgraph)
-             for index, leg in enumerate(settings.legs) if index in present}
-    wiring.set_muted(system(), owner, False)
-    for index, rest in rests.items():
-        settings.legs[index].rest = rest
-    return len(rests)
+    """Let the feet belong where their own transforms have them now; returns how many there are."""
+    entries_of = owner.motus.walker.legs
+    feet = legs.feet(owner)
+    found = [Leg(entries_of[foot.index].name, entries_of[foot.index].foot, Vector(), 0.0) for foot in feet]
+    for foot, rest in zip(feet, _own_rests(context, owner, found)):
+        owner.motus.walker.legs[foot.index].rest = rest
+    return len(feet)
 
 
 def remove(owner):

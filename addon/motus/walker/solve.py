@@ -15,7 +15,7 @@ BEYOND = Problem("The walk is planned for the frames of the scene: here the feet
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, UNREACHED, BEYOND, BONES_CHANGED)
 
-INPUTS = (Geometries("ground", of=ground.objects),)
+INPUTS = (Geometries("awaited", of=ground.objects),)
 
 
 class Wired:
@@ -26,8 +26,12 @@ class Wired:
         self.row = rows[name]
 
 
-def solve(context, ground):  # pylint: disable=redefined-outer-name,unused-argument
-    """Places of the feet, or what the body does on top of its own animation, at the context's frame."""
+def solve(context, awaited):
+    """Places of the feet, or what the body does on top of its own animation, at the context's frame.
+
+    awaited: meshes of the ground, which are read where they are seen.
+    """
+    del awaited
     owner, scene = context.owner, context.depsgraph.scene
     wired = groups.parsed(context.data.get(groups.PLAN))
     found = plan.of(owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)))

@@ -2,7 +2,6 @@
 
 from mathutils import Vector
 
-from ..core import dependencies
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named, named_mesh
 from ..core.system import is_owner, leader_of, of_owner, registered
 from ..core.translations import tr
@@ -151,12 +150,6 @@ def _check_feet(owner, found):
     names = [leg.bone or leg.foot.name for leg in found]
     if len(set(names)) < len(names):
         raise Refused(tr("A foot is named twice"))
-
-
-def check_no_loop(owner):
-    """Refuse, with the settings as they are, an owner that moves with what it drives."""
-    if None in {level for (name, _), level in dependencies.levels(owner).items() if name == "walker"}:
-        raise Refused(tr("{object}, or its ground, moves with its own feet").format(object=owner.name))
 
 
 def ground_for(name, owner):

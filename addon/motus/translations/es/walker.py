@@ -18,7 +18,6 @@ INTERFACE = {
     "{object} would have {count} legs; there can be {most}": "{object} tendría {count} patas; puede haber {most}",
     "{object} is no child of {parent}: parent it, and move {parent}":
         "{object} no es hijo de {parent}: emparéntalo y mueve {parent}",
-    "{object}, or its ground, moves with its own feet": "{object}, o su suelo, se mueve con sus propios pies",
     "{object} walks itself, and is no ground": "{object} camina también, y no es suelo",
     "{object} has no chain of Inverse Kinematics with a target: add some, or name the feet":
         "{object} no tiene ninguna cadena de cinemática inversa con objetivo: añade alguna, o nombra los pies",

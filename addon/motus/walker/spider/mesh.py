@@ -44,9 +44,13 @@ class _Parts:
         places = np.asarray(places, float)
         along = np.gradient(places, axis=0)
         along /= np.linalg.norm(along, axis=1, keepdims=True)
-        side = np.cross(along, (0.0, 0.0, 1.0))
-        side /= np.maximum(np.linalg.norm(side, axis=1, keepdims=True), 1e-9)
-        up = np.cross(side, along)
+        side = np.empty_like(along)
+        last = np.cross(along[0], (0.0, 0.0, 1.0))
+        for row, ahead in enumerate(along):  # the same side all along, however the tube bends
+            last = last - last.dot(ahead) * ahead
+            last /= np.linalg.norm(last)
+            side[row] = last
+        up = np.cross(along, side)
         angles = np.arange(_SIDES) * 2.0 * math.pi / _SIDES
         radii = np.array([radius for _, radius, _ in profile])[:, None, None]
         rings = places[:, None] + radii * (
@@ -70,12 +74,12 @@ class _Parts:
     def ball(self, middle, radii, material, bone, **keywords):
         """An ellipsoid, along Y. material: one, or a function of the ring and the side."""
         turns = np.linspace(0.08, math.pi - 0.08, _RINGS + 1)
-        angles = np.arange(_SIDES + 1) * 2.0 * math.pi / (_SIDES + 1) + 0.5 * math.pi
+        angles = 0.5 * math.pi - np.arange(_SIDES + 1) * 2.0 * math.pi / (_SIDES + 1)
         rings = np.stack([np.column_stack((
             np.cos(angles) * math.sin(turn), np.full(len(angles), -math.cos(turn)), np.sin(angles) * math.sin(turn)))
             for turn in turns]) * radii + np.asarray(middle)
         kinds = [[material(row, index) for index in range(_SIDES + 1)] if callable(material) else material for row in range(_RINGS)]
-        self.rings(rings[:, ::-1], kinds, bone, **keywords)
+        self.rings(rings, kinds, bone, **keywords)
 
 
 def build(owner, count, size, color):

@@ -5,7 +5,7 @@ from mathutils import Vector
 
 from ...core import viewports, wiring
 from ...core.operators import OBJECT_MODE, Operator, select_only
-from ...core.refusals import Refused, check_finite
+from ...core.refusals import check_finite
 from ...core.rows import Rows
 from ...core.translations import tr
 from .. import rows, setup, targets
@@ -44,17 +44,11 @@ class MOTUS_OT_spider_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Op
     def run(self, context):
         check_finite(self, (*KEYWORDS, "size", "color", "location"))
         ground = ground_of(self)
-        if context.collection and context.collection.library:
-            raise Refused(tr("{object} is linked from another file: make a library override of it first").format(
-                object=context.collection.name))
         place = Vector(self.location) if self.is_given("location") else context.scene.cursor.location.copy()
         spider = rig.build(context, tr("Spider"), place, self.legs, self.size)
         mesh.build(spider, self.legs, self.size, tuple(self.color))
         rig.reach(spider, self.legs)
-        context.view_layer.update()
-        found = targets.legs_for(context, spider, "")
-        changes = self.given(KEYWORDS) | ground
-        setup.attach(spider, found, rig.BODY, changes, context.view_layer.depsgraph)
+        setup.attach(context, spider, targets.legs_for(context, spider, ""), rig.BODY, self.given(KEYWORDS) | ground)
         select_only(context, spider)
         wiring.report_problems(self, context, setup.system(), [spider])
 
