@@ -13,7 +13,7 @@ FEET, BODY = "feet", "body"
 """Names of the entries; the first one's group has no key."""
 PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
 
-_FORM = {"feet": [(int, bool)], "is_looped": bool, "lacks": int, "fingerprint": int}
+_FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "fingerprint": int}
 
 
 def entries(owner):
@@ -39,7 +39,7 @@ def groups(owner):
     feet, body = legs.feet(owner), legs.body(owner)
     looped = {name for name in (FEET, BODY) if levels.get(("walker", name), 0) is None}
     data = {PLAN: json.dumps({
-        "feet": [(foot.index, foot.is_bone) for foot in feet if FEET not in looped], "is_looped": bool(looped),
+        "feet": [{"leg": foot.index, "is_bone": foot.is_bone} for foot in feet if FEET not in looped], "is_looped": bool(looped),
         "lacks": len(owner.motus.walker.legs) - len(feet), "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}
     found = [Group(
         members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
@@ -58,9 +58,13 @@ def _channels(owner, body):
 
 @functools.lru_cache(maxsize=64)
 def parsed(text):
-    """What a group notes: {"feet": [[index of the leg, whether its foot is a bone]] of the members, "is_looped", "lacks": how
-    many legs have no foot, "fingerprint": of the rig}. Raises Damaged."""
-    return stored.parse(text, _FORM)
+    """What a group notes: {"feet": of the members, "is_looped", "lacks": how many legs have no foot, "fingerprint": of the rig}.
+    Raises Damaged."""
+    said = stored.parse(text, _FORM)
+    order = [foot["leg"] for foot in said["feet"]]
+    if order != sorted(set(order)):
+        raise stored.Damaged("feet in another order")
+    return said
 
 
 def bone_renamed(owner, rig, old, new):

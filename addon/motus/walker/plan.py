@@ -69,7 +69,8 @@ class Numbers(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from."""
+    """walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from, None
+    where nobody can tell whether that is still the same."""
 
     walker: Any
     fault: Any
@@ -90,7 +91,8 @@ def of(owner, scene, numbers):
         walker = _made(numbers, poses, placed)
     if isinstance(walker, Problem):
         return walker
-    return Plan(walker, fault or unsure, poses.known, (numbers, poses.stamp, tuple(one.stamp for one in placed)))
+    stamp = None if type(poses.stamp) is object else (numbers, poses.stamp, tuple(one.stamp for one in placed))
+    return Plan(walker, fault or unsure, poses.known, stamp)
 
 
 def read(settings):

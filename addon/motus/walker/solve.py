@@ -55,13 +55,13 @@ def _fault(found, wired, frame):
 
 
 def _stand(context, places, feet):
-    """Put the feet where they stand. feet: (index of the leg, whether the foot is a bone) of the members."""
-    if len(feet) != len(context.locations) or any(index >= len(places) for index, _ in feet):
+    """Put the feet where they stand. feet: of the members, as groups.parsed() has them."""
+    if len(feet) != len(context.locations) or feet and feet[-1]["leg"] >= len(places):
         raise Damaged("another number of feet")
     if not feet:
         return
-    context.locations[:] = places[[index for index, _ in feet]]
-    bones = [row for row, (_, is_bone) in enumerate(feet) if is_bone]
+    context.locations[:] = places[[foot["leg"] for foot in feet]]
+    bones = [row for row, foot in enumerate(feet) if foot["is_bone"]]
     if bones:
         inverse = np.array(context.owner.matrix_world.inverted_safe(), float)
         context.locations[bones] = context.locations[bones] @ inverse[:3, :3].T + inverse[:3, 3]

@@ -118,19 +118,31 @@ def pinned():
     return owner
 
 
+def walker():
+    bpy.ops.motus.spider_add(legs=2, location=(0.1, 0.2, 0.0))
+    owner = bpy.context.object
+    owner.name = "Owner"
+    for frame, place in ((1, 0.0), (40, 1.0)):
+        owner.location.y = place
+        owner.keyframe_insert("location", frame=frame)
+    bpy.context.view_layer.update()
+    return owner
+
+
 def _operators(system):
     motus = bpy.ops.motus
     return {
         "path": (motus.path_refresh, lambda object: motus.path_follow_remove(object=object)),
         "ik": (motus.ik_refresh, lambda object: motus.ik_remove(object=object)),
         "look_at": (motus.look_at_refresh, lambda object: motus.look_at_remove(object=object, bone="Head")),
+        "walker": (motus.walker_refresh, lambda object: motus.walker_remove(object=object)),
         "pull": (motus.pin_restore, lambda object: motus.pin_remove(object=object, all=True)),
     }[system]
 
 
 CASES = [Case(system, build, *_operators(system)) for system, build in (
     ("path", follower), ("path", train), ("ik", chain), ("ik", long_chain), ("ik", driven_chain), ("look_at", head),
-    ("pull", pinned))]
+    ("pull", pinned), ("walker", walker))]
 
 
 # --- What is seen of them ----------------------------------------------------------------------------------------
@@ -335,7 +347,7 @@ def _plans(plan, random_numbers):
         return
     yield from (5, "", "5", "[" * 100000, "{}", '{"chains": [], "heads": [], "guards": [], "fingerprint": 1}')
     known = json.loads(plan)
-    entries = known.get("chains") or known.get("heads")
+    entries = _entries_of(known)
     for name, value in entries[0].items():
         for other in (None, -5, 1e300, math.nan, "nobody", [], ["nobody"], [1, 2], {"iterations": 1e300}, {"nobody": 1.0},
                       [value] * 3, *([value[:-1], value * 40] if isinstance(value, list) else [2**40])):
@@ -349,8 +361,12 @@ def _plans(plan, random_numbers):
 
 def _changed(plan, change):
     known = json.loads(plan)
-    change((known.get("chains") or known.get("heads"))[0])
+    change(_entries_of(known)[0])
     return known
+
+
+def _entries_of(known):
+    return known.get("chains") or known.get("heads") or known["feet"]
 
 
 def _putting_text(case, value):
