@@ -18,7 +18,7 @@ class NoGround(cases.WalkerTestCase):
 
     def test_out_of_reach(self):
         land = cases.grid("Land", lambda x, y: np.where(y > 1.0, -5.0, 0.0))
-        spider = cases.spider(ground=land.name, use_plane=False)
+        spider = cases.spider(ground=land.name)
         said = self.sentence(spider)
         self.assertRegex(said, r"^foot .* finds no ground within reach on frames \d+-\d+")
         self.assertTrue(np.isfinite(cases.over((1, 60, 120), lambda: cases.places(spider))).all())
@@ -141,7 +141,7 @@ class Bodies(cases.WalkerTestCase):
 
     def test_a_mirrored_body_leans_the_same_way(self):
         land = cases.grid("Land", lambda x, y: 0.3 * y + 0.2 * x)
-        spider = cases.spider(ahead=0.0, ground=land.name, use_plane=False, body_tilt=1.0)
+        spider = cases.spider(ahead=0.0, ground=land.name, body_tilt=1.0)
         cases.go_to(1)
         plain = cases.body_of(spider)
         spider.scale.x = -1.0

@@ -11,7 +11,7 @@ class Add(cases.WalkerTestCase):
     def test_keywords_become_settings(self):
         given = {
             "gait": 'WAVE', "use_duty": True, "duty": 0.75, "stride": 0.25, "cadence": 2.0, "clearance": 0.125, "minimum_step": 0.0625,
-            "reach_up": 0.375, "reach_down": 0.625, "use_plane": False, "plane_height": -1.0, "body_height": 0.5, "body_tilt": 0.25,
+            "reach_up": 0.375, "reach_down": 0.625, "use_plane": True, "plane_height": -1.0, "body_height": 0.5, "body_tilt": 0.25,
             "frequency": 3.0, "damping": 0.5, "jump": 2.5, "forward_axis": 'NEG_Y', "up_axis": 'POS_Z', "influence": 0.75}
         self.assertEqual(set(given), set(support.addon("walker.properties").KEYWORDS))
         spider = cases.spider(ahead=0.0, **given)
@@ -133,7 +133,7 @@ class Remove(cases.WalkerTestCase):
 class Edits(cases.WalkerTestCase):
     def test_rest_places_are_taken(self):
         body, _, feet = cases.cross()
-        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), use_plane=True)
         feet[0].location = (0.7, 0.9, 0.1)
         bpy.context.view_layer.update()
         self.assertEqual(bpy.ops.motus.walker_rest(object=body.name), {'FINISHED'})

@@ -45,7 +45,7 @@ def build(context):
 def _add_spider(collection, land, name, span, offset, aside, color):
     """A spider, by the public operators, on a course of its own."""
     course = _add_course(collection, f"{name} Course", aside)
-    _check(bpy.ops.motus.spider_add(size=span, color=color, location=(0.0, 0.0, 0.0), grounds=land.name, use_plane=False,
+    _check(bpy.ops.motus.spider_add(size=span, color=color, location=(0.0, 0.0, 0.0), grounds=land.name,
                                     frequency=2.2, damping=0.85, body_tilt=0.8, cadence=0.8 / span))
     spider = bpy.context.object
     spider.name = name

@@ -63,7 +63,7 @@ class WalkerKeywords:
         0.0)
     reach_up: _length("Reach Up", "How far above the feet's rest places ground is looked for", 0.5)
     reach_down: _length("Reach Down", "How far below the feet's rest places ground is looked for", 1.0)
-    use_plane: _switch("Plane", "Walk on a level plane too, beside the meshes", True)
+    use_plane: _switch("Plane", "Walk on a level plane too, beside the meshes")
     plane_height: _number("Height", "Of the plane, along the world's Z axis", 0.0, subtype='DISTANCE')
     body_height: _factor("Height", "How much the body rises and sinks with the feet that stand", 1.0)
     body_tilt: _factor("Tilt", "How much the body leans with the feet that stand", 0.7)

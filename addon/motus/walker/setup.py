@@ -37,6 +37,7 @@ def attach(context, owner, found, body, changes):
     The feet stand where they belong; of lengths that are not given those of a new walker suit the legs.
     """
     was_active = owner.motus.walker.is_active
+    before = _led(owner) if was_active else ()
     rests = _own_rests(context, owner, found)
     with entries.unwired(owner.motus.walker) as settings:
         settings.legs.clear()
@@ -48,6 +49,19 @@ def attach(context, owner, found, body, changes):
         else:
             settings.body = body
     change(owner, changes if was_active else lengths(rests) | changes)
+    _forget([obj for obj in before if obj not in _led(owner)])
+
+
+def _led(owner):
+    """The objects that an owner drives beside itself."""
+    things = [*(foot.thing for foot in legs.feet(owner)), legs.body(owner)]
+    return [thing for thing in things if thing is not None and thing == thing.id_data]
+
+
+def _forget(objects):
+    """Let objects that nobody drives any more hold no settings."""
+    for obj in objects:
+        forget(system(), obj)
 
 
 def change(owner, changes):
@@ -100,6 +114,8 @@ def take_rests(context, owner):
 
 def remove(owner):
     """Take the walker back: wiring, keys of its settings, and the settings themselves."""
+    led = _led(owner)
     wiring.detach(system(), owner)
+    _forget(led)
     actions.remove(owner, (PREFIX,))
     forget(system(), owner)

@@ -41,7 +41,7 @@ def solve(context, awaited):
     if context.group == groups.BODY:
         return _lean(context, found.walker, seconds)
     _stand(context, found.walker.feet(seconds), wired["feet"])
-    return found.fault or _fault(found, wired, context.frame)
+    return _fault(found, wired, context.frame)
 
 
 def _fault(found, wired, frame):
@@ -49,6 +49,8 @@ def _fault(found, wired, frame):
         return LOOPED
     if wired["lacks"]:
         return LACKING
+    if found.fault:
+        return found.fault
     if not found.known[0] <= frame <= found.known[1]:
         return BEYOND
     return UNREACHED if found.walker.problems else None

@@ -71,7 +71,6 @@ def test_feet_that_find_no_ground_are_told():
     look()
     land = cases.grid("Land", lambda x, y: np.where(y > 0.6, -9.0, 0.0), half=2.0, count=41)
     spider = add()
-    spider.motus.walker.use_plane = False
     spider.motus.walker.ground = land
     cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.2, 0.0)})
     bpy.context.scene.frame_set(60)
