@@ -102,7 +102,8 @@ def _wall(rock):
 
 def _block(middle, size, chance, seed):
     vertices, faces = shapes.sphere(1.0, segments=28, rings=18)
-    vertices = np.asarray(vertices)
+    # The poles look along the wall, where the next block hides them.
+    vertices, faces = np.asarray(vertices)[:, (1, 0, 2)], np.asarray(faces)[:, ::-1]
     rounded = np.sign(vertices) * np.abs(vertices) ** 0.42
     rounded /= np.maximum(np.abs(rounded).max(axis=0), 1e-9)
     rounded = rounded * (1.0 + 0.06 * _lumps(3.1 * vertices, seed))[:, None]
@@ -158,9 +159,10 @@ def _rock(name, dark, light):
         "MULTIPLY", shader.math("SUBTRACT", shader.noise(place, 26.0, detail=3.0), 0.5), 0.5))
     stone = shader.ramp(grain, ((0.30, dark), (0.72, light)))
     up = shader.add("ShaderNodeSeparateXYZ", {0: shader.add("ShaderNodeNewGeometry").outputs["Normal"]}).outputs[2]
-    moss = shader.math("MULTIPLY", shader.math("ADD", shader.math("MULTIPLY", up, 1.2), shader.math(
-        "SUBTRACT", shader.noise(place, 2.2, detail=5.0), 0.95)), 3.2, clamp=True)
-    color = shader.mix(moss, stone, (0.050, 0.088, 0.016, 1.0))
+    moss = shader.math("MULTIPLY", shader.math("ADD", shader.math("MULTIPLY", up, 0.75), shader.math(
+        "SUBTRACT", shader.math("MULTIPLY", shader.noise(place, 3.4, detail=8.0), 2.2), 1.72)), 3.0, clamp=True)
+    color = shader.mix(moss, stone, shader.ramp(shader.noise(place, 17.0, detail=6.0), (
+        (0.35, (0.022, 0.040, 0.008)), (0.70, (0.095, 0.125, 0.028)))))
     node = shader.add("ShaderNodeBsdfPrincipled")
     materials.set_principled(shader, node, color=color, roughness=0.9, specular=0.2)
     bump = shader.add("ShaderNodeBump", {"Height": grain, "Strength": 0.35, "Distance": 0.05})

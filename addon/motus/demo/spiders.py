@@ -12,7 +12,7 @@ FRAMES_PER_SECOND, LAST_FRAME = 24, 288
 WAY = ((-0.75, -5.6), (-0.50, -4.5), (0.18, -3.45), (-0.18, -2.5), (0.14, -1.65), (0.02, -0.98))
 # And up the wall, whose face is at garden.WALL_FACE.
 CLIMB = ((0.0, -0.22, 0.15), (0.0, -0.01, 0.58), (0.05, 0.0, 1.15), (0.22, 0.0, 1.95), (0.12, 0.0, 2.9))
-SPEED, START = 0.46, 1.15  # m/s, and how far along the way the spider is at first, m
+SPEED, START = 0.60, 1.15  # m/s, and how far along the way the spider is at first, m
 SPAN = 1.15
 # Span, how far behind, how far to the side, colour.
 YOUNG = ((0.46, 0.95, -0.30, (0.80, 0.36, 0.03, 1.0)), (0.40, 1.25, 0.26, (0.75, 0.10, 0.02, 1.0)), (0.36, 1.62, -0.12, (0.85, 0.52, 0.08, 1.0)))
@@ -20,7 +20,7 @@ SKY_STOPS = ((0.0, (0.80, 0.62, 0.44)), (0.10, (0.62, 0.66, 0.68)), (0.35, (0.28
 VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.25), ("Filmic", "Filmic - High Contrast", 0.25))
 LENS = 34.0
 # Frames and places of the camera.
-FILMING = ((1, (-2.25, -5.75, 0.62)), (110, (-2.05, -4.45, 0.58)), (210, (-2.35, -3.10, 0.80)), (288, (-2.0, -2.75, 0.62)))
+FILMING = ((1, (-1.45, -2.85, 0.46)), (90, (-1.95, -1.65, 0.50)), (180, (-2.35, -2.25, 0.66)), (288, (-2.0, -2.7, 0.74)))
 AIM_AHEAD, AIM_UP = 0.10, 0.16  # m
 
 

@@ -152,7 +152,7 @@ def _pattern(ring, side):
 
 
 def _materials(color):
-    return (_material("Spider Fur", (0.028, 0.020, 0.017, 1.0), 0.75), _material("Spider Bands", color, 0.6),
+    return (_material("Spider Fur", (0.014, 0.010, 0.009, 1.0), 0.7), _material("Spider Bands", color, 0.6),
             _material("Spider Eyes", (0.004, 0.004, 0.006, 1.0), 0.06), _material("Spider Glint", (1.0, 1.0, 1.0, 1.0), 0.3))
 
 
