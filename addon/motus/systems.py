@@ -5,9 +5,9 @@ from . import chroma, drivers, dynamics, ik, lattice, layers, look_at, path, pen
 SYSTEMS = (
     path.SYSTEM,
     layers.SYSTEM,
+    walker.SYSTEM,
     ik.SYSTEM,
     look_at.SYSTEM,
-    walker.SYSTEM,
     dynamics.SYSTEM,
     pull.SYSTEM,
     lattice.SYSTEM,

@@ -14,6 +14,7 @@ import bpy
 from look_at import look_at_cases
 import numpy as np
 import support
+from walker import walker_cases
 
 FRAMES = (3.0, 20.5)
 OUTBOX, INFO = "motus_{}_out", "motus_{}_info"
@@ -119,9 +120,9 @@ def pinned():
 
 
 def walker():
-    bpy.ops.motus.spider_add(legs=2, location=(0.1, 0.2, 0.0))
-    owner = bpy.context.object
+    owner, shell, feet = walker_cases.cross("Robot")
     owner.name = "Owner"
+    bpy.ops.motus.walker_add(object="Owner", feet=walker_cases.names(feet), body=shell.name, gait='TROT')
     for frame, place in ((1, 0.0), (40, 1.0)):
         owner.location.y = place
         owner.keyframe_insert("location", frame=frame)

@@ -11,6 +11,8 @@ BODY, ABDOMEN, KNEES = "body", "abdomen", "knees"
 UPPER, LOWER, FOOT = "upper", "lower", "foot"
 """Beginnings of the names of a leg's bones."""
 SOFTNESS = 0.02
+KNEES_OVER = 0.5
+"""How far over the body the place is that knees bend towards, of the span."""
 
 
 def build(context, name, place, count, size):
@@ -40,8 +42,8 @@ def _add_bones(bones, count, size):
     body = add(BODY, height, height + Vector((0.0, 0.12 * longer, 0.0)))
     behind = height + Vector((0.0, -0.07 * longer, 0.01))
     add(ABDOMEN, behind, behind + Vector((0.0, -0.27, 0.05)), body)
-    over = height + Vector((0.0, 0.0, 1.5))
-    add(KNEES, over, over + Vector((0.0, 0.0, 0.1)), body, deforms=False)
+    over = height + Vector((0.0, 0.0, KNEES_OVER))
+    add(KNEES, over, over + Vector((0.0, 0.0, 0.06)), body, deforms=False)
     for leg in anatomy.legs(count):
         upper = add(UPPER + leg.name, leg.hip, leg.knee, body)
         lower = add(LOWER + leg.name, leg.knee, leg.foot, upper)
