@@ -20,7 +20,7 @@ SKY_STOPS = ((0.0, (0.80, 0.62, 0.44)), (0.10, (0.62, 0.66, 0.68)), (0.35, (0.28
 VIEWS = (("AgX", "AgX - Punchy", 0.75), ("Filmic", "High Contrast", 0.25), ("Filmic", "Filmic - High Contrast", 0.25))
 LENS = 34.0
 # Frames and places of the camera.
-FILMING = ((1, (-1.12, -2.62, 0.40)), (90, (-1.95, -1.65, 0.50)), (180, (-2.45, -2.35, 0.80)), (288, (-2.1, -3.0, 1.45)))
+FILMING = ((1, (-1.10, -2.55, 0.78)), (90, (-1.95, -1.65, 0.66)), (180, (-2.45, -2.35, 0.80)), (288, (-2.1, -3.0, 1.45)))
 AIM_AHEAD, AIM_UP = 0.10, 0.16  # m
 
 
@@ -46,7 +46,7 @@ def _add_spider(collection, land, name, span, offset, aside, color):
     """A spider, by the public operators, on a course of its own."""
     course = _add_course(collection, f"{name} Course", aside)
     _check(bpy.ops.motus.spider_add(size=span, color=color, location=(0.0, 0.0, 0.0), grounds=land.name,
-                                    reach_down=span,
+                                    stride=0.21 * span, reach_down=span,
                                     frequency=2.2, damping=0.85, body_tilt=0.8, cadence=0.8 / span))
     spider = bpy.context.object
     spider.name = name

@@ -70,12 +70,13 @@ class Numbers(NamedTuple):
 
 class Plan(NamedTuple):
     """walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from, None
-    where nobody can tell whether that is still the same."""
+    where nobody can tell whether that is still the same. has_problems: whether walker.problems has any."""
 
     walker: Any
     fault: Any
     known: tuple
     stamp: Any
+    has_problems: bool
 
 
 def of(owner, scene, numbers):
@@ -88,11 +89,12 @@ def of(owner, scene, numbers):
         return NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
     with _planning:  # feet and body ask for the same one at the same time
-        walker = _made(numbers, poses, placed)
-    if isinstance(walker, Problem):
-        return walker
+        made = _made(numbers, poses, placed)
+    if isinstance(made, Problem):
+        return made
+    walker, has_problems = made
     stamp = None if type(poses.stamp) is object else (numbers, poses.stamp, tuple(one.stamp for one in placed))
-    return Plan(walker, fault or unsure, poses.known, stamp)
+    return Plan(walker, fault or unsure, poses.known, stamp, has_problems)
 
 
 def read(settings):
@@ -121,16 +123,20 @@ def body_track(owner, scene):
 def body(owner, scene, fps):
     """(Poses, Problem or None) of an evaluated owner; None for poses that are not finite."""
     track = body_track(owner, scene)
-    if not track.is_known or track.extent is None:
-        return _standing(owner), None if track.is_known else UNKNOWN
-    first, last = span(track.extent, scene)
+    if not track.is_known:
+        return _standing(owner), UNKNOWN
+    stamp = track.stamp
+    # To find the extent takes longer than the stamp.
+    extent = tracks.kept_by(stamp, "walker", lambda: track.extent)
+    if extent is None:
+        return _standing(owner), None
+    first, last = span(extent, scene)
     fault = None
     if last - first > MOST_FRAMES:
         last, fault = first + MOST_FRAMES, TOO_LONG
-    start, end = track.extent
+    start, end = extent
     known = first if math.isinf(start) else EVER[0], last if math.isinf(end) or fault else EVER[1]
     place = "walker", first, last, fps
-    stamp = track.stamp
     seconds, matrices = tracks.kept_by(stamp, place, lambda: _sampled(track, first, last, fps))
     if not np.isfinite(matrices).all():
         return None, None
@@ -161,7 +167,7 @@ def _sampled(track, first, last, fps):
 
 @functools.lru_cache(maxsize=KEPT)
 def _made(numbers, poses, placed):
-    """The native Walker, or what is wrong with the settings."""
+    """(the native Walker, whether there are problems with its steps), or what is wrong with the settings."""
     scale = abs(np.linalg.det(poses.matrices[0, :3, :3])) ** (1.0 / 3.0)
     rest = np.array(numbers.rest)
     try:
@@ -172,12 +178,13 @@ def _made(numbers, poses, placed):
         given = {name: scale * numbers.value(name) for name in SCALED} | _reach(numbers, scale)
         given["stride"] = max(given["stride"], LEAST_STRIDE)
         jump = scale * numbers.value("jump")
-        return native.module.Walker(
+        walker = native.module.Walker(
             poses.seconds, poses.matrices, rest, ground.made(placed, numbers.plane), phases=phases, duty=duty,
             cadence=numbers.value("cadence"), up=numbers.up, jump=jump or None, frequency=numbers.value("frequency"),
             damping=numbers.value("damping"), height=numbers.value("body_height"), tilt=numbers.value("body_tilt"), **given)
     except ValueError:
         return OUT_OF_RANGE
+    return walker, bool(walker.problems)
 
 
 def _reach(numbers, scale):

@@ -53,7 +53,7 @@ def _fault(found, wired, frame):
         return found.fault
     if not found.known[0] <= frame <= found.known[1]:
         return BEYOND
-    return UNREACHED if found.walker.problems else None
+    return UNREACHED if found.has_problems else None
 
 
 def _stand(context, places, feet):
