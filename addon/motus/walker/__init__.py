@@ -2,7 +2,7 @@
 
 from ..core import handlers
 from ..core.system import System
-from . import groups, operators, over_time, overlay, panel, plan, presets, properties, solve
+from . import ground, groups, operators, over_time, overlay, panel, presets, properties, solve
 from .spider import operators as spider_operators
 
 SYSTEM = System(
@@ -18,7 +18,7 @@ SYSTEM = System(
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
     overlay=overlay.overlay,
-    extras=(handlers.Forgetting(plan.forget),),
+    extras=(handlers.Forgetting(ground.forget),),
     add_menu=("motus.spider_add",),
     object_menu=("motus.walker_add", "motus.walker_remove"),
 )

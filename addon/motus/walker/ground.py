@@ -14,7 +14,7 @@ PROBLEMS = GONE, NO_FACES, MOVING
 
 DEEPEST = 64
 """Parents above each other that are looked through."""
-KEPT = 4
+KEPT = 8
 
 
 def objects(settings):
@@ -79,3 +79,8 @@ def is_walking(obj, feet=frozenset()):
 
 def _is_part(walker, obj, feet):
     return is_owner(walker, obj) or leader_of(walker, obj) is not None or obj.original in feet
+
+
+def forget():
+    """Let go of what feet stood on."""
+    made.cache_clear()

@@ -1,14 +1,11 @@
 """The steps of a whole shot, planned by the native library from the body's motion, the legs and the ground."""
 
-import functools
 import math
-import threading
 from typing import Any, NamedTuple
 
 from ..core import axes, native, tracks
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
-from ..core.scenery.meshes import hash_of, is_same
 from ..core.system import Problem
 from ..core.tracks import keys
 from . import ground
@@ -16,7 +13,6 @@ from .properties import NUMBERS
 
 MOST_FRAMES = 20_000
 """That are planned."""
-KEPT = 16
 LEAST_STRIDE = 1e-4
 """m: a body that is scaled to nothing has steps too."""
 EVERYWHERE = 1e6
@@ -34,19 +30,15 @@ PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, OUT_OF_RANGE, UNKNOWN, TOO_LON
 
 EVER = -math.inf, math.inf
 
-_planning = threading.Lock()
-
 
 class Poses(NamedTuple):
-    """Where the body is over time. stamp: hashable, of all that the samples were read from. known: (first, last) frame up to which
-    it goes on as the samples say."""
+    """Where the body is over time. stamp: hashable, of all that the samples were read from, None where nobody can tell whether that
+    is still the same. known: (first, last) frame up to which it goes on as the samples say."""
 
     stamp: Any
     seconds: Any
     matrices: Any
     known: tuple
-
-    __eq__, __hash__ = is_same, hash_of
 
 
 class Numbers(NamedTuple):
@@ -88,12 +80,11 @@ def of(owner, scene, numbers):
     if poses is None:
         return NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
-    with _planning:  # feet and body ask for the same one at the same time
-        made = _made(numbers, poses, placed)
+    stamp = None if poses.stamp is None else (numbers, poses.stamp, tuple(one.stamp for one in placed))
+    made = tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed))
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
-    stamp = None if type(poses.stamp) is object else (numbers, poses.stamp, tuple(one.stamp for one in placed))
     return Plan(walker, fault or unsure, poses.known, stamp, has_problems)
 
 
@@ -140,8 +131,7 @@ def body(owner, scene, fps):
     seconds, matrices = tracks.kept_by(stamp, place, lambda: _sampled(track, first, last, fps))
     if not np.isfinite(matrices).all():
         return None, None
-    # Where nobody can tell whether the motion is still the same, these are poses like no others.
-    return Poses(object() if stamp is None else (stamp, place), seconds, matrices, known), fault
+    return Poses(stamp and (stamp, place), seconds, matrices, known), fault
 
 
 def _standing(owner):
@@ -165,7 +155,6 @@ def _sampled(track, first, last, fps):
     return seconds, track.values(frames[places])
 
 
-@functools.lru_cache(maxsize=KEPT)
 def _made(numbers, poses, placed):
     """(the native Walker, whether there are problems with its steps), or what is wrong with the settings."""
     scale = abs(np.linalg.det(poses.matrices[0, :3, :3])) ** (1.0 / 3.0)
@@ -192,9 +181,3 @@ def _reach(numbers, scale):
     if not any(numbers.lengths):
         return {}
     return {"hips": np.array(numbers.hips), "lengths": np.array([scale * one if one else EVERYWHERE for one in numbers.lengths])}
-
-
-def forget():
-    """Let go of all plans, and of what they stand on."""
-    _made.cache_clear()
-    ground.made.cache_clear()
