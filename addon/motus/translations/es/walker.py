@@ -120,7 +120,7 @@ INTERFACE = {
     "Collection whose mesh objects the feet stand on": "Colección sobre cuyos objetos de malla apoyan los pies",
     "Steps": "Pasos",
     "At Rest From": "En reposo desde",
-    "{sentence}, and so on {count} more times": "{sentence}, y así {count} veces más",
+    "{sentence}, and {count} more times": "{sentence}, y {count} veces más",
     "{foot} finds no ground within reach on frames {first}-{last}":
         "{foot} no encuentra suelo a su alcance en los fotogramas {first}-{last}",
     "{foot} is too far from its leg on frames {first}-{last}": "{foot} está demasiado lejos de su pata en los fotogramas {first}-{last}",
