@@ -130,8 +130,8 @@ INTERFACE = {
     "The settings are outside of what a walk can be planned by": "Con estos ajustes no se puede planear ninguna marcha",
     "The body's motion is not known ahead, and its feet do not step: record it, or key it":
         "El movimiento del cuerpo no se conoce de antemano, y sus pies no pisan: grábalo, o ponle claves",
-    "Only the first 20,000 frames of the body's motion are walked: beyond, the feet stand":
-        "Solo se caminan los primeros 20.000 fotogramas del movimiento del cuerpo: más allá, los pies están quietos",
+    "Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand":
+        "Solo se caminan los primeros 9.000 fotogramas del movimiento del cuerpo: más allá, los pies están quietos",
     "The ground is gone: choose another one": "El suelo ya no está: elige otro",
     "The ground has no faces": "El suelo no tiene caras",
     "Ground that may move is left out: feet do not stand on it": "Se deja fuera el suelo que puede moverse: los pies no apoyan en él",
