@@ -188,7 +188,7 @@ class Bodies(cases.WalkerTestCase):
                 for frame, size in ((1, smallest), (30, 1.0)):
                     spider.scale = (size, size, size)
                     spider.keyframe_insert("scale", frame=frame)
-                bpy.context.view_layer.update()
+                cases.go_to(2)
                 self.assertWell(spider)
                 steps = cases.plan_of(spider).walker.steps
                 length = np.linalg.norm(steps["end"] - steps["start"], axis=1)[steps["touch"] > cases.seconds(40)]
