@@ -9,12 +9,13 @@ from look_at import look_at_cases
 import numpy as np
 from path import path_cases
 from pull.pins import pin_cases
+from walker import walker_cases
 
 FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo camera; and users' drivers."""
+    """A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo camera, walkers; and users' drivers."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
     for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
         target.location = place
@@ -26,6 +27,7 @@ def build():
     _pendulums()
     _snow()
     _stereo()
+    _walkers()
     bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
     bpy.context.view_layer.update()
 
@@ -141,6 +143,17 @@ def _stereo():
     for frame, near in ((1, 2.0), (40, 5.0)):
         camera.motus.stereo.near = near
         camera.keyframe_insert("motus.stereo.near", frame=frame)
+
+
+def _walkers():
+    land = walker_cases.grid("Land", walker_cases.waves, count=21)
+    land.location = (0.0, 20.0, 0.0)
+    spider = walker_cases.spider(ahead=0.0, legs=4, location=(0.0, 20.0, 0.0), ground="Land")
+    walker_cases.key_places(spider, {1: (0.0, 20.0, 0.0), 40: (0.5, 21.0, 0.1)})
+    spider.select_set(False)
+    body, shell, feet = walker_cases.cross("Robot")
+    bpy.ops.motus.walker_add(object=body.name, feet=walker_cases.names(feet), body=shell.name, gait='TROT')
+    walker_cases.key_places(body, {1: (9.0, 0.0, 0.0), 40: (9.0, 1.0, 0.0)})
 
 
 def _drive(obj, path, expression, source, source_path, index=-1):

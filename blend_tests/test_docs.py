@@ -1,5 +1,6 @@
 """The manual: its examples run, its generated page is up to date, and its links lead somewhere."""
 
+import math
 import re
 import sys
 
@@ -83,6 +84,25 @@ class ExamplesTest(support.SceneTestCase):
     @support.in_one_blender
     def test_the_native_example_of_layers_runs(self):
         self.run_native("layers.md")
+
+    def test_the_scripted_example_of_walkers_stands_on_the_ground(self):
+        scripted, own = [code for code in examples(DOCS / "walker.md") if "bpy.ops.motus" in code]
+        seen = []
+        scope = {"print": lambda place: seen.append(tuple(place))}
+        exec(compile(scripted, "walker.md", "exec"), scope)
+        for x, y, z in seen:
+            self.assertAlmostEqual(z, 0.1 * math.sin(3.0 * x) * math.cos(2.0 * y), delta=2e-3)
+            self.assertLess(abs(y - 2.0), 0.6)
+        spider = scope["spider"]
+        self.assertFalse(spider.motus.walker.is_active)
+        self.assertFalse(spider.pose.bones["foot 1.L"].constraints)
+        exec(compile(own, "walker.md", "exec"), scope)
+        self.assertEqual(len(scope["carrier"].motus.walker.legs), 4)
+
+    @support.in_one_blender
+    def test_the_native_example_of_walkers_runs(self):
+        scope = self.run_native("walker.md")
+        self.assertEqual(scope["walker"].feet(2.0).shape, (6, 3))
 
     def test_the_scripted_example_pulls_and_pins(self):
         scripted, = [code for code in examples(DOCS / "pull.md") if "bpy.ops.motus" in code]
@@ -250,7 +270,7 @@ SYMBOLS = {"X", "Y", "Z"}
 """Labels that are the same in every language."""
 
 
-SYSTEMS = ("path", "layers", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "pendulums", "snow", "stereo", "chroma")
+SYSTEMS = ("path", "layers", "ik", "look_at", "pull", "lattice", "drivers", "dynamics", "pendulums", "snow", "stereo", "chroma", "walker")
 """Pages for artists, whose words in italics are labels of the interface."""
 OF_BLENDER = {
     "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",

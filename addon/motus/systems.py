@@ -1,10 +1,11 @@
 """All systems, in the order of the interface. Adding a system adds its folder and one line here."""
 
-from . import chroma, drivers, dynamics, ik, lattice, layers, look_at, path, pendulum, pull, snow, stereo
+from . import chroma, drivers, dynamics, ik, lattice, layers, look_at, path, pendulum, pull, snow, stereo, walker
 
 SYSTEMS = (
     path.SYSTEM,
     layers.SYSTEM,
+    walker.SYSTEM,
     ik.SYSTEM,
     look_at.SYSTEM,
     dynamics.SYSTEM,

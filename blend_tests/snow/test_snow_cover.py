@@ -106,7 +106,7 @@ class Cover(CoverTestCase):
         meadow = self.square()
         self.add(**FALLING)
         self.cover(resolution=0.2)
-        work, placing, ground = (support.addon(name) for name in ("snow.cover.work", "snow.placing", "snow.cover.ground"))
+        work, placing, ground = (support.addon(name) for name in ("snow.cover.work", "core.scenery.meshes", "snow.cover.ground"))
         for scale in ((1.0, 1.0, 1.0), (5.0, 2.0, 1.0)):
             with self.subTest(scale):
                 meadow.scale = scale

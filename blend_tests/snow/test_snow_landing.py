@@ -229,8 +229,8 @@ class Collection(LandingCase):
         emitter = self.add(colliders="Scenery")
         flakes_of = support.addon("snow.flakes")
         flakes_of.collider.cache_clear()
-        reading = mock.Mock(wraps=support.addon("snow.births")._read)
-        with mock.patch.object(support.addon("snow.births"), "_read", reading):
+        reading = mock.Mock(wraps=support.addon("core.scenery.meshes")._read)
+        with mock.patch.object(support.addon("core.scenery.meshes"), "_read", reading):
             for frame in (60, 3, 100, 61):
                 go_to(frame)
                 emitter.motus.snow.friction += 0.01

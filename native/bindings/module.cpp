@@ -30,6 +30,7 @@ PYBIND11_MODULE(motus_native, m) {
     bind_colour(m);
     bind_snow(m);
     bind_snow_layer(m);
+    bind_walker(m);
     bind_stereo(m);
     bind_pendulum(m);
     bind_second_order(m);

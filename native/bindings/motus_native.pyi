@@ -21,6 +21,7 @@ _EmitterShape = Literal["square", "disc", "box", "sphere", "cone", "surface", "f
 _Collision = Literal["stay", "slide", "melt"]
 _StereoMode = Literal["off_axis", "parallel", "toe_in"]
 _FlakeField = Literal["position", "velocity", "size", "color", "age", "rotation", "id"]
+_Gait = Literal["tripod", "tetrapod", "ripple", "wave", "trot", "pace"]
 _Basis = Literal["bernstein", "linear", "cardinal", "catmull_rom", "bspline"]
 
 __version__: str
@@ -720,6 +721,51 @@ class SnowLayer:
     def mesh(
         self, depths: ArrayLike, thinnest: float = 0.0, steepest: float | None = None
     ) -> dict[str, NDArray]: ...
+
+# --- Walker --------------------------------------------------------------------------------------------------------------
+
+def walker_gait(  # phases (n,), duty
+    gait: _Gait, rest: ArrayLike, forward: ArrayLike = (0.0, 1.0, 0.0), up: ArrayLike = (0.0, 0.0, 1.0),
+) -> tuple[_Array, float]: ...
+
+class WalkerGround:
+    """What feet stand on. Immutable."""
+
+    def __init__(
+        self, positions: ArrayLike | None = None, triangles: ArrayLike | None = None, plane: ArrayLike | None = None,
+    ) -> None: ...
+    @property
+    def vertex_count(self) -> int: ...
+    @property
+    def triangle_count(self) -> int: ...
+
+class Walker:
+    """The steps of legs that walk where a body goes, for a whole shot. Immutable."""
+
+    def __init__(
+        self, times: ArrayLike, poses: ArrayLike, rest: ArrayLike, ground: WalkerGround | None = None, *, phases: ArrayLike,
+        duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5,
+        reach_down: float = 1.0, minimum_step: float = 0.0, up: ArrayLike = (0.0, 0.0, 1.0),
+        hips: ArrayLike | None = None, lengths: ArrayLike | None = None, resets: Sequence[int] | None = None,
+        jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0,
+        height: float = 1.0, tilt: float = 1.0,
+    ) -> None: ...
+    # times: s, a number or (m,).
+    def feet(self, times: ArrayLike) -> _Array: ...  # (n, 3) or (m, n, 3)
+    def normals(self, times: ArrayLike) -> _Array: ...  # the same
+    def swing(self, times: ArrayLike) -> _Array: ...  # (n,) or (m, n)
+    def body(self, times: ArrayLike) -> tuple[_Array, _Array]: ...  # (3,), (4,) or (m, 3), (m, 4)
+    def phase(self, times: ArrayLike) -> float | _Array: ...
+    @property
+    def leg_count(self) -> int: ...
+    @property
+    def steps(self) -> dict[str, NDArray]: ...  # leg int32; lift, touch; start, end, apex (s, 3)
+    @property
+    def problems(self) -> list[tuple[int, float, float, str]]: ...  # leg, first, last, reason
+    @property
+    def settled(self) -> float: ...
+    @property
+    def nbytes(self) -> int: ...
 
 # --- Stereo --------------------------------------------------------------------------------------------------------------
 

@@ -14,6 +14,7 @@
 #include "motus/sculpt/falloff.hpp"
 #include "motus/sculpt/pull.hpp"
 #include "sculpt/checks.hpp"
+#include "walker/walkers.hpp"
 
 using namespace motus;
 using namespace motus::lattice;
@@ -131,6 +132,16 @@ TEST_CASE("surfaces and lattices of the smallest sizes do not depend on it eithe
         };
         CHECK(flushed(deformed) == deformed());
     }
+}
+
+TEST_CASE("nor does a foot that has hardly begun its step", "[float_mode]") {
+    const auto sets_off = [](double time) {
+        return walker::moved({0.0, -0.9, 0.0}) * walker::there(time + 1.0);
+    };
+    const walker::Way way = walker::way_along(4.0, sets_off, walker::Gait::tripod);
+    const auto moved = [&] { return walker::Walker(way, {}).foot(0, 1e-105).position.y; };
+    CHECK(moved() > 0.0);
+    CHECK(std::bit_cast<std::uint64_t>(flushed(moved)) == std::bit_cast<std::uint64_t>(moved()));
 }
 
 TEST_CASE("the thread's float mode is as it was afterwards", "[float_mode]") {

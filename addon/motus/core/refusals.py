@@ -20,6 +20,24 @@ def named(name):
     return found
 
 
+def named_collection(name):
+    """The collection of this name."""
+    found = bpy.data.collections.get(name)
+    if found is None:
+        raise Refused(tr("There is no collection {collection}").format(collection=name))
+    return found
+
+
+def named_mesh(name):
+    """The mesh object of this name, which has faces."""
+    found = named(name)
+    if found.type != 'MESH':
+        raise Refused(tr("{object} is no mesh").format(object=found.name))
+    if not found.data.polygons and not found.modifiers:
+        raise Refused(tr("{object} has no faces").format(object=found.name))
+    return found
+
+
 def check_bone(rig, name):
     """Refuse a bone that the rig has not."""
     if rig.pose is None or name not in rig.pose.bones:

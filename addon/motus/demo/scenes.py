@@ -86,4 +86,11 @@ SCENES = (
         film=(0.0, 9.0),
         ambience=0.5,
     ),
+    DemoScene(
+        name="walker", identifier="WALKER", module="spiders", label="Spiders on the Wall",
+        description="A spider goes over the stones of a garden and up an old wall, and her young go after her",
+        stills=(("Garden Camera", 4.4), ("Garden Camera", 9.0), ("Garden Camera", 7.2)),
+        film=(0.0, 12.0),
+        ambience=0.5,
+    ),
 )

@@ -4,13 +4,13 @@ import math
 
 import bpy
 
+from ..core.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
 FORWARDS = (
     ('AUTO', "Automatic",
      "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone"),
-    ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
-    ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
+    *AXES,
 )
 ANY_BODY_LENGTH = -1
 """body_length that lets the operator find the spine."""

@@ -2,11 +2,9 @@
 
 from mathutils import Vector
 
+from ..core import axes
 from .properties import DEFAULT_GAP
 
-DIRECTIONS = {
-    identifier: sign * Vector((axis == 'X', axis == 'Y', axis == 'Z'))
-    for axis in "XYZ" for identifier, sign in ((f"POS_{axis}", 1.0), (f"NEG_{axis}", -1.0))}
 NO_LENGTH = 1e-6  # m
 
 
@@ -15,7 +13,7 @@ def touching_gaps(train, forward_axis):
 
     Between what has no extent, such as lights, it is DEFAULT_GAP.
     """
-    extents = [_extent(obj, DIRECTIONS[forward_axis]) for obj in train]
+    extents = [_extent(obj, Vector(axes.vector(forward_axis))) for obj in train]
     gaps = [front - rear for (rear, _), (_, front) in zip(extents, extents[1:])]
     return [gap if gap > NO_LENGTH else DEFAULT_GAP for gap in gaps]
 

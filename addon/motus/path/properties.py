@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
 EASE_TOLERANCE = 1e-6  # single precision: 0.7 + 0.3 is already above 1
@@ -27,10 +28,6 @@ ORIENTATIONS = (
     ('BANKING', "Banking", "Lean into the bends like an aircraft, by speed and curvature"),
     ('CURVATURE', "Curvature", "Up points to the centre of the bend, as in a loop"),
     ('TILT', "Curve Tilt", "Up is turned by the tilt of the curve's points"),
-)
-AXES = (
-    ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
-    ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
 )
 LAGS = (
     ('ACCELERATION', "Acceleration", "The rate follows the length of the curve's second derivative by its parameter"),

@@ -1,13 +1,11 @@
-"""What flakes are born to: the emitter's motion and the wind over time, and faces that they leave or land on."""
+"""What flakes are born to: the emitter's motion and the wind over time."""
 
-import hashlib
 import math
-import threading
-from collections import OrderedDict
 from typing import Any, NamedTuple
 
-from ..core import copies, tracks
+from ..core import tracks
 from ..core.lazy import numpy as np
+from ..core.scenery.meshes import hash_of, is_same
 
 BLOCK = 256
 """Frames. Motions are read by whole blocks, so that what is read stays the same for a while."""
@@ -15,13 +13,7 @@ LONGEST = 4096
 """Frames of a motion that are read at once, whatever frame it is."""
 PARTS = 4
 """Samples from one frame, or key, to the next, between which the library goes on linearly and turns evenly."""
-MOST_BYTES = 256 << 20
-"""Of faces that are kept."""
 WIND = "motus.snow.wind"
-
-_faces = OrderedDict()
-"""Number of an evaluated copy of a mesh -> its Faces, or None."""
-_lock = threading.Lock()
 
 
 class Poses(NamedTuple):
@@ -31,11 +23,7 @@ class Poses(NamedTuple):
     seconds: Any
     matrices: Any
 
-    def __eq__(self, other):
-        return other is not None and self.stamp == other.stamp
-
-    def __hash__(self):
-        return hash(self.stamp)
+    __eq__, __hash__ = is_same, hash_of
 
 
 class Winds(NamedTuple):
@@ -45,22 +33,7 @@ class Winds(NamedTuple):
     seconds: Any
     velocities: Any
 
-    __eq__, __hash__ = Poses.__eq__, Poses.__hash__
-
-
-class Faces(NamedTuple):
-    """Triangles in the space of their object. stamp: of their content. area: m^2, in that space, at most."""
-
-    stamp: Any
-    positions: Any
-    triangles: Any
-    area: float
-
-    __eq__, __hash__ = Poses.__eq__, Poses.__hash__
-
-    @property
-    def bytes(self):
-        return self.positions.nbytes + self.triangles.nbytes
+    __eq__, __hash__ = is_same, hash_of
 
 
 def track(obj, scene):
@@ -147,40 +120,3 @@ def _sampled(moved, first, last, start_frame, fps):
     frames = np.append((edges[:-1, None] + np.diff(edges)[:, None] * parts).ravel(), edges[-1])
     seconds, places = np.unique((frames - start_frame) / fps, return_index=True)
     return seconds, [one.values(frames[places]) for one in moved]
-
-
-def faces(obj):
-    """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh. Kept for as long as Blender keeps that
-    copy of the mesh."""
-    if obj.type != 'MESH':
-        return None
-    mesh = obj.data
-    if mesh == obj.original.data:  # all its copies would have its number
-        return _read(mesh)
-    number = copies.number_given(mesh)
-    with _lock:  # a render's thread may be here at the same time as the viewport's
-        if number in _faces:
-            _faces.move_to_end(number)
-            return _faces[number]
-    found = _read(mesh)
-    with _lock:
-        _faces[number] = found
-        while len(_faces) > 1 and sum(one.bytes for one in _faces.values() if one) > MOST_BYTES:
-            _faces.popitem(last=False)
-    return found
-
-
-def _read(mesh):
-    mesh.calc_loop_triangles()
-    count = len(mesh.loop_triangles)
-    positions = np.empty(3 * len(mesh.vertices), np.float32)
-    triangles = np.empty(3 * count, np.int32)
-    areas = np.empty(count, np.float32)
-    mesh.vertices.foreach_get("co", positions)
-    mesh.loop_triangles.foreach_get("vertices", triangles)
-    mesh.loop_triangles.foreach_get("area", areas)
-    if not (np.isfinite(positions).all() and (areas > 0.0).any()):
-        return None
-    stamp = hashlib.blake2b(positions, digest_size=16)
-    stamp.update(triangles)
-    return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3), float(areas.sum(dtype=float)))

@@ -5,13 +5,13 @@ flakes that ever landed would lie elsewhere.
 """
 
 import bpy
-from mathutils import Matrix
 
 from ..core import datablocks, deleted, gathered, wiring
 from ..core.lazy import numpy as np
+from ..core.scenery import seen
+from ..core.scenery.meshes import joined, placed
 from ..core.system import Problem, is_owner, pointed, registered
-from . import flakes, stillness
-from .placing import joined, placed
+from . import flakes
 
 GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)
 NO_FACES = Problem("What flakes are to land on has no faces: they fall through it", blocking=False)
@@ -31,7 +31,7 @@ def objects(settings):
     recorded, collider = pointed(settings, "recorded"), pointed(settings, "collider")
     if recorded is not None:
         return [recorded]
-    return ([] if collider is None else [collider]) + [one for each in _members(settings) for one in (each.object, *each.instancers)]
+    return ([] if collider is None else [collider]) + seen.awaited(_members(settings))
 
 
 def barrier(context):
@@ -48,9 +48,9 @@ def parts(settings, scene, left_out=()):
         return (() if kept is None else (kept,)), None
     found, fault = _found(settings)
     found = [one for one in found if one.objects[0].original not in left_out]
-    still = [one for one in found if not any(stillness.moves(obj, scene) for obj in one.objects)]
+    still = [one for one in found if not one.moves(scene)]
     fault = fault or (MOVING if len(still) < len(found) else None)
-    return tuple(filter(None, (placed(one.objects[0], one.matrix) for one in still))), fault
+    return tuple(filter(None, (one.placed for one in still))), fault
 
 
 def record(emitter, view_layer):
@@ -60,7 +60,7 @@ def record(emitter, view_layer):
     # Colliders are evaluated for flakes that land on them.
     before, settings.recorded = settings.recorded, None
     view_layer.update()
-    found = [(one.objects[0].original, placed(one.objects[0], one.matrix))
+    found = [(one.objects[0].original, one.placed)
              for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
     found = [(obj, faces) for obj, faces in found if faces is not None]
     if not found:
@@ -114,36 +114,17 @@ def _recorded(kept, left_out):
     return found if all(stays) else found.chosen(np.repeat(stays, counts))
 
 
-class _Found:
-    """An evaluated mesh that flakes land on, where it is seen. objects: it, and the empties that instance it."""
-
-    def __init__(self, matrix, *objects):
-        self.matrix, self.objects = matrix, objects
-
-
 def _found(settings):
-    """([_Found], Problem or None) of evaluated settings: the colliders themselves, recorded or not."""
-    # What has come into the collection since the owner was wired may not be evaluated.
+    """([Seen], Problem or None) of evaluated settings: the colliders themselves, recorded or not."""
     ready = wiring.waited_for(settings)
-    found, fault = [], None
-    for each in _members(settings):
-        if all(one in ready for one in (each.object, *each.instancers)):
-            found.append(_Found(seen_at(each, ready), *(ready[one] for one in (each.object, *each.instancers))))
+    found, fault = seen.gathered(_members(settings), ready), None
     if settings.collider is not None:
         collider = ready.get(settings.collider.original)
         if collider is None or deleted.is_deleted(collider):
             fault = GONE
         else:
-            found.append(_Found(collider.matrix_world, collider))
+            found.append(seen.alone(collider))
     return found, fault
-
-
-def seen_at(each, ready):
-    """Where what is Gathered stands. ready: {original: evaluated}."""
-    matrix = ready[each.object].matrix_world
-    for instancer in reversed(each.instancers):
-        matrix = ready[instancer].matrix_world @ Matrix.Translation(-instancer.instance_collection.instance_offset) @ matrix
-    return matrix
 
 
 def _members(settings):

@@ -5,9 +5,9 @@ import functools
 from ..core import native
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
+from ..core.scenery import meshes
 from ..core.scratch import scratch
 from ..core.system import Problem
-from . import placing
 from .properties import KEYWORDS, WHITE
 
 MOST = 1 << 24
@@ -108,7 +108,7 @@ def made(keywords, acceleration, poses, winds=None, faces=None, angles=None, col
 def collider(parts):
     """The native SnowCollider of faces that are Placed, or None where they cannot be one."""
     try:
-        return native.module.SnowCollider(*placing.joined(parts))
+        return native.module.SnowCollider(*meshes.joined(parts))
     except ValueError:
         return None
 

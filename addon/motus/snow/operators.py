@@ -7,7 +7,7 @@ from mathutils import Vector
 
 from ..core import libraries, viewports, wiring
 from ..core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
-from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named
+from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
 from ..core.rows import Rows
 from ..core.translations import tr
 from . import build, colliders, flakes, look, presets, rows
@@ -61,9 +61,9 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
 
     def run(self, context):
         check_finite(self, (*KEYWORDS, "location"))
-        surface = _surface(self.surface) if self.surface else None
-        collider = _surface(self.collider) if self.collider else None
-        collection = _collection(self.colliders) if self.colliders else None
+        surface = named_mesh(self.surface) if self.surface else None
+        collider = named_mesh(self.collider) if self.collider else None
+        collection = named_collection(self.colliders) if self.colliders else None
         camera = self._camera(context)
         chosen = self._chosen()
         keywords = self.given(KEYWORDS)
@@ -96,7 +96,7 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
         if self.flake:
             return {"look": 'OBJECT', "flake": named(self.flake)}
         if self.flakes:
-            return {"look": 'COLLECTION', "flakes": _collection(self.flakes)}
+            return {"look": 'COLLECTION', "flakes": named_collection(self.flakes)}
         return {}
 
     def _camera(self, context):
@@ -111,22 +111,6 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
         if context.scene.camera is None:
             raise Refused(tr("The scene has no camera"))
         return context.scene.camera
-
-
-def _collection(name):
-    found = bpy.data.collections.get(name)
-    if found is None:
-        raise Refused(tr("There is no collection {collection}").format(collection=name))
-    return found
-
-
-def _surface(name):
-    found = named(name)
-    if found.type != 'MESH':
-        raise Refused(tr("{object} is no mesh").format(object=found.name))
-    if not found.data.polygons and not found.modifiers:
-        raise Refused(tr("{object} has no faces").format(object=found.name))
-    return found
 
 
 def _check_count(settings):

@@ -1,6 +1,7 @@
 """Snow: what its solver reads, and the one call of the library."""
 
 from ..core import deleted
+from ..core.scenery import meshes
 from ..core.system import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
 from . import births, colliders, flakes, landings, view
 
@@ -94,7 +95,7 @@ def _faces(context, placed, surface):
         return NO_SURFACE
     if deleted.is_deleted(found):
         return SURFACE_DELETED
-    return births.faces(surface) or NO_FACES
+    return meshes.faces(surface) or NO_FACES
 
 
 def _winds(context):

@@ -14,6 +14,7 @@ import bpy
 from look_at import look_at_cases
 import numpy as np
 import support
+from walker import walker_cases
 
 FRAMES = (3.0, 20.5)
 OUTBOX, INFO = "motus_{}_out", "motus_{}_info"
@@ -118,19 +119,31 @@ def pinned():
     return owner
 
 
+def walker():
+    owner, shell, feet = walker_cases.cross("Robot")
+    owner.name = "Owner"
+    bpy.ops.motus.walker_add(object="Owner", feet=walker_cases.names(feet), body=shell.name, gait='TROT')
+    for frame, place in ((1, 0.0), (40, 1.0)):
+        owner.location.y = place
+        owner.keyframe_insert("location", frame=frame)
+    bpy.context.view_layer.update()
+    return owner
+
+
 def _operators(system):
     motus = bpy.ops.motus
     return {
         "path": (motus.path_refresh, lambda object: motus.path_follow_remove(object=object)),
         "ik": (motus.ik_refresh, lambda object: motus.ik_remove(object=object)),
         "look_at": (motus.look_at_refresh, lambda object: motus.look_at_remove(object=object, bone="Head")),
+        "walker": (motus.walker_refresh, lambda object: motus.walker_remove(object=object)),
         "pull": (motus.pin_restore, lambda object: motus.pin_remove(object=object, all=True)),
     }[system]
 
 
 CASES = [Case(system, build, *_operators(system)) for system, build in (
     ("path", follower), ("path", train), ("ik", chain), ("ik", long_chain), ("ik", driven_chain), ("look_at", head),
-    ("pull", pinned))]
+    ("pull", pinned), ("walker", walker))]
 
 
 # --- What is seen of them ----------------------------------------------------------------------------------------
@@ -335,7 +348,7 @@ def _plans(plan, random_numbers):
         return
     yield from (5, "", "5", "[" * 100000, "{}", '{"chains": [], "heads": [], "guards": [], "fingerprint": 1}')
     known = json.loads(plan)
-    entries = known.get("chains") or known.get("heads")
+    entries = _entries_of(known)
     for name, value in entries[0].items():
         for other in (None, -5, 1e300, math.nan, "nobody", [], ["nobody"], [1, 2], {"iterations": 1e300}, {"nobody": 1.0},
                       [value] * 3, *([value[:-1], value * 40] if isinstance(value, list) else [2**40])):
@@ -349,8 +362,12 @@ def _plans(plan, random_numbers):
 
 def _changed(plan, change):
     known = json.loads(plan)
-    change((known.get("chains") or known.get("heads"))[0])
+    change(_entries_of(known)[0])
     return known
+
+
+def _entries_of(known):
+    return known.get("chains") or known.get("heads") or known["feet"]
 
 
 def _putting_text(case, value):

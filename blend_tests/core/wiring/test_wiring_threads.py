@@ -61,7 +61,8 @@ class SolversTest(support.SceneTestCase):
                     module.bpy = bpy
         support.addon("core.wiring.revival").revive()
         self.assertEqual({name.partition(".")[0] for name in calls},
-                         {"path", "layers", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo"})
+                         {"path", "layers", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo",
+                          "walker"})
         self.assertEqual(asked, set())
 
 

@@ -4,12 +4,14 @@
 #include <pybind11/pybind11.h>
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <initializer_list>
 #include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 
@@ -49,6 +51,19 @@ namespace motus::bindings {
     if (overflow > 0 || value > highest) return static_cast<int>(highest);
     if (overflow < 0 || value < lowest) return static_cast<int>(lowest);
     return static_cast<int>(value);
+}
+
+/// Indices of samples; None: there are none.
+[[nodiscard]] inline std::vector<std::size_t> indices(py::handle object, std::string_view name) {
+    std::vector<std::size_t> result;
+    if (object.is_none()) return result;
+    if (!py::isinstance<py::iterable>(object)) wrong_type(object, name, "a sequence of indices");
+    for (const py::handle item : object) {
+        const int index = whole_number(item, name);
+        if (index < 0) value_error(name, "must be indices of samples");
+        result.push_back(static_cast<std::size_t>(index));
+    }
+    return result;
 }
 
 /// Of random numbers.

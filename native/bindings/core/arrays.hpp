@@ -165,6 +165,21 @@ class Points {
     return result;
 }
 
+/// (k, 4, 4) in rows, the same.
+[[nodiscard]] inline std::vector<glm::dmat4> matrices(py::handle object, std::string_view name) {
+    const DoubleArray array = doubles(object, name);
+    if (array.ndim() != 3 || array.shape(1) != 4 || array.shape(2) != 4)
+        value_error(name, "must have the shape (k, 4, 4), not " + shape_of(array));
+    std::vector<glm::dmat4> result(static_cast<std::size_t>(array.shape(0)));
+    const double* value = array.data();
+    for (glm::dmat4& one : result) {
+        for (int row = 0; row < 4; ++row) {
+            for (int column = 0; column < 4; ++column) one[column][row] = *value++;
+        }
+    }
+    return result;
+}
+
 /// A new array of the given shape.
 [[nodiscard]] inline DoubleArray new_array(std::initializer_list<std::size_t> shape) {
     return DoubleArray(py::array::ShapeContainer(shape.begin(), shape.end()));

@@ -44,18 +44,6 @@ struct Samples {
     std::size_t dimensions = 1;
 };
 
-[[nodiscard]] std::vector<std::size_t> indices(const py::object& resets) {
-    std::vector<std::size_t> result;
-    if (resets.is_none()) return result;
-    if (!py::isinstance<py::iterable>(resets)) wrong_type(resets, "resets", "a sequence of indices");
-    for (const py::handle item : resets) {
-        const int index = whole_number(item, "resets");
-        if (index < 0) value_error("resets", "must be indices of samples");
-        result.push_back(static_cast<std::size_t>(index));
-    }
-    return result;
-}
-
 [[nodiscard]] SecondOrder filter_of(const py::object& frequency, const py::object& damping,
                                     const py::object& response) {
     return {number(frequency, "frequency"), number(damping, "damping"), number(response, "response")};
@@ -197,7 +185,7 @@ or its length is a whole number of periods without damping.)")
         .def(py::init([](const SecondOrder& filter, const py::object& times, const py::object& inputs,
                          const py::object& resets, bool loop) {
                  const Samples samples(times, inputs);
-                 const std::vector<std::size_t> jumps = indices(resets);
+                 const std::vector<std::size_t> jumps = indices(resets, "resets");
                  return BoundTrack{Track(filter, samples.times_span(), samples.inputs_span(),
                                          samples.dimensions, jumps, loop ? Start::loop : Start::at_rest),
                                    samples.inputs.ndim() == 1};
@@ -246,7 +234,7 @@ the angle. With `loop` the last input has to be the first one again.)")
                      const double* row = samples.inputs.data() + 4 * i;
                      rotations.emplace_back(row[0], row[1], row[2], row[3]);
                  }
-                 const std::vector<std::size_t> jumps = indices(resets);
+                 const std::vector<std::size_t> jumps = indices(resets, "resets");
                  return RotationTrack(filter, samples.times_span(), rotations, jumps,
                                       loop ? Start::loop : Start::at_rest);
              }),

@@ -100,18 +100,10 @@ void set_surface(const py::object& positions, const py::object& triangles, Setti
     }
 }
 
-void set_emitter(const py::object& times, const py::object& matrices, Settings& settings) {
+void set_emitter(const py::object& times, const py::object& poses, Settings& settings) {
     const DoubleArray at = row(times, "emitter_times");
     settings.emitter_times.assign(at.data(), at.data() + at.size());
-    if (matrices.is_none()) return;
-    const DoubleArray rows = doubles(matrices, "emitter_matrices");
-    if (rows.ndim() != 3 || rows.shape(1) != 4 || rows.shape(2) != 4)
-        value_error("emitter_matrices", "must have the shape (k, 4, 4), not " + shape_of(rows));
-    for (py::ssize_t i = 0; i < rows.shape(0); ++i) {
-        glm::dmat4& matrix = settings.emitter_matrices.emplace_back();
-        for (int down = 0; down < 4; ++down)
-            for (int along = 0; along < 4; ++along) matrix[along][down] = rows.at(i, down, along);
-    }
+    if (!poses.is_none()) settings.emitter_matrices = matrices(poses, "emitter_matrices");
 }
 
 void set_frustum(const py::object& angles, const py::object& least, const py::object& most,

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from ...core import native
 from ...core.lazy import numpy as np
-from .. import placing
+from ...core.scenery import meshes
 
 MOST = 1 << 21
 """Vertices of the layer."""
@@ -23,7 +23,7 @@ class Ground(NamedTuple):
 @functools.lru_cache(maxsize=KEPT)
 def made(lain_on, shelters, resolution, up):
     """The Ground of what is Placed; None where it would have more than MOST vertices."""
-    positions, triangles = placing.joined(lain_on)
+    positions, triangles = meshes.joined(lain_on)
     try:
         positions, triangles = native.module.refine(positions, triangles, resolution, MOST)
     except ValueError:
@@ -31,6 +31,6 @@ def made(lain_on, shelters, resolution, up):
     layer = native.module.SnowLayer(positions, triangles, up)
     joined = [(positions, triangles)]
     if shelters:
-        more = placing.joined(shelters)
+        more = meshes.joined(shelters)
         joined.append((more[0], more[1] + np.int32(len(positions))))
     return Ground(native.module.SnowCollider(*map(np.concatenate, zip(*joined))), layer)

@@ -5,8 +5,9 @@ import math
 from ...core import copies, wiring
 from ...core.lazy import numpy as np
 from ...core.refusals import INFINITE
+from ...core.scenery import meshes, seen, stillness
 from ...core.system import Geometries, Points, Problem, Setting
-from .. import births, colliders, flakes, placing, stillness, view
+from .. import births, colliders, flakes, view
 from . import ground, sources, work
 
 NO_SURFACE = Problem("Add a mesh that snow is to lie on")
@@ -88,7 +89,7 @@ def _plan(context, settings, scenery):
     emitters = [found[obj] for obj in sources.emitters(settings)]
     if not emitters:
         return None, None, NO_SNOW
-    lain_on = [placing.placed(scenery[one.object], colliders.seen_at(one, scenery)) for one in surfaces]
+    lain_on = [meshes.placed(scenery[one.object], seen.matrix(one, scenery)) for one in surfaces]
     fault = SOME_WITHOUT if any(one is None for one in lain_on) else None
     lain_on = tuple(one for one in lain_on if one is not None)
     if not lain_on:
@@ -134,7 +135,7 @@ def _fall(context, emitter, pull, scenery):
     source, faces, angles = sources.source(emitter), None, None
     if snow.shape == 'SURFACE':
         source = scenery.get(source and source.original)
-        faces = source and births.faces(source)
+        faces = source and meshes.faces(source)
         if faces is None:
             return None, SOME_WITHOUT
     elif snow.shape == 'CAMERA':

@@ -5,8 +5,7 @@ What Blender does not tell counts as moving: constraints, drivers, physics, modi
 
 import bpy
 
-from ..core import actions, node_groups
-from . import births
+from .. import actions, node_groups, tracks
 
 _OVER_TIME = {'BUILD', 'CLOTH', 'DYNAMIC_PAINT', 'EXPLODE', 'FLUID', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN',
               'PARTICLE_INSTANCE', 'PARTICLE_SYSTEM', 'SOFT_BODY', 'WAVE'}
@@ -30,7 +29,7 @@ def moves(obj, scene, seen=None):
 def _goes(obj, scene):
     if obj.animation_data is None and obj.parent is None and not obj.constraints and obj.rigid_body is None:
         return False
-    track = births.track(obj, scene)
+    track = tracks.world_track(obj, scene)
     # A single key moves nothing.
     return not track.is_known or track.extent is not None and track.extent[0] != track.extent[1]
 

@@ -1,0 +1,12 @@
+"""The axes of an object, as enumerations name them."""
+
+AXES = (
+    ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
+    ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
+)
+
+
+def vector(identifier):
+    """(x, y, z) of an item of AXES."""
+    length = 1.0 if identifier.startswith("POS") else -1.0
+    return tuple(length * (axis == identifier[-1]) for axis in "XYZ")

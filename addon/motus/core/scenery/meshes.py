@@ -1,0 +1,118 @@
+"""Faces of evaluated meshes, read once for each copy that Blender makes of a mesh, and where they stand in the world."""
+
+import hashlib
+import threading
+from collections import OrderedDict
+from typing import Any, NamedTuple
+
+from .. import copies
+from ..lazy import numpy as np
+
+MOST_BYTES = 256 << 20
+"""Of faces that are kept."""
+
+_faces = OrderedDict()
+"""Number of an evaluated copy of a mesh -> its Faces, or None."""
+_lock = threading.Lock()
+
+
+def is_same(one, other):
+    """__eq__ of a named tuple with a `stamp` of all that it holds."""
+    return other is not None and one.stamp == other.stamp
+
+
+def hash_of(one):
+    """__hash__ of such a tuple."""
+    return hash(one.stamp)
+
+
+class Faces(NamedTuple):
+    """Triangles in the space of their object. stamp: of their content. area: m^2, in that space, at most."""
+
+    stamp: Any
+    positions: Any
+    triangles: Any
+    area: float
+
+    __eq__, __hash__ = is_same, hash_of
+
+    @property
+    def bytes(self):
+        return self.positions.nbytes + self.triangles.nbytes
+
+
+class Placed(NamedTuple):
+    """Faces and where they stand. stamp: of both."""
+
+    stamp: Any
+    faces: Any
+    matrix: Any
+
+    __eq__, __hash__ = is_same, hash_of
+
+    @property
+    def area(self):
+        """m^2 in the world: of what is scaled unevenly as much as it is at most."""
+        *_, larger, largest = sorted(axis.length for axis in self.matrix.to_3x3().col)
+        return self.faces.area * larger * largest
+
+    def chosen(self, which):
+        """Of these triangles alone, (t,) bool; None without any."""
+        if not which.any():
+            return None
+        faces = self.faces._replace(triangles=np.ascontiguousarray(self.faces.triangles[which]))
+        return self._replace(stamp=(self.stamp, which.tobytes()), faces=faces)
+
+
+def faces(obj):
+    """The Faces of an evaluated object's mesh; None where it has no area, or is no mesh. Kept for as long as Blender keeps that
+    copy of the mesh."""
+    if obj.type != 'MESH':
+        return None
+    mesh = obj.data
+    if mesh == obj.original.data:  # all its copies would have its number
+        return _read(mesh)
+    number = copies.number_given(mesh)
+    with _lock:  # a render's thread may be here at the same time as the viewport's
+        if number in _faces:
+            _faces.move_to_end(number)
+            return _faces[number]
+    found = _read(mesh)
+    with _lock:
+        _faces[number] = found
+        while len(_faces) > 1 and sum(one.bytes for one in _faces.values() if one) > MOST_BYTES:
+            _faces.popitem(last=False)
+    return found
+
+
+def _read(mesh):
+    mesh.calc_loop_triangles()
+    count = len(mesh.loop_triangles)
+    positions = np.empty(3 * len(mesh.vertices), np.float32)
+    triangles = np.empty(3 * count, np.int32)
+    areas = np.empty(count, np.float32)
+    mesh.vertices.foreach_get("co", positions)
+    mesh.loop_triangles.foreach_get("vertices", triangles)
+    mesh.loop_triangles.foreach_get("area", areas)
+    if not (np.isfinite(positions).all() and (areas > 0.0).any()):
+        return None
+    stamp = hashlib.blake2b(positions, digest_size=16)
+    stamp.update(triangles)
+    return Faces(stamp.digest(), positions.reshape(-1, 3), triangles.reshape(-1, 3), float(areas.sum(dtype=float)))
+
+
+def placed(obj, matrix):
+    """The faces of an evaluated mesh object, Placed; None where it has none."""
+    found = faces(obj)
+    return found and Placed((found.stamp, np.array(matrix, float).tobytes()), found, matrix.copy())
+
+
+def joined(parts):
+    """(positions (v, 3) in the world, float32; triangles (t, 3), int32) of several that are Placed."""
+    positions, triangles, count = [], [], 0
+    for part in parts:
+        rows = np.array(part.matrix, float)
+        positions.append((part.faces.positions @ rows[:3, :3].T + rows[:3, 3]).astype(np.float32))
+        triangles.append(part.faces.triangles + np.int32(count))
+        count += len(positions[-1])
+    return np.concatenate(positions), np.concatenate(triangles)

@@ -1,0 +1,186 @@
+"""Spanish: walkers."""
+
+_NO_KEYS_F = ". Sin claves: de ella sale todo el movimiento"
+_NO_KEYS_M = ". Sin claves: de él sale todo el movimiento"
+_NO_KEYS = ". No keys: the whole motion follows from it"
+
+INTERFACE = {
+    "Walker": "Caminante",
+    "The body or the ground moves with what the walker drives: what would wait for itself is left alone":
+        "El cuerpo o el suelo se mueve con lo que impulsa el caminante: se deja en paz lo que se esperaría a sí mismo",
+    "Some legs have no foot any more: add the walker again": "Algunas patas ya no tienen pie: vuelve a añadir el caminante",
+    "Some feet do not get to the ground where they should": "Algunos pies no llegan al suelo donde deberían",
+    "The walk is planned for the frames of the scene: here the feet stand":
+        "La marcha está planeada para los fotogramas de la escena: aquí los pies están quietos",
+    "Select the body that shall walk": "Selecciona el cuerpo que debe caminar",
+    "Nothing here walks": "Aquí nada camina",
+    "A foot is named twice": "Un pie se nombra dos veces",
+    "{object} would have {count} legs; there can be {most}": "{object} tendría {count} patas; puede haber {most}",
+    "{object} is no child of {parent}: parent it, and move {parent}":
+        "{object} no es hijo de {parent}: emparéntalo y mueve {parent}",
+    "{object} walks itself, and is no ground": "{object} camina también, y no es suelo",
+    "{object} has no chain of Inverse Kinematics with a target: add some, or name the feet":
+        "{object} no tiene ninguna cadena de cinemática inversa con objetivo: añade alguna, o nombra los pies",
+    "Name the objects that are the feet of {object}, or select them too":
+        "Nombra los objetos que son los pies de {object}, o selecciónalos también",
+    "{object} cannot be its own foot": "{object} no puede ser su propio pie",
+    "{object} is a foot of {leader} already": "{object} ya es un pie de {leader}",
+    "{bone} is connected to its parent, and cannot be a foot": "{bone} está conectado a su padre, y no puede ser un pie",
+    "Spider": "Araña",
+    "Eight legs in two groups, a body that hangs calmly between them":
+        "Ocho patas en dos grupos y un cuerpo que cuelga tranquilo entre ellas",
+    "Hunter": "Cazadora",
+    "Quick steps, and a body that goes along with them": "Pasos rápidos y un cuerpo que los acompaña",
+    "Insect": "Insecto",
+    "Two halves that take turns without a pause": "Dos mitades que se turnan sin pausa",
+    "Crawler": "Reptante",
+    "Waves of steps from the back to the front": "Ondas de pasos de atrás adelante",
+    "Cautious": "Cauto",
+    "A single leg at a time, under a body that hardly moves": "Una sola pata cada vez, bajo un cuerpo que apenas se mueve",
+    "Horse": "Caballo",
+    "Diagonal halves take turns, and the body swings a little": "Las mitades diagonales se turnan, y el cuerpo se balancea un poco",
+    "Camel": "Camello",
+    "The legs of a side go together, and the body rolls": "Las patas de un lado van juntas, y el cuerpo se mece",
+    "Machine": "Máquina",
+    "A stiff body, exactly where its feet have it": "Un cuerpo rígido, exactamente donde lo tienen sus pies",
+    "Tetrapod": "Tetrápodo",
+    "Every second leg of a side with the others of the other side, as spiders go":
+        "Una de cada dos patas de un lado con las otras del otro lado, como van las arañas",
+    "Tripod": "Trípode",
+    "The same in two halves that take turns without a pause, as insects run":
+        "Lo mismo en dos mitades que se turnan sin pausa, como corren los insectos",
+    "Ripple": "Onda doble",
+    "One leg after the other from the back to the front, the sides half a cycle apart":
+        "Una pata tras otra de atrás adelante, con medio ciclo entre los lados",
+    "Wave": "Onda",
+    "A single leg at a time, slow and safe": "Una sola pata cada vez, lento y seguro",
+    "Trot": "Trote",
+    "Diagonal halves take turns": "Las mitades diagonales se turnan",
+    "Pace": "Ambladura",
+    "Left and right legs take turns": "Las patas izquierdas y derechas se turnan",
+    "Own": "Propio",
+    "The phase of each leg is a setting of its own": "La fase de cada pata es un ajuste propio",
+    "Gait": "Paso",
+    "Which legs step together, and which after them": "Qué patas pisan juntas, y cuáles después",
+    "Own Duty": "Apoyo propio",
+    "Set how long feet stand, instead of what the gait says": "Fija cuánto apoyan los pies, en vez de lo que dice el paso",
+    "Duty": "Apoyo",
+    "Share of a cycle for which each foot stands" + _NO_KEYS: "Parte de un ciclo durante la que apoya cada pie" + _NO_KEYS_F,
+    "Stride": "Zancada",
+    "How far the body goes while a foot stands, at most" + _NO_KEYS:
+        "Cuánto avanza el cuerpo, como máximo, mientras un pie apoya" + _NO_KEYS_M,
+    "Cadence": "Cadencia",
+    "Cycles of all legs in a second, at least; a fast body has more" + _NO_KEYS:
+        "Ciclos de todas las patas por segundo, como mínimo; un cuerpo rápido tiene más" + _NO_KEYS_M,
+    "Clearance": "Despegue",
+    "How high feet are carried above the ground" + _NO_KEYS: "A qué altura sobre el suelo se llevan los pies" + _NO_KEYS_F,
+    "Minimum Step": "Paso mínimo",
+    "Feet that are no further than this from where they belong stay, so that a body that trembles does not patter" + _NO_KEYS:
+        "Los pies que no están más lejos de su sitio se quedan, para que un cuerpo que tiembla no patalee" + _NO_KEYS_M,
+    "Reach Up": "Alcance arriba",
+    "How far above the feet's rest places ground is looked for" + _NO_KEYS:
+        "Hasta qué altura sobre los sitios de reposo de los pies se busca suelo" + _NO_KEYS_F,
+    "Reach Down": "Alcance abajo",
+    "How far below the feet's rest places ground is looked for" + _NO_KEYS:
+        "Hasta qué profundidad bajo los sitios de reposo de los pies se busca suelo" + _NO_KEYS_F,
+    "Walk on a level plane too, beside the meshes": "Caminar también sobre un plano horizontal, además de las mallas",
+    "Of the plane, along the world's Z axis" + _NO_KEYS: "Del plano, según el eje Z del mundo" + _NO_KEYS_F,
+    "How much the body rises and sinks with the feet that stand" + _NO_KEYS:
+        "Cuánto sube y baja el cuerpo con los pies que apoyan" + _NO_KEYS_M,
+    "Tilt": "Inclinación",
+    "How much the body leans with the feet that stand" + _NO_KEYS: "Cuánto se inclina el cuerpo con los pies que apoyan" + _NO_KEYS_M,
+    "How quickly the body follows its feet, in Hz" + _NO_KEYS: "Con qué rapidez sigue el cuerpo a sus pies, en Hz" + _NO_KEYS_F,
+    "Below 1 the body swings about where its feet would have it" + _NO_KEYS:
+        "Por debajo de 1 el cuerpo oscila en torno a donde lo tendrían sus pies" + _NO_KEYS_M,
+    "Jump": "Salto",
+    "A body that goes further than this from one frame to the next has been put there, and its feet with it; 0 takes four strides" + _NO_KEYS:
+        "Un cuerpo que va más lejos de un fotograma al siguiente ha sido puesto allí, y sus pies con él; 0 toma cuatro zancadas" + _NO_KEYS_M,
+    "Axis of the body that points ahead": "Eje del cuerpo que apunta hacia delante",
+    "Axis of the body that points away from the ground": "Eje del cuerpo que se aleja del suelo",
+    "How much feet and body are where the walk has them; 0 leaves them to their own animation":
+        "Cuánto están pies y cuerpo donde los tiene la marcha; 0 los deja a su propia animación",
+    "Where the foot belongs, in the body's space, when the body stands on level ground":
+        "El sitio del pie, en el espacio del cuerpo, cuando este está sobre suelo llano",
+    "Rest": "Reposo",
+    "Hip": "Cadera",
+    "Where the leg begins, in the body's space": "Donde empieza la pata, en el espacio del cuerpo",
+    "Of the whole leg, before the body's scale; 0 for one that reaches everywhere" + _NO_KEYS:
+        "De toda la pata, antes de la escala del cuerpo; 0 para una que llega a todas partes" + _NO_KEYS_F,
+    "Phase": "Fase",
+    "Where in the cycle the leg is: those of one phase step together" + _NO_KEYS:
+        "En qué punto del ciclo está la pata: las de una misma fase pisan juntas" + _NO_KEYS_F,
+    "Bone of the armature that is the foot; empty where it is an object": "Hueso del esqueleto que es el pie; vacío si es un objeto",
+    "Foot": "Pie",
+    "Object that is the foot": "Objeto que es el pie",
+    "Legs": "Patas",
+    "Object below the one that is moved, which rises and leans with the feet":
+        "Objeto hijo del que se mueve, que sube y se inclina con los pies",
+    "Bone of the armature that rises and leans with the feet": "Hueso del esqueleto que sube y se inclina con los pies",
+    "Mesh object that the feet stand on": "Objeto de malla sobre el que apoyan los pies",
+    "Collection whose mesh objects the feet stand on": "Colección sobre cuyos objetos de malla apoyan los pies",
+    "Steps": "Pasos",
+    "At Rest From": "En reposo desde",
+    "{sentence}, and {count} more times": "{sentence}, y {count} veces más",
+    "{foot} finds no ground within reach on frames {first}-{last}":
+        "{foot} no encuentra suelo a su alcance en los fotogramas {first}-{last}",
+    "{foot} is too far from its leg on frames {first}-{last}": "{foot} está demasiado lejos de su pata en los fotogramas {first}-{last}",
+    "The leg of {foot} has no length": "La pata de {foot} no tiene longitud",
+    "There are no legs: add the walker again, and name its feet": "No hay patas: vuelve a añadir el caminante y nombra sus pies",
+    "A setting, or the body's motion, is not a finite number": "Un ajuste, o el movimiento del cuerpo, no es un número finito",
+    "The settings are outside of what a walk can be planned by": "Con estos ajustes no se puede planear ninguna marcha",
+    "The body's motion is not known ahead, and its feet do not step: record it, or key it":
+        "El movimiento del cuerpo no se conoce de antemano, y sus pies no pisan: grábalo, o ponle claves",
+    "Only the first 20,000 frames of the body's motion are walked: beyond, the feet stand":
+        "Solo se caminan los primeros 20.000 fotogramas del movimiento del cuerpo: más allá, los pies están quietos",
+    "The ground is gone: choose another one": "El suelo ya no está: elige otro",
+    "The ground has no faces": "El suelo no tiene caras",
+    "Ground that may move is left out: feet do not stand on it": "Se deja fuera el suelo que puede moverse: los pies no apoyan en él",
+    "Footholds": "Apoyos",
+    "Where feet stand, and how they come there, around the present frame":
+        "Dónde apoyan los pies, y cómo llegan, alrededor del fotograma actual",
+    "Rest Places": "Sitios de reposo",
+    "Where each foot belongs below the body": "El sitio de cada pie bajo el cuerpo",
+    "Let the feet of a body step by themselves where it is moved; they belong where they stand now":
+        "Deja que los pies de un cuerpo pisen solos por donde se mueve; su sitio es donde están ahora",
+    "Leave feet and body to their own animation again": "Vuelve a dejar pies y cuerpo a su propia animación",
+    "Let the feet belong where their own transforms have them on this frame":
+        "El sitio de los pies pasa a ser donde los tienen sus propias transformaciones en este fotograma",
+    "Wire the walker again, and plan its steps anew": "Vuelve a conectar el caminante, y planea de nuevo sus pasos",
+    "Select the body whose settings drive this one": "Selecciona el cuerpo cuyos ajustes impulsan este",
+    "Name of the body that is moved, such as the armature; empty takes the active object":
+        "Nombre del cuerpo que se mueve, como el esqueleto; vacío toma el objeto activo",
+    "Name of the body that walks; empty takes the active object": "Nombre del cuerpo que camina; vacío toma el objeto activo",
+    "Name of a mesh object that the feet stand on": "Nombre de un objeto de malla sobre el que apoyan los pies",
+    "Name of a collection whose mesh objects the feet stand on":
+        "Nombre de una colección sobre cuyos objetos de malla apoyan los pies",
+    "Feet": "Pies",
+    "Names of the feet with commas between: bones of the armature, or objects; empty takes the targets of its chains, or the other "
+    "selected objects":
+        "Nombres de los pies separados por comas: huesos del esqueleto, u objetos; vacío toma los objetivos de sus cadenas, o los demás "
+        "objetos seleccionados",
+    "Name of the bone, or of the child object, that rises and leans with the feet; empty takes the bone that all chains hang on":
+        "Nombre del hueso, o del objeto hijo, que sube y se inclina con los pies; vacío toma el hueso del que cuelgan todas las cadenas",
+    "{object} walks on {count} legs": "{object} camina con {count} patas",
+    "{count} feet belong where they were placed": "El sitio de {count} pies es donde se colocaron",
+    "Make a spider that walks wherever its armature is moved: key it, or let it follow a path":
+        "Hace una araña que camina adonde se mueva su esqueleto: ponle claves, o haz que siga una trayectoria",
+    "How many legs it has": "Cuántas patas tiene",
+    "Span": "Envergadura",
+    "How far its feet are apart, from one side to the other": "Cuánto distan sus pies, de un lado al otro",
+    "Of the bands on its legs, and of the pattern on its back": "De las bandas de sus patas y del dibujo de su dorso",
+    "Of the spider; the 3D cursor's, where it is not given": "De la araña; la del cursor 3D, si no se indica",
+    "Spiders on the Wall": "Arañas en el muro",
+    "A spider goes over the stones of a garden and up an old wall, and her young go after her":
+        "Una araña pasa sobre las piedras de un jardín y sube por un viejo muro, y sus crías la siguen",
+    "Walker Presets": "Preajustes de caminante",
+}
+
+OPERATORS = {
+    "Add Walker": "Añadir caminante",
+    "Remove Walker": "Quitar caminante",
+    "Take Rest Places": "Tomar sitios de reposo",
+    "Select Walker": "Seleccionar caminante",
+    "Add Spider": "Añadir araña",
+    "Add Walker Preset": "Añadir preajuste de caminante",
+    "Use Walker Preset": "Usar preajuste de caminante",
+}

@@ -1,0 +1,86 @@
+"""What a walker's feet stand on: meshes that stand still, beside the plane."""
+
+import functools
+
+from ..core import deleted, gathered, native, wiring
+from ..core.lazy import numpy as np
+from ..core.scenery import meshes, seen
+from ..core.system import Problem, is_owner, leader_of, pointed, registered
+
+GONE = Problem("The ground is gone: choose another one", blocking=False)
+NO_FACES = Problem("The ground has no faces", blocking=False)
+MOVING = Problem("Ground that may move is left out: feet do not stand on it", blocking=False)
+PROBLEMS = GONE, NO_FACES, MOVING
+
+DEEPEST = 64
+"""Parents above each other that are looked through."""
+KEPT = 8
+
+
+def objects(settings):
+    """What has to be evaluated before a walk is planned: meshes, and empties by which those of collections are seen."""
+    ground = pointed(settings, "ground")
+    alone = [] if ground is None or _leaves_out(settings)(ground) else [ground]
+    return alone + seen.awaited(_members(settings))
+
+
+def parts(settings, scene):
+    """(Placed of all that stands still, Problem or None) of evaluated settings."""
+    ready = wiring.waited_for(settings)
+    found, fault = seen.gathered(_members(settings), ready), None
+    ground = pointed(settings, "ground")
+    if ground is not None:
+        ground = ready.get(ground.original)
+        if ground is None or deleted.is_deleted(ground):
+            fault = GONE
+        else:
+            found.append(seen.alone(ground))
+    still = [one for one in found if not one.moves(scene)]
+    fault = fault or (MOVING if len(still) < len(found) else None)
+    placed = tuple(filter(None, (one.placed for one in still)))
+    return placed, fault or (NO_FACES if still and not placed else None)
+
+
+@functools.lru_cache(maxsize=KEPT)
+def made(placed, plane):
+    """The native WalkerGround of what is Placed, and of a level plane of a height, or None without."""
+    positions = triangles = None
+    if placed:
+        positions, triangles = meshes.joined(placed)
+    level = None if plane is None else np.array([(0.0, 0.0, plane), (0.0, 0.0, 1.0)])
+    return native.module.WalkerGround(positions, triangles, level)
+
+
+def _members(settings):
+    collection = pointed(settings, "grounds")
+    return [] if collection is None else list(gathered.meshes(collection, _leaves_out(settings)))
+
+
+def _leaves_out(settings):
+    """Says which objects are no ground: parts of this walker, its feet as well where it is being wired, and of others."""
+    feet = {leg.foot.original for leg in settings.legs if leg.foot}
+    return lambda obj: is_walking(obj, feet)
+
+
+def is_walking(obj, feet=frozenset()):
+    """Whether an object is part of a walker: what walks on what walks would wait for itself. feet: originals that count as such."""
+    walker = registered["walker"]
+    for modifier in obj.modifiers:
+        if modifier.type == 'ARMATURE' and modifier.object and _is_part(walker, modifier.object, feet):
+            return True
+    for _ in range(DEEPEST):
+        if obj is None:
+            return False
+        if _is_part(walker, obj, feet):
+            return True
+        obj = obj.parent
+    return True
+
+
+def _is_part(walker, obj, feet):
+    return is_owner(walker, obj) or leader_of(walker, obj) is not None or obj.original in feet
+
+
+def forget():
+    """Let go of what feet stood on."""
+    made.cache_clear()

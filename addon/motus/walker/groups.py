@@ -1,0 +1,77 @@
+"""What is wired on a walker: its feet by one solver, the body that leans by another."""
+
+import functools
+import json
+
+from ..core import dependencies, rigs, stored
+from ..core.system import BonesOwn, Entry, Group, Member, Transform
+from . import legs
+
+PLAN = "plan"
+"""Key of a group's data: a JSON object, see parsed()."""
+FEET, BODY = "feet", "body"
+"""Names of the entries; the first one's group has no key."""
+PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
+
+_FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "fingerprint": int}
+
+
+def entries(owner):
+    """For the order of evaluation: what feet and body read and drive."""
+    feet = legs.feet(owner)
+    if not feet:
+        return []
+    found = [Entry(FEET, ((owner, ""),), tuple(foot.driven for foot in feet))]
+    body = legs.body(owner)
+    if body is not None:
+        found.append(Entry(BODY, ((owner, ""), *_above(owner, body)), (body if owner.pose is None else body.name,)))
+    return found
+
+
+def _above(owner, body):
+    """The bone that a body bone hangs on, as what is read."""
+    return [(owner, body.parent.name)] if owner.pose and body.parent else []
+
+
+def groups(owner):
+    """One group for the feet, one for the body. What would wait for itself is left out."""
+    levels = dependencies.levels(owner)
+    feet, body = legs.feet(owner), legs.body(owner)
+    looped = {name for name in (FEET, BODY) if levels.get(("walker", name), 0) is None}
+    data = {PLAN: json.dumps({
+        "feet": [{"leg": foot.index, "is_bone": foot.is_bone} for foot in feet if FEET not in looped], "is_looped": bool(looped),
+        "lacks": len(owner.motus.walker.legs) - len(feet), "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}
+    found = [Group(
+        members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
+        inputs=(Transform(owner),), data=data)]
+    if body is not None and BODY not in looped:
+        own = (BonesOwn(owner, body.name),) if owner.pose else ()
+        found.append(Group(
+            key=BODY, members=(Member(body, _channels(owner, body), 'LOCAL', is_relative=True),),
+            inputs=(Transform(owner), *(Transform(*pair) for pair in _above(owner, body)), *own), data=data))
+    return tuple(found)
+
+
+def _channels(owner, body):
+    return TURN if owner.pose and body.bone.use_connect and body.parent else LEANING
+
+
+@functools.lru_cache(maxsize=64)
+def parsed(text):
+    """What a group notes: {"feet": of the members, "is_looped", "lacks": how many legs have no foot, "fingerprint": of the rig}.
+    Raises Damaged."""
+    said = stored.parse(text, _FORM)
+    order = [foot["leg"] for foot in said["feet"]]
+    if order != sorted(set(order)):
+        raise stored.Damaged("feet in another order")
+    return said
+
+
+def bone_renamed(owner, rig, old, new):
+    """Let feet and body follow a bone that was given another name."""
+    settings = owner.motus.walker
+    for leg in settings.legs if rig == owner else ():
+        if leg.name == old:
+            leg.name = new
+    if rig == owner and settings.body_bone == old:
+        settings.body_bone = new

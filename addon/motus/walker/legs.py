@@ -1,0 +1,60 @@
+"""The legs of a walker: whose feet they are, and which of them are there."""
+
+from typing import Any, NamedTuple
+
+import bpy
+
+from ..core import deleted, libraries
+from ..core.system import leader_of, registered
+
+
+class Foot(NamedTuple):
+    """The foot of a leg that is there. index: of the leg. thing: an Object, or a PoseBone of the owner."""
+
+    index: int
+    thing: Any
+
+    @property
+    def is_bone(self):
+        return isinstance(self.thing, bpy.types.PoseBone)
+
+    @property
+    def driven(self):
+        """What an Entry says of it."""
+        return self.thing.name if self.is_bone else self.thing
+
+
+def label(leg):
+    """What the interface calls a leg."""
+    return leg.name or (leg.foot.name if leg.foot else "")
+
+
+def feet(owner):
+    """The Foots that the owner drives, each thing once. The copy of a body lists the first one's objects, which are not its own."""
+    found, taken = [], set()
+    for index, leg in enumerate(owner.motus.walker.legs):
+        thing = _thing(owner, leg)
+        if thing is not None and thing not in taken:
+            taken.add(thing)
+            found.append(Foot(index, thing))
+    return found
+
+
+def _thing(owner, leg):
+    if leg.name:
+        return owner.pose.bones.get(leg.name) if owner.pose else None
+    foot = leg.foot
+    if foot is None or deleted.is_deleted(foot):
+        return None
+    return foot if libraries.is_free_or_of(foot, leader_of(registered["walker"], foot), owner) else None
+
+
+def body(owner):
+    """The Object or PoseBone that rises and leans; None without one."""
+    settings = owner.motus.walker
+    if owner.pose:
+        return owner.pose.bones.get(settings.body_bone)
+    thing = settings.body
+    if thing is None or thing.parent != owner or thing.parent_type != 'OBJECT' or deleted.is_deleted(thing):
+        return None
+    return thing if libraries.is_free_or_of(thing, leader_of(registered["walker"], thing), owner) else None

@@ -1,0 +1,128 @@
+"""Operators that let bodies walk, and take it back."""
+
+import bpy
+
+from ..core import wiring
+from ..core.operators import OBJECT_OR_POSE_MODE, OfAnObject, Operator, object_keyword, select_only
+from ..core.refusals import check_finite, named_collection
+from ..core.system import is_owner
+from ..core.translations import tr
+from . import rows, setup, targets
+from .properties import KEYWORDS, WalkerKeywords
+
+
+class GroundKeywords:
+    """What operators that add a walker know the ground by."""
+
+    ground: bpy.props.StringProperty(
+        name="Ground", description="Name of a mesh object that the feet stand on", options={'SKIP_SAVE'})
+    grounds: bpy.props.StringProperty(
+        name="Collection", description="Name of a collection whose mesh objects the feet stand on", options={'SKIP_SAVE'})
+
+
+def ground_of(operator, owner=None):
+    """Settings of the ground that an operator was given, by name."""
+    found = {}
+    if operator.ground:
+        found["ground"] = targets.ground_for(operator.ground, owner)
+    if operator.grounds:
+        found["grounds"] = named_collection(operator.grounds)
+    return found
+
+
+class MOTUS_OT_walker_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Operator):
+    bl_idname = "motus.walker_add"
+    bl_label = "Add Walker"
+    bl_description = "Let the feet of a body step by themselves where it is moved; they belong where they stand now"
+    bl_options = {'REGISTER', 'UNDO', 'PRESET'}
+
+    object: object_keyword("Name of the body that is moved, such as the armature; empty takes the active object")
+    feet: bpy.props.StringProperty(
+        name="Feet", description="Names of the feet with commas between: bones of the armature, or objects; empty takes the targets of "
+        "its chains, or the other selected objects", options={'SKIP_SAVE'})
+    body: bpy.props.StringProperty(
+        name="Body", description="Name of the bone, or of the child object, that rises and leans with the feet; empty takes the bone "
+        "that all chains hang on", options={'SKIP_SAVE'})
+
+    modes = OBJECT_OR_POSE_MODE
+    needs_native = True
+    redo = rows.ALL
+
+    @classmethod
+    def check_offer(cls, context):
+        owner = targets.owner_for(context, "")
+        targets.legs_for(context, owner, "")
+
+    def run(self, context):
+        check_finite(self, KEYWORDS)
+        owner = targets.owner_for(context, self.object)
+        changes = self.given(KEYWORDS) | ground_of(self, owner)
+        if is_owner(setup.system(), owner) and not self.feet:
+            setup.change(owner, changes | self._body(owner))
+        else:
+            found = targets.legs_for(context, owner, self.feet)
+            setup.attach(context, owner, found, targets.body_for(owner, self.body), changes)
+        self.report({'INFO'}, tr("{object} walks on {count} legs").format(
+            object=owner.name, count=len(owner.motus.walker.legs)))
+        wiring.report_problems(self, context, setup.system(), [owner])
+
+    def _body(self, owner):
+        """What shall rise and lean of a walker that is there, if it was named."""
+        return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body)} if self.body else {}
+
+
+class _OfAWalker(OfAnObject):
+    """Operators on a walker."""
+
+    object: object_keyword("Name of the body that walks; empty takes the active object")
+    modes = OBJECT_OR_POSE_MODE
+    found = staticmethod(targets.editable_walker)
+
+
+class MOTUS_OT_walker_remove(_OfAWalker, bpy.types.Operator):
+    bl_idname = "motus.walker_remove"
+    bl_label = "Remove Walker"
+    bl_description = "Leave feet and body to their own animation again"
+
+    def run(self, context):
+        owner = self.found(context, self.object)
+        setup.remove(owner)
+        self.report({'INFO'}, tr("Removed from {objects}").format(objects=owner.name))
+
+
+class MOTUS_OT_walker_rest(_OfAWalker, bpy.types.Operator):
+    bl_idname = "motus.walker_rest"
+    bl_label = "Take Rest Places"
+    bl_description = "Let the feet belong where their own transforms have them on this frame"
+
+    def run(self, context):
+        owner = self.found(context, self.object)
+        count = setup.take_rests(context, owner)
+        self.report({'INFO'}, tr("{count} feet belong where they were placed").format(count=count))
+
+
+class MOTUS_OT_walker_refresh(_OfAWalker, bpy.types.Operator):
+    bl_idname = "motus.walker_refresh"
+    bl_label = "Refresh"
+    bl_description = "Wire the walker again, and plan its steps anew"
+
+    def run(self, context):
+        wiring.refresh(setup.system(), self.found(context, self.object))
+
+
+class MOTUS_OT_walker_select(Operator, bpy.types.Operator):
+    bl_idname = "motus.walker_select"
+    bl_label = "Select Walker"
+    bl_description = "Select the body whose settings drive this one"
+
+    modes = OBJECT_OR_POSE_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        targets.walker_for(context, "")
+
+    def run(self, context):
+        select_only(context, targets.walker_for(context, ""))
+
+
+classes = (MOTUS_OT_walker_add, MOTUS_OT_walker_remove, MOTUS_OT_walker_rest, MOTUS_OT_walker_refresh, MOTUS_OT_walker_select)

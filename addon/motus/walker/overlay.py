@@ -1,0 +1,77 @@
+"""What the viewport shows of a walker: footholds, the ways that feet take from one to the next, and where each foot belongs."""
+
+import math
+
+from ..core.lazy import numpy as np
+from ..core.overlay import Batch, Overlay, Switch
+from ..core.system import Problem, is_owner, leader_of, registered
+from . import told
+
+LEFT_COLOR, RIGHT_COLOR = (0.35, 0.80, 1.0, 0.9), (1.0, 0.65, 0.25, 0.9)
+REST_COLOR = (0.85, 0.85, 0.90, 0.5)
+FAINT = 0.35
+"""Of the colour of a foothold, that of the way to it."""
+SECONDS = 4.0
+"""Before and after the present frame in which footholds are shown."""
+SIDES = 12
+SIZE = 0.12
+"""Radius of a foothold, of the body's stride."""
+
+
+def _batches(context, obj):
+    walker = registered["walker"]
+    owner = obj if is_owner(walker, obj) else leader_of(walker, obj)
+    if owner is None or not is_owner(walker, owner):
+        return []
+    planned = told.found(context, owner)
+    if isinstance(planned, Problem):
+        return []
+    evaluated = owner.evaluated_get(context.evaluated_depsgraph_get())
+    render = context.scene.render
+    now = context.scene.frame_current_final * render.fps_base / render.fps
+    shown, found = context.scene.motus, []
+    scale = evaluated.matrix_world.median_scale
+    size = SIZE * scale * owner.motus.walker.stride
+    if shown.show_walker_footholds:
+        found += _of_steps(planned.walker, now, size, _is_left(owner))
+    if shown.show_walker_rests:
+        matrix = np.array(evaluated.matrix_world)
+        rests = np.array([tuple(leg.rest) for leg in owner.motus.walker.legs])
+        rings = _rings(rests @ matrix[:3, :3].T + matrix[:3, 3], 0.7 * size)
+        found.append(Batch('LINES', rings.reshape(-1, 3).astype(np.float32), REST_COLOR))
+    return found
+
+
+def _is_left(owner):
+    """Whether each leg is on the side of the body's -X, (n,)."""
+    return np.array([leg.rest[0] < 0.0 for leg in owner.motus.walker.legs])
+
+
+def _of_steps(walker, now, size, is_left):
+    steps = walker.steps
+    near = np.flatnonzero((steps["touch"] > now - SECONDS) & (steps["lift"] < now + SECONDS))
+    if len(near) == 0:
+        return []
+    left = is_left[steps["leg"][near]]
+    found = []
+    for which, color in ((left, LEFT_COLOR), (~left, RIGHT_COLOR)):
+        rows = near[which]
+        if len(rows) == 0:
+            continue
+        rings = _rings(steps["end"][rows], size)
+        ways = np.stack([steps["start"][rows], steps["apex"][rows], steps["apex"][rows], steps["end"][rows]], axis=1)
+        found.append(Batch('LINES', rings.reshape(-1, 3).astype(np.float32), color, 2.0))
+        found.append(Batch('LINES', ways.reshape(-1, 3).astype(np.float32), (*color[:3], FAINT * color[3])))
+    return found
+
+
+def _rings(middles, radius):
+    """Ends of the lines of rings about places (n, 3): (n, 2 * SIDES, 3)."""
+    angles = np.arange(SIDES + 1) * 2.0 * math.pi / SIDES
+    ring = np.column_stack((radius * np.cos(angles), radius * np.sin(angles), np.zeros(SIDES + 1)))
+    return middles[:, None, :] + np.repeat(ring, 2, axis=0)[1:-1]
+
+
+overlay = Overlay(_batches, (
+    Switch("show_walker_footholds", "Footholds", "Where feet stand, and how they come there, around the present frame"),
+    Switch("show_walker_rests", "Rest Places", "Where each foot belongs below the body", False)))

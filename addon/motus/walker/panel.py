@@ -1,0 +1,118 @@
+"""The panel of a walker: in the sidebar's tab and in the object's constraint properties, on the body and on feet that are objects."""
+
+from ..core import panels, tracks, ui
+from ..core.system import Problem, is_owner, leader_of
+from ..core.translations import tr
+from . import legs, plan, presets, rows, told
+from .setup import system
+
+MOST_SHOWN = 16
+"""Legs in the panel."""
+
+
+def _walker(context):
+    """What walks, of which the active object is the body or a foot."""
+    obj = context.object
+    return obj if is_owner(system(), obj) else leader_of(system(), obj)
+
+
+def is_used(obj):
+    """Whether an object walks, or is part of what does."""
+    return is_owner(system(), obj) or leader_of(system(), obj) is not None
+
+
+def draw_main(layout, context):
+    """What is wrong, how the body's motion is known, and the gait."""
+    owner = _walker(context)
+    if owner != context.object:
+        box = layout.box().column()
+        box.label(text=owner.name, icon='LINKED', translate=False)
+        box.operator("motus.walker_select", icon='RESTRICT_SELECT_OFF')
+    problem = ui.draw_problem(layout, context, system(), owner, lambda one: told.sentence(context, owner, one))
+    track = plan.body_track(owner, context.scene)
+    if not track.is_known or track.extent is not None or problem == plan.UNKNOWN:
+        tracks.draw(layout, track, datablock=owner.name)
+    rows.GAIT.draw(ui.split(layout), owner.motus.walker)
+
+
+def draw_ground(layout, context):
+    """What the feet stand on."""
+    settings = _walker(context).motus.walker
+    column = ui.split(layout)
+    column.prop(settings, "ground")
+    column.prop(settings, "grounds")
+    rows.GROUND.draw(column, settings)
+
+
+def draw_body(layout, context):
+    """How the body goes along with its feet."""
+    owner = _walker(context)
+    settings = owner.motus.walker
+    column = ui.split(layout)
+    if owner.pose:
+        column.prop_search(settings, "body_bone", owner.data, "bones")
+    else:
+        column.prop(settings, "body")
+    rows.BODY.draw(column, settings)
+
+
+def draw_legs(layout, context):
+    """The feet, with phases of their own where the gait has these, and where they belong."""
+    owner = _walker(context)
+    settings = owner.motus.walker
+    column = layout.column(align=True)
+    for leg in settings.legs[:MOST_SHOWN]:
+        row = column.row()
+        row.label(text=legs.label(leg), icon='BONE_DATA' if leg.name else 'OBJECT_DATA', translate=False)
+        if settings.gait == 'OWN':
+            row.prop(leg, "phase", text="", slider=True)
+    if len(settings.legs) > MOST_SHOWN:
+        column.label(text=tr("and {count} more").format(count=len(settings.legs) - MOST_SHOWN), translate=False)
+    layout.operator("motus.walker_rest", icon='CON_FLOOR').object = owner.name
+
+
+def draw_whole(layout, context):
+    """The body's axes, jumps, and how much of the walk there is."""
+    rows.WHOLE.draw(ui.split(layout), _walker(context).motus.walker)
+
+
+def draw_readouts(layout, context):
+    """How many steps are planned, and until when."""
+    owner = _walker(context)
+    planned = told.found(context, owner)
+    if isinstance(planned, Problem):
+        return
+    steps = planned.walker.steps
+    render = context.scene.render
+    found = [ui.Readout(text="Steps", value=str(int((steps["touch"] > steps["lift"]).sum())))]
+    if planned.known == plan.EVER and len(steps["leg"]):
+        found.append(ui.Readout(
+            text="At Rest From", value=f"{planned.walker.settled * render.fps / render.fps_base:.0f}"))
+    ui.draw_readouts(layout, found)
+
+
+def draw_actions(layout, context):
+    """Baking and removing."""
+    column = layout.column(align=True)
+    ui.draw_bake(column, system())
+    column.operator("motus.walker_remove", text="Remove", icon='X').object = _walker(context).name
+
+
+def draw_add(layout, context):
+    """The button that lets what is selected walk."""
+    layout.operator("motus.walker_add", icon='ADD')
+
+
+PANEL = panels.SystemPanel(
+    name="walker", prefix="MOTUS_PT_walker", label="Walker",
+    editors={"": ui.Sidebar, "_constraint": ui.ObjectConstraints},
+    suits=lambda obj: True, is_used=is_used, draw=draw_main,
+    parts=(
+        panels.Part("ground", "Ground", draw_ground, is_open=True),
+        panels.Part("body", "Body", draw_body, is_open=True),
+        panels.Part("legs", "Legs", draw_legs),
+        panels.Part("whole", "More", draw_whole),
+    ),
+    readouts=draw_readouts, actions=draw_actions, refresh="motus.walker_refresh", presets=presets.PANEL, draw_add=draw_add)
+
+classes = panels.classes(PANEL)

@@ -1,0 +1,183 @@
+"""The steps of a whole shot, planned by the native library from the body's motion, the legs and the ground."""
+
+import math
+from typing import Any, NamedTuple
+
+from ..core import axes, native, tracks
+from ..core.lazy import numpy as np
+from ..core.refusals import INFINITE
+from ..core.system import Problem
+from ..core.tracks import keys
+from . import ground
+from .properties import NUMBERS
+
+MOST_FRAMES = 20_000
+"""That are planned."""
+LEAST_STRIDE = 1e-4
+"""m: a body that is scaled to nothing has steps too."""
+EVERYWHERE = 1e6
+"""m: length of a leg of which nobody knows how long it is."""
+SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
+"""Lengths before the body's scale, under the library's names."""
+
+NO_LEGS = Problem("There are no legs: add the walker again, and name its feet")
+NOT_FINITE = Problem("A setting, or the body's motion, is not a finite number")
+AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be across each other")
+OUT_OF_RANGE = Problem("The settings are outside of what a walk can be planned by")
+UNKNOWN = Problem("The body's motion is not known ahead, and its feet do not step: record it, or key it", blocking=False)
+TOO_LONG = Problem("Only the first 20,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
+PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, OUT_OF_RANGE, UNKNOWN, TOO_LONG, *ground.PROBLEMS)
+
+EVER = -math.inf, math.inf
+
+
+class Poses(NamedTuple):
+    """Where the body is over time. stamp: hashable, of all that the samples were read from, None where nobody can tell whether that
+    is still the same. known: (first, last) frame up to which it goes on as the samples say."""
+
+    stamp: Any
+    seconds: Any
+    matrices: Any
+    known: tuple
+
+
+class Numbers(NamedTuple):
+    """What the plan takes from the settings."""
+
+    gait: str
+    duty: float
+    values: tuple
+    forward: tuple
+    up: tuple
+    plane: Any
+    rest: tuple
+    hips: tuple
+    lengths: tuple
+    phases: tuple
+
+    def value(self, name):
+        """A number among NUMBERS."""
+        return self.values[NUMBERS.index(name)]
+
+
+class Plan(NamedTuple):
+    """walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from, None
+    where nobody can tell whether that is still the same. has_problems: whether walker.problems has any."""
+
+    walker: Any
+    fault: Any
+    known: tuple
+    stamp: Any
+    has_problems: bool
+
+
+def of(owner, scene, numbers):
+    """The Plan of an evaluated owner, or the Problem that keeps it from walking. numbers: read() of its settings."""
+    if isinstance(numbers, Problem):
+        return numbers
+    render = scene.render
+    poses, fault = body(owner, scene, render.fps / render.fps_base)
+    if poses is None:
+        return NOT_FINITE
+    placed, unsure = ground.parts(owner.motus.walker, scene)
+    stamp = None if poses.stamp is None else (numbers, poses.stamp, tuple(one.stamp for one in placed))
+    made = tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed))
+    if isinstance(made, Problem):
+        return made
+    walker, has_problems = made
+    return Plan(walker, fault or unsure, poses.known, stamp, has_problems)
+
+
+def read(settings):
+    """Numbers of the settings, or what is wrong with them."""
+    if not settings.legs:
+        return NO_LEGS
+    if settings.forward_axis[-1] == settings.up_axis[-1]:
+        return AXES_NOT_ACROSS
+    rest, hips = ([tuple(getattr(leg, name)) for leg in settings.legs] for name in ("rest", "hip"))
+    lengths, phases = ([getattr(leg, name) for leg in settings.legs] for name in ("length", "phase"))
+    values = tuple(getattr(settings, name) for name in NUMBERS)
+    if not all(abs(number) < INFINITE for number in (
+            *values, *lengths, *phases, *(part for place in (*rest, *hips) for part in place))):
+        return NOT_FINITE
+    return Numbers(
+        settings.gait, settings.duty if settings.use_duty or settings.gait == 'OWN' else 0.0, values,
+        axes.vector(settings.forward_axis), axes.vector(settings.up_axis),
+        settings.plane_height if settings.use_plane else None, tuple(rest), tuple(hips), tuple(lengths), tuple(phases))
+
+
+def body_track(owner, scene):
+    """The Track of what is moved."""
+    return tracks.world_track(owner, scene)
+
+
+def body(owner, scene, fps):
+    """(Poses, Problem or None) of an evaluated owner; None for poses that are not finite."""
+    track = body_track(owner, scene)
+    if not track.is_known:
+        return _standing(owner), UNKNOWN
+    stamp = track.stamp
+    # To find the extent takes longer than the stamp.
+    extent = tracks.kept_by(stamp, "walker", lambda: track.extent)
+    if extent is None:
+        return _standing(owner), None
+    first, last = span(extent, scene)
+    fault = None
+    if last - first > MOST_FRAMES:
+        last, fault = first + MOST_FRAMES, TOO_LONG
+    start, end = extent
+    known = first if math.isinf(start) else EVER[0], last if math.isinf(end) or fault else EVER[1]
+    place = "walker", first, last, fps
+    seconds, matrices = tracks.kept_by(stamp, place, lambda: _sampled(track, first, last, fps))
+    if not np.isfinite(matrices).all():
+        return None, None
+    return Poses(stamp and (stamp, place), seconds, matrices, known), fault
+
+
+def _standing(owner):
+    rows = np.array(owner.matrix_world, float)
+    if not np.isfinite(rows).all():
+        return None
+    return Poses(rows.tobytes(), np.zeros(1), rows[None], EVER)
+
+
+def span(extent, scene):
+    """(first, last) frame of a motion that is read: all of one that ends, else the scene's."""
+    start, end = extent
+    # From a frame before, so that the library sees the body come, or rest.
+    first = start - 1.0 if math.isfinite(start) else min(scene.frame_start - 1.0, end)
+    return first, end if math.isfinite(end) else max(scene.frame_end + 1.0, first)
+
+
+def _sampled(track, first, last, fps):
+    frames = np.array(keys.union([[first, *keys.whole(first, last), last], track.bounds(first, last)]), float)
+    seconds, places = np.unique(frames / fps, return_index=True)
+    return seconds, track.values(frames[places])
+
+
+def _made(numbers, poses, placed):
+    """(the native Walker, whether there are problems with its steps), or what is wrong with the settings."""
+    scale = abs(np.linalg.det(poses.matrices[0, :3, :3])) ** (1.0 / 3.0)
+    rest = np.array(numbers.rest)
+    try:
+        phases, duty = numbers.phases, numbers.duty
+        if numbers.gait != 'OWN':
+            phases, usual = native.module.walker_gait(numbers.gait.lower(), rest, numbers.forward, numbers.up)
+            duty = duty or usual
+        given = {name: scale * numbers.value(name) for name in SCALED} | _reach(numbers, scale)
+        given["stride"] = max(given["stride"], LEAST_STRIDE)
+        jump = scale * numbers.value("jump")
+        walker = native.module.Walker(
+            poses.seconds, poses.matrices, rest, ground.made(placed, numbers.plane), phases=phases, duty=duty,
+            cadence=numbers.value("cadence"), up=numbers.up, jump=jump or None, frequency=numbers.value("frequency"),
+            damping=numbers.value("damping"), height=numbers.value("body_height"), tilt=numbers.value("body_tilt"), **given)
+    except ValueError:
+        return OUT_OF_RANGE
+    return walker, bool(walker.problems)
+
+
+def _reach(numbers, scale):
+    """Keywords of what legs can reach; none where nothing is known of them."""
+    if not any(numbers.lengths):
+        return {}
+    return {"hips": np.array(numbers.hips), "lengths": np.array([scale * one if one else EVERYWHERE for one in numbers.lengths])}

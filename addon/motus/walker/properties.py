@@ -1,0 +1,122 @@
+"""Settings of walkers: Object.motus.walker of the body that is moved."""
+
+import bpy
+
+from ..core.axes import AXES
+from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
+
+MOST_LEGS = 64
+
+GAITS = (
+    ('TETRAPOD', "Tetrapod", "Every second leg of a side with the others of the other side, as spiders go"),
+    ('TRIPOD', "Tripod", "The same in two halves that take turns without a pause, as insects run"),
+    ('RIPPLE', "Ripple", "One leg after the other from the back to the front, the sides half a cycle apart"),
+    ('WAVE', "Wave", "A single leg at a time, slow and safe"),
+    ('TROT', "Trot", "Diagonal halves take turns"),
+    ('PACE', "Pace", "Left and right legs take turns"),
+    ('OWN', "Own", "The phase of each leg is a setting of its own"),
+)
+
+
+def _number(name, description, default, options=frozenset(), **more):
+    more.setdefault("update", touch)
+    return bpy.props.FloatProperty(
+        name=name, description=description + ("" if options else NO_KEYS), default=default, options=set(options),
+        override=OVERRIDABLE, **more)
+
+
+def _length(name, description, default, **more):
+    return _number(name, description, default, min=0.0, soft_max=2.0, subtype='DISTANCE', **more)
+
+
+def _factor(name, description, default, options=frozenset(), **more):
+    return _number(name, description, default, options, min=0.0, max=1.0, subtype='FACTOR', **more)
+
+
+def _switch(name, description, default=False):
+    return bpy.props.BoolProperty(
+        name=name, description=description, default=default, options=set(), update=touch, override=OVERRIDABLE)
+
+
+def _choice(name, description, items, default):
+    return bpy.props.EnumProperty(
+        name=name, description=description, items=items, default=default, options=set(), update=touch, override=OVERRIDABLE)
+
+
+class WalkerKeywords:
+    """What both the settings and the operators have: the names are the keywords of scripts.
+
+    Most have no keys: the steps of all frames follow from them.
+    """
+
+    gait: _choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
+    use_duty: _switch("Own Duty", "Set how long feet stand, instead of what the gait says")
+    duty: _number(
+        "Duty", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
+    stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5)
+    cadence: _number(
+        "Cadence", "Cycles of all legs in a second, at least; a fast body has more", 1.0, min=1e-3, max=100.0,
+        soft_min=0.2, soft_max=5.0)
+    clearance: _length("Clearance", "How high feet are carried above the ground", 0.1)
+    minimum_step: _length(
+        "Minimum Step", "Feet that are no further than this from where they belong stay, so that a body that trembles does not patter",
+        0.0)
+    reach_up: _length("Reach Up", "How far above the feet's rest places ground is looked for", 0.5)
+    reach_down: _length("Reach Down", "How far below the feet's rest places ground is looked for", 1.0)
+    use_plane: _switch("Plane", "Walk on a level plane too, beside the meshes")
+    plane_height: _number("Height", "Of the plane, along the world's Z axis", 0.0, subtype='DISTANCE')
+    body_height: _factor("Height", "How much the body rises and sinks with the feet that stand", 1.0)
+    body_tilt: _factor("Tilt", "How much the body leans with the feet that stand", 0.7)
+    frequency: _number(
+        "Frequency", "How quickly the body follows its feet, in Hz", 1.5, min=1e-3, max=1000.0, soft_min=0.2, soft_max=5.0)
+    damping: _number(
+        "Damping", "Below 1 the body swings about where its feet would have it", 1.0, min=0.0, max=100.0, soft_max=2.0)
+    jump: _number(
+        "Jump", "A body that goes further than this from one frame to the next has been put there, and its feet with it; 0 takes "
+        "four strides", 0.0, min=0.0, soft_max=10.0, subtype='DISTANCE')
+    forward_axis: _choice("Forward", "Axis of the body that points ahead", AXES, 'POS_Y')
+    up_axis: _choice("Up", "Axis of the body that points away from the ground", AXES, 'POS_Z')
+    influence: _factor(
+        "Influence", "How much feet and body are where the walk has them; 0 leaves them to their own animation", 1.0, ANIMATED)
+
+
+KEYWORDS = tuple(WalkerKeywords.__annotations__)
+NUMBERS = ("duty", "stride", "cadence", "clearance", "minimum_step", "reach_up", "reach_down", "plane_height", "body_height",
+           "body_tilt", "frequency", "damping", "jump")
+"""Of the keywords, what the plan is made of and may be no finite number."""
+
+
+def _numbers(name, description):
+    return bpy.props.FloatVectorProperty(
+        name=name, description=description, size=3, subtype='XYZ', unit='LENGTH', options=set(), update=touch, override=OVERRIDABLE)
+
+
+class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
+    name: bpy.props.StringProperty(
+        name="Bone", description="Bone of the armature that is the foot; empty where it is an object", update=rewire, options=set(),
+        override=OVERRIDABLE)
+    foot: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE)
+    rest: _numbers("Rest", "Where the foot belongs, in the body's space, when the body stands on level ground")
+    hip: _numbers("Hip", "Where the leg begins, in the body's space")
+    length: _length("Length", "Of the whole leg, before the body's scale; 0 for one that reaches everywhere", 0.0)
+    phase: _factor("Phase", "Where in the cycle the leg is: those of one phase step together", 0.0)
+
+
+class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
+    legs: bpy.props.CollectionProperty(type=MOTUS_PG_walker_leg, name="Legs", override=EXTENDABLE)
+    body: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Body", description="Object below the one that is moved, which rises and leans with the feet",
+        update=rewire, override=OVERRIDABLE, poll=lambda settings, obj: obj.parent == settings.id_data)
+    body_bone: bpy.props.StringProperty(
+        name="Body", description="Bone of the armature that rises and leans with the feet", update=rewire, options=set(),
+        override=OVERRIDABLE)
+    ground: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Ground", description="Mesh object that the feet stand on", update=rewire, override=OVERRIDABLE,
+        poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
+    grounds: bpy.props.PointerProperty(
+        type=bpy.types.Collection, name="Collection", description="Collection whose mesh objects the feet stand on", update=rewire,
+        override=OVERRIDABLE)
+
+
+classes = (MOTUS_PG_walker_leg, MOTUS_PG_walker)

@@ -1,0 +1,20 @@
+"""The rows of a walker's settings: in the panels, and for the keywords in the redo panel."""
+
+from ..core.rows import Row, Rows
+
+
+def _is_on(name):
+    return lambda settings: getattr(settings, name)
+
+
+def _has_duty(settings):
+    return settings.use_duty or settings.gait == 'OWN'
+
+
+GAIT = Rows((
+    "gait", Row("use_duty", when=lambda settings: settings.gait != 'OWN'), Row("duty", when=_has_duty), "stride", "cadence",
+    "clearance", "minimum_step"), title="Gait")
+GROUND = Rows(("use_plane", Row("plane_height", when=_is_on("use_plane")), "reach_up", "reach_down"), title="Ground")
+BODY = Rows(("body_height", "body_tilt", "frequency", "damping"), title="Body")
+WHOLE = Rows(("forward_axis", "up_axis", "jump", "influence"), title="Walker")
+ALL = (GAIT, GROUND, BODY, WHOLE)

@@ -1,0 +1,121 @@
+"""Setting walkers up and taking them back: plain functions behind the operators."""
+
+from typing import Any, NamedTuple
+
+from mathutils import Vector
+
+from ..core import actions, entries, wiring
+from ..core.system import forget, registered
+from . import legs
+
+PREFIX = "motus.walker."
+SHARES = {"stride": 0.5, "clearance": 0.16, "reach_up": 0.8, "reach_down": 1.2}
+"""Lengths where none are given, times how far the feet stand from their middle on the average."""
+
+
+class Leg(NamedTuple):
+    """A leg to be. bone: of the owner, or foot: an Object. hip: place in the owner's space; length: 0 where nobody knows it."""
+
+    bone: str
+    foot: Any
+    hip: Vector
+    length: float
+
+    def place(self, owner):
+        """Where the foot stands, in the world, original or evaluated owner and foot alike."""
+        return owner.matrix_world @ owner.pose.bones[self.bone].head if self.bone else self.foot.matrix_world.translation
+
+
+def system():
+    """The registered System: the package's __init__ imports this module, not the other way round."""
+    return registered["walker"]
+
+
+def attach(context, owner, found, body, changes):
+    """Let an owner walk. found: Legs. body: name of a bone, or an Object, or None. changes: settings by name.
+
+    The feet stand where they belong; of lengths that are not given those of a new walker suit the legs.
+    """
+    was_active = owner.motus.walker.is_active
+    before = _led(owner) if was_active else ()
+    rests = _own_rests(context, owner, found)
+    with entries.unwired(owner.motus.walker) as settings:
+        settings.legs.clear()
+        for leg, rest in zip(found, rests):
+            entry = settings.legs.add()
+            entry.name, entry.foot, entry.rest, entry.hip, entry.length = leg.bone, leg.foot, rest, leg.hip, leg.length
+        if owner.pose:
+            settings.body_bone = body or ""
+        else:
+            settings.body = body
+    change(owner, changes if was_active else lengths(rests) | changes)
+    _forget([obj for obj in before if obj not in _led(owner)])
+
+
+def _led(owner):
+    """The objects that an owner drives beside itself."""
+    things = [*(foot.thing for foot in legs.feet(owner)), legs.body(owner)]
+    return [thing for thing in things if thing is not None and thing == thing.id_data]
+
+
+def _forget(objects):
+    """Let objects that nobody drives any more hold no settings."""
+    for obj in objects:
+        forget(system(), obj)
+
+
+def change(owner, changes):
+    """Give an owner other settings, by name, and wire it."""
+    with entries.unwired(owner.motus.walker) as settings:
+        for name, value in changes.items():
+            setattr(settings, name, value)
+    wire(owner)
+
+
+def wire(owner):
+    """Wire an owner as its settings are now."""
+    if owner.motus.walker.is_active:
+        wiring.refresh(system(), owner)
+    else:
+        wiring.attach(system(), owner)
+
+
+def _own_rests(context, owner, found):
+    """Where the feet of Legs stand by their own transforms, in the owner's space."""
+    is_active = owner.motus.walker.is_active
+    if is_active:
+        wiring.set_muted(system(), owner, True)
+    context.view_layer.update()
+    depsgraph = context.view_layer.depsgraph
+    evaluated = owner.evaluated_get(depsgraph)
+    inverse = evaluated.matrix_world.inverted_safe()
+    rests = [inverse @ leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph)).place(evaluated) for leg in found]
+    if is_active:
+        wiring.set_muted(system(), owner, False)
+    return rests
+
+
+def lengths(rests):
+    """Settings that suit feet which stand so, in the owner's space."""
+    middle = sum(rests, Vector()) / len(rests)
+    size = sum((rest - middle).length for rest in rests) / len(rests) or 1.0
+    return {name: share * size for name, share in SHARES.items()}
+
+
+def take_rests(context, owner):
+    """Let the feet belong where their own transforms have them now; returns how many there are."""
+    entries_of = owner.motus.walker.legs
+    feet = legs.feet(owner)
+    found = [Leg(entries_of[foot.index].name, entries_of[foot.index].foot, Vector(), 0.0) for foot in feet]
+    for foot, rest in zip(feet, _own_rests(context, owner, found)):
+        owner.motus.walker.legs[foot.index].rest = rest
+    return len(feet)
+
+
+def remove(owner):
+    """Take the walker back: wiring, keys of its settings, and the settings themselves."""
+    led = _led(owner)
+    wiring.detach(system(), owner)
+    _forget(led)
+    actions.remove(owner, (PREFIX,))
+    forget(system(), owner)

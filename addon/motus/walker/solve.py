@@ -1,0 +1,88 @@
+"""Walkers: what their solvers read, and the look-up in the plan of the shot."""
+
+from mathutils import Matrix
+
+from ..core import rigs
+from ..core.lazy import numpy as np
+from ..core.stored import Damaged
+from ..core.system import Geometries, Problem
+from . import groups, ground, leaning, legs, plan
+
+LOOPED = Problem("The body or the ground moves with what the walker drives: what would wait for itself is left alone", blocking=False)
+LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
+UNREACHED = Problem("Some feet do not get to the ground where they should", blocking=False)
+BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
+BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
+PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, UNREACHED, BEYOND, BONES_CHANGED)
+
+INPUTS = (Geometries("awaited", of=ground.objects),)
+
+
+class Wired:
+    """Where the body's bone is in the arrays of its rig."""
+
+    def __init__(self, rig, rows, name):
+        self.still = rigs.still(rig, tuple(rows))
+        self.row = rows[name]
+
+
+def solve(context, awaited):
+    """Places of the feet, or what the body does on top of its own animation, at the context's frame.
+
+    awaited: meshes of the ground, which are read where they are seen.
+    """
+    del awaited
+    owner, scene = context.owner, context.depsgraph.scene
+    wired = groups.parsed(context.data.get(groups.PLAN))
+    found = plan.of(owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)))
+    if isinstance(found, Problem):
+        return found
+    seconds = context.frame / context.fps
+    if context.group == groups.BODY:
+        return _lean(context, found.walker, seconds)
+    _stand(context, found.walker.feet(seconds), wired["feet"])
+    return _fault(found, wired, context.frame)
+
+
+def _fault(found, wired, frame):
+    if wired["is_looped"]:
+        return LOOPED
+    if wired["lacks"]:
+        return LACKING
+    if found.fault:
+        return found.fault
+    if not found.known[0] <= frame <= found.known[1]:
+        return BEYOND
+    return UNREACHED if found.has_problems else None
+
+
+def _stand(context, places, feet):
+    """Put the feet where they stand. feet: of the members, as groups.parsed() has them."""
+    if len(feet) != len(context.locations) or feet and feet[-1]["leg"] >= len(places):
+        raise Damaged("another number of feet")
+    if not feet:
+        return
+    context.locations[:] = places[[foot["leg"] for foot in feet]]
+    bones = [row for row, foot in enumerate(feet) if foot["is_bone"]]
+    if bones:
+        inverse = np.array(context.owner.matrix_world.inverted_safe(), float)
+        context.locations[bones] = context.locations[bones] @ inverse[:3, :3].T + inverse[:3, 3]
+
+
+def _lean(context, walker, seconds):
+    lift, turn = leaning.share(*walker.body(seconds), context.settings.influence)
+    owner, body = context.owner, legs.body(context.owner)
+    if body is None or len(context.locations) != 1:
+        return BONES_CHANGED
+    world = owner.matrix_world
+    if owner.pose:
+        try:
+            known = rigs.plan(owner, f"{context.data[groups.PLAN]} {body.name}", lambda rig, rows: Wired(rig, rows, body.name))
+        except KeyError:
+            return BONES_CHANGED
+        basis = Matrix(rigs.basis(owner, known.still)[known.row].reshape(4, 4).T.tolist())
+        place, axes = leaning.of_bone(body, basis, body.parent and body.parent.matrix, world)
+    else:
+        place, axes = leaning.of_object(body, body.matrix_basis, world)
+    context.locations[0], context.rotations[0] = leaning.relative(place, axes, world.translation, lift, turn)
+    return None

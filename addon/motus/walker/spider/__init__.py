@@ -1,0 +1,1 @@
+"""A spider that is made by a script: an armature with legs that walk, and a mesh on it."""

@@ -1,0 +1,160 @@
+"""Which objects an operator works on, and what their legs are: by name from scripts, else by selection. Refusals are sentences."""
+
+from mathutils import Vector
+
+from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named, named_mesh
+from ..core.system import is_owner, leader_of, of_owner, registered
+from ..core.translations import tr
+from . import ground, setup
+from .properties import MOST_LEGS
+
+
+def owner_for(context, name):
+    """The object that shall walk: by name, else the active one."""
+    found = named(name) if name else context.object
+    if found is None:
+        raise Refused(tr("Select the body that shall walk"))
+    check_editable(found)
+    return found
+
+
+def walker_for(context, name):
+    """The same, where it walks; a foot or body stands for what it belongs to."""
+    found = named(name) if name else context.object
+    if found is not None and not is_owner(setup.system(), found):
+        found = leader_of(setup.system(), found)
+    if found is None or not is_owner(setup.system(), found):
+        raise Refused(tr("Nothing here walks"))
+    return found
+
+
+def editable_walker(context, name):
+    """The same, where its set-up may be changed."""
+    found = walker_for(context, name)
+    check_editable(found)
+    return found
+
+
+def check_editable(owner):
+    """Refuse an object whose set-up must not be changed."""
+    check_local(owner)
+    if owner.is_property_set("motus"):
+        check_unbaked(owner, owner.motus.walker)
+
+
+def legs_for(context, owner, names):
+    """The setup.Legs of an owner: of the feet that are named, else of the chains of an armature, or of the selected objects."""
+    listed = [name.strip() for name in names.split(",") if name.strip()]
+    if owner.type == 'ARMATURE':
+        found = [_named_foot(owner, name) for name in listed] if listed else _legs_of_chains(owner)
+        if not found:
+            raise Refused(tr("{object} has no chain of Inverse Kinematics with a target: add some, or name the feet").format(
+                object=owner.name))
+    else:
+        chosen = [named(name) for name in listed] or _selected_feet(context, owner)
+        if not chosen:
+            raise Refused(tr("Name the objects that are the feet of {object}, or select them too").format(object=owner.name))
+        found = [setup.Leg("", obj, Vector(), 0.0) for obj in chosen]
+    if len(found) > MOST_LEGS:
+        raise Refused(tr("{object} would have {count} legs; there can be {most}").format(
+            object=owner.name, count=len(found), most=MOST_LEGS))
+    _check_feet(owner, found)
+    return found
+
+
+def _selected_feet(context, owner):
+    chosen = [obj for obj in context.selected_objects if obj != owner and obj.parent != owner]
+    return sorted(chosen, key=lambda obj: obj.name) if context.object == owner else []
+
+
+def _named_foot(owner, name):
+    """A bone of the armature that is moved by itself, or the end of a chain, whose target is the foot."""
+    check_bone(owner, name)
+    return next((leg for bone, leg in _chains(owner) if bone == name or leg.bone == name), None) or setup.Leg(
+        name, None, Vector(), 0.0)
+
+
+def _legs_of_chains(owner):
+    return [leg for _, leg in _chains(owner)]
+
+
+def _chains(owner):
+    """(last bone, Leg) of each chain of Inverse Kinematics that has a target: an object, or a bone of the armature itself."""
+    found = []
+    system = registered["ik"]
+    if not is_owner(system, owner):
+        return found
+    for entry in system.entries(owner):
+        settings = of_owner(system, owner).entries[entry.name]
+        own = settings.target == owner and settings.target_bone in owner.pose.bones
+        if settings.target is None or settings.is_muted or settings.target.pose and not own:
+            continue
+        bones = _upwards(owner, entry)
+        found.append((entry.name, setup.Leg(
+            settings.target_bone if own else "", None if own else settings.target, bones[-1].head_local,
+            sum(bone.length for bone in bones))))
+    return found
+
+
+def _upwards(owner, entry):
+    """The bones of a chain, from the end on."""
+    bone = owner.data.bones[entry.name]
+    found = [bone]
+    while bone.parent and bone.parent.name in entry.drives:
+        bone = bone.parent
+        found.append(bone)
+    driven = [one for one in found if one.name in entry.drives]
+    return driven or found
+
+
+def body_for(owner, name):
+    """What rises and leans: a bone by name, or the one that all legs hang on; of other objects a child by name. None without."""
+    if owner.type == 'ARMATURE':
+        if name:
+            check_bone(owner, name)
+        return name or _common_bone(owner)
+    if not name:
+        return None
+    found = named(name)
+    if found.parent != owner or found.parent_type != 'OBJECT':
+        raise Refused(tr("{object} is no child of {parent}: parent it, and move {parent}").format(
+            object=found.name, parent=owner.name))
+    check_local(found)
+    return found
+
+
+def _common_bone(owner):
+    """Name of the lowest bone that all chains hang on; "" where there is none."""
+    if not is_owner(registered["ik"], owner):
+        return ""
+    above = [[one.name for one in _upwards(owner, entry)[-1].parent_recursive] for entry in registered["ik"].entries(owner)]
+    shared = [name for name in above[0] if all(name in one for one in above)] if above else []
+    return shared[0] if shared else ""
+
+
+def _check_feet(owner, found):
+    """Refuse feet that cannot be moved."""
+    for leg in found:
+        if leg.bone:
+            bone = owner.pose.bones[leg.bone]
+            if bone.bone.use_connect and bone.parent:
+                raise Refused(tr("{bone} is connected to its parent, and cannot be a foot").format(bone=leg.bone))
+            continue
+        foot = leg.foot
+        check_local(foot)
+        if foot == owner:
+            raise Refused(tr("{object} cannot be its own foot").format(object=owner.name))
+        leader = leader_of(setup.system(), foot)
+        if leader not in {None, owner}:
+            raise Refused(tr("{object} is a foot of {leader} already").format(object=foot.name, leader=leader.name))
+    names = [leg.bone or leg.foot.name for leg in found]
+    if len(set(names)) < len(names):
+        raise Refused(tr("A foot is named twice"))
+
+
+def ground_for(name, owner):
+    """The mesh object of this name that feet stand on."""
+    found = named_mesh(name)
+    if found == owner or ground.is_walking(found):
+        raise Refused(tr("{object} walks itself, and is no ground").format(object=found.name))
+    return found

@@ -1,0 +1,38 @@
+"""What is wrong with a walk, with the names of what it is about."""
+
+import math
+
+from ..core.system import Problem
+from ..core.translations import tr
+from . import legs, plan, solve
+
+
+def found(context, owner):
+    """The Plan of an original owner as it is evaluated now, or the Problem that keeps it from walking."""
+    evaluated = owner.evaluated_get(context.evaluated_depsgraph_get())
+    return plan.of(evaluated, context.scene, plan.read(evaluated.motus.walker))
+
+
+def sentence(context, owner, problem):
+    """The sentence of a Problem of an original owner, in the user's language."""
+    if problem == solve.UNREACHED:
+        planned = found(context, owner)
+        troubles = [] if isinstance(planned, Problem) else planned.walker.problems
+        if troubles:
+            return _unreached(context, owner, *min(troubles, key=lambda one: one[1]), len(troubles) - 1)
+    return tr(problem.sentence)
+
+
+def _unreached(context, owner, leg, first, last, reason, more):
+    render = context.scene.render
+    frames = [_frame(seconds * render.fps / render.fps_base) for seconds in (first, last)]
+    said = {"no_ground": lambda: tr("{foot} finds no ground within reach on frames {first}-{last}"),
+            "out_of_reach": lambda: tr("{foot} is too far from its leg on frames {first}-{last}"),
+            "no_length": lambda: tr("The leg of {foot} has no length")}[reason]()
+    entry = owner.motus.walker.legs[leg]
+    told = said.format(foot=legs.label(entry), first=frames[0], last=frames[1])
+    return told if more == 0 else tr("{sentence}, and {count} more times").format(sentence=told, count=more)
+
+
+def _frame(number):
+    return f"{number:.0f}" if math.isfinite(number) else "∞" if number > 0.0 else "-∞"

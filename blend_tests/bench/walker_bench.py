@@ -1,0 +1,77 @@
+"""What walkers cost a frame: spiders whose feet stand on a mesh, beside the same spiders whose feet nobody moves. Run by ./motus bench.
+
+The scenes take turns, as in typical_bench.py. Planning a shot anew, as after an edit of a setting, is a row of its own.
+"""
+
+import sys
+import time
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
+
+import support  # noqa: E402  (found by the line above)
+import typical_bench  # noqa: E402
+
+SPIDERS = 10
+BOUNDS = {"one spider": 0.300, f"{SPIDERS} spiders": 3.000}  # ms
+PLANNING, FRAMES = 50.0, 250  # ms, of so many frames
+ROUNDS = 20
+
+
+def new_spiders(count):
+    """Spiders of eight legs, keyed, that do not walk."""
+    from walker import walker_cases
+
+    found = []
+    for index in range(count):
+        land = walker_cases.grid("Land", walker_cases.waves, half=3.0)
+        spider = walker_cases.spider(ahead=0.0, location=(0.0, 0.0, 0.0))
+        bpy.ops.motus.walker_remove(object=spider.name)
+        walker_cases.key_places(spider, {1: (0.0, -2.0, 0.0), FRAMES: (0.0, 2.0, 0.0)})
+        spider.location.x = land.location.x = 8.0 * index
+        found.append((spider, land))
+    return found
+
+
+def walk(spiders):
+    for spider, land in spiders:
+        bpy.ops.motus.walker_add(object=spider.name, ground=land.name)
+
+
+def report():
+    print(f"| Cost added to a frame by walkers, ms, Blender {bpy.app.version_string}: the median of rounds, the least, the bound")
+    for name, count in (("one spider", 1), (f"{SPIDERS} spiders", SPIDERS)):
+        rounds = typical_bench.costs(lambda count=count: new_spiders(count), walk) / 1e3
+        extra = rounds[:, 1] - rounds[:, 0]
+        print(f"| {name:24} {np.median(extra):9.4f} {extra.min():9.4f} {BOUNDS[name]:9.3f}")
+    print(f"| {'planning 250 frames':24} {planning():9.4f} {'':9} {PLANNING:9.3f}")
+
+
+def planning():
+    """ms of an edit that has the steps planned anew beyond those of one that does not, each the least."""
+    support.empty_scene()
+    bpy.context.scene.frame_end = FRAMES
+    (spider, _), = spiders = new_spiders(1)
+    walk(spiders)
+    settings = spider.motus.walker
+
+    def least(change):
+        found = []
+        for index in range(ROUNDS):
+            begin = time.perf_counter()
+            change(index)
+            bpy.context.view_layer.update()
+            found.append(1e3 * (time.perf_counter() - begin))
+        return min(found)
+
+    return least(lambda index: setattr(settings, "stride", 0.2 + 0.001 * index)) - least(
+        lambda index: setattr(settings, "influence", 1.0 - 0.001 * index))
+
+
+if __name__ == "__main__":
+    support.enable()
+    report()

@@ -1,0 +1,170 @@
+"""What a walker is given that it cannot walk on, or with: it says so, and nothing is lost."""
+
+import math
+from unittest import mock
+
+import bpy
+import numpy as np
+import support
+from walker import walker_cases as cases
+
+
+class NoGround(cases.WalkerTestCase):
+    def test_without_any_feet_stand_at_their_height(self):
+        spider = cases.spider(use_plane=False)
+        found = cases.over((1, 120), lambda: cases.places(spider))
+        np.testing.assert_allclose(found[:, :, 2], 0.0, atol=1e-6)
+        self.assertWell(spider)
+
+    def test_out_of_reach(self):
+        land = cases.grid("Land", lambda x, y: np.where(y > 1.0, -5.0, 0.0))
+        spider = cases.spider(ground=land.name)
+        said = self.sentence(spider)
+        self.assertRegex(said, r"^foot .* finds no ground within reach on frames \d+-\d+")
+        self.assertTrue(np.isfinite(cases.over((1, 60, 120), lambda: cases.places(spider))).all())
+
+    def test_faces_are_missing(self):
+        land = cases.link("Land", bpy.data.meshes.new("Land"))
+        spider = cases.spider(ahead=0.0)
+        spider.motus.walker.ground = land
+        self.assertIn("has no faces", self.sentence(spider))
+
+    def test_a_deleted_ground(self):
+        land = cases.grid("Land", cases.waves)
+        spider = cases.spider(ground=land.name)
+        cases.go_to(2)
+        bpy.ops.object.select_all(action='DESELECT')
+        land.select_set(True)
+        bpy.context.view_layer.objects.active = land
+        bpy.ops.object.delete()
+        bpy.context.view_layer.update()
+        cases.go_to(3)
+        self.assertIn("ground is gone", self.sentence(spider))
+        standing = cases.places(spider)
+        np.testing.assert_allclose(standing[:, 2], 0.0, atol=1e-5)
+
+    def test_what_moves_is_left_out(self):
+        land = cases.grid("Land", cases.waves)
+        spider = cases.spider(ground=land.name)
+        cases.key_places(land, {1: (0.0, 0.0, 1.0), 50: (0.0, 0.0, 0.0)})
+        bpy.context.view_layer.update()
+        self.assertIn("may move", self.sentence(spider))
+        cases.go_to(1)
+        np.testing.assert_allclose(cases.places(spider)[:, 2], 0.0, atol=1e-5)
+
+    def test_a_walker_is_not_its_own_ground(self):
+        scenery = bpy.data.collections.new("Scenery")
+        self.scene.collection.children.link(scenery)
+        spider = cases.spider(grounds="Scenery")
+        hat = cases.grid("Hat", lambda x, y: 0.3 + 0.0 * x)
+        hat.parent = spider
+        for obj in (spider, bpy.data.objects["Spider Mesh"], hat):
+            scenery.objects.link(obj)
+        for _ in range(2):
+            bpy.context.view_layer.update()
+        ground = support.addon("walker.ground")
+        self.assertEqual(ground.objects(spider.motus.walker), [])
+        cases.go_to(50)
+        self.assertWell(spider)
+        swing = cases.plan_of(spider).walker.swing(cases.seconds(50))
+        np.testing.assert_allclose(cases.places(spider)[swing == 0.0][:, 2], 0.0, atol=1e-5)
+
+    def test_what_moves_with_the_feet_is_left_alone(self):
+        spider = cases.spider(ahead=0.0)
+        land = cases.grid("Land", lambda x, y: 0.0 * x)
+        spider.motus.walker.ground = land
+        constraint = land.constraints.new('COPY_LOCATION')
+        constraint.target, constraint.subtarget = spider, "foot 1.L"
+        bpy.ops.motus.walker_refresh(object=spider.name)
+        self.assertIn("moves with what the walker drives", self.sentence(spider))
+
+    @support.in_one_blender
+    def test_a_large_ground_is_built_once(self):
+        land = cases.grid("Land", cases.waves, count=708)
+        self.assertGreater(2 * len(land.data.polygons), 999_000)
+        native = support.addon("core.native").module
+        with mock.patch.object(native, "WalkerGround", wraps=native.WalkerGround) as made:
+            spider = cases.spider(ground=land.name)
+            for frame in (10, 40, 80):
+                cases.go_to(frame)
+            spider.motus.walker.stride = 0.4
+            cases.go_to(50)
+        self.assertEqual(made.call_count, 1)
+
+
+class Bodies(cases.WalkerTestCase):
+    def test_one_that_does_not_move(self):
+        spider = cases.spider(ahead=0.0)
+        found = cases.over((1, 40, 100), lambda: cases.places(spider))
+        np.testing.assert_array_equal(found[1:], found[:-1])
+        self.assertWell(spider)
+
+    def test_one_that_is_dragged_stands_where_it_is(self):
+        spider = cases.spider(ahead=0.0)
+        spider.location = (1.0, 2.0, 0.0)
+        spider.rotation_euler.z = 1.0
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
+
+    def test_no_numbers_in_its_keys(self):
+        spider = cases.spider()
+        curve = next(one for one in support.addon("core.actions").fcurves(spider) if one.data_path == "location")
+        curve.keyframe_points[1].co.y = math.nan
+        curve.update()
+        cases.go_to(50)
+        self.assertIn("not a finite number", self.sentence(spider))
+
+    def test_settings_that_are_no_numbers(self):
+        spider = cases.spider()
+        spider.motus.walker.plane_height = math.nan
+        bpy.context.view_layer.update()
+        self.assertIn("not a finite number", self.sentence(spider))
+
+    def test_scaled(self):
+        for scale in ((2.0, 2.0, 2.0), (0.1, 0.1, 0.1), (1.0, 2.0, 0.5), (-1.0, 1.0, 1.0), (-2.0, -2.0, -2.0)):
+            with self.subTest(scale):
+                support.empty_scene()
+                spider = cases.spider()
+                spider.scale = scale
+                bpy.context.view_layer.update()
+                walker = cases.plan_of(spider).walker
+                for frame in (1, 50, 110):
+                    cases.go_to(frame)
+                    np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(frame)), atol=1e-5)
+                self.assertTrue(np.isfinite(cases.body_of(spider)).all())
+
+    def test_scaled_to_nothing(self):
+        spider = cases.spider()
+        spider.scale = (0.0, 0.0, 0.0)
+        cases.go_to(50)
+        self.assertTrue(np.isfinite(cases.places(spider)).all())
+
+    def test_a_mirrored_body_leans_the_same_way(self):
+        land = cases.grid("Land", lambda x, y: 0.3 * y + 0.2 * x)
+        spider = cases.spider(ahead=0.0, ground=land.name, body_tilt=1.0)
+        cases.go_to(1)
+        plain = cases.body_of(spider)
+        spider.scale.x = -1.0
+        cases.go_to(1)
+        mirrored = cases.body_of(spider)
+        np.testing.assert_allclose(mirrored[:3, 1], plain[:3, 1], atol=0.02)
+        np.testing.assert_allclose(mirrored[:3, 2], plain[:3, 2], atol=0.02)
+
+    def test_legs_without_a_length(self):
+        spider = cases.spider()
+        for leg in spider.motus.walker.legs:
+            leg.length = 0.0
+        bpy.context.view_layer.update()
+        self.assertWell(spider)
+
+    def test_a_motion_that_is_too_long(self):
+        spider = cases.spider(ahead=0.0)
+        cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60_000: (0.0, 50.0, 0.0)})
+        bpy.context.view_layer.update()
+        self.assertIn("first 20,000 frames", self.sentence(spider))
+
+    def test_settings_beyond_all_bounds(self):
+        spider = cases.spider(ahead=30.0, stride=0.0, cadence=100.0)
+        bpy.context.view_layer.update()
+        said = self.sentence(spider)
+        self.assertTrue(said is None or "outside of what" in said, said)

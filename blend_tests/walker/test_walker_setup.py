@@ -1,0 +1,225 @@
+"""Adding walkers and taking them back: no trace, copies, names, files, baking, presets, and what is refused."""
+
+import bpy
+import numpy as np
+import support
+from look_at.test_look_at_setup import state
+from walker import walker_cases as cases
+
+
+class Add(cases.WalkerTestCase):
+    def test_keywords_become_settings(self):
+        given = {
+            "gait": 'WAVE', "use_duty": True, "duty": 0.75, "stride": 0.25, "cadence": 2.0, "clearance": 0.125, "minimum_step": 0.0625,
+            "reach_up": 0.375, "reach_down": 0.625, "use_plane": True, "plane_height": -1.0, "body_height": 0.5, "body_tilt": 0.25,
+            "frequency": 3.0, "damping": 0.5, "jump": 2.5, "forward_axis": 'NEG_Y', "up_axis": 'POS_Z', "influence": 0.75}
+        self.assertEqual(set(given), set(support.addon("walker.properties").KEYWORDS))
+        spider = cases.spider(ahead=0.0, **given)
+        self.assertEqual({name: getattr(spider.motus.walker, name) for name in given}, given)
+
+    def test_an_armature_by_its_chains(self):
+        spider = cases.spider(ahead=0.0)
+        rests = [tuple(leg.rest) for leg in spider.motus.walker.legs]
+        bpy.ops.motus.walker_remove(object=spider.name)
+        self.assertEqual(bpy.ops.motus.walker_add(object=spider.name), {'FINISHED'})
+        settings = spider.motus.walker
+        self.assertEqual(len(settings.legs), 8)
+        self.assertEqual(settings.body_bone, "body")
+        np.testing.assert_allclose([tuple(leg.rest) for leg in settings.legs], rests, atol=1e-6)
+        for leg in settings.legs:
+            upper = spider.data.bones[leg.name.replace("foot", "upper")]
+            self.assertAlmostEqual(leg.length, upper.length + upper.children[0].length, places=5)
+            np.testing.assert_allclose(leg.hip, upper.head_local, atol=1e-6)
+
+    def test_chains_that_reach_for_objects(self):
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.walker_remove(object=spider.name)
+        foot = cases.link("Foot", place=spider.data.bones["foot 1.L"].head_local)
+        entry = spider.motus.ik.entries["lower 1.L"]
+        entry.target, entry.target_bone = foot, ""
+        bpy.ops.motus.walker_add(object=spider.name)
+        legs = {leg.foot: leg.name for leg in spider.motus.walker.legs}
+        self.assertIn(foot, legs)
+        cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        cases.go_to(60)
+        cases.go_to(110)
+        self.assertGreater(cases.evaluated(foot).matrix_world.translation.y, 1.5)
+
+    def test_named_bones(self):
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.walker_remove(object=spider.name)
+        bpy.ops.motus.walker_add(object=spider.name, feet="foot 1.L, foot 1.R, foot 4.L, foot 4.R", body="abdomen", gait='PACE')
+        settings = spider.motus.walker
+        self.assertEqual([leg.name for leg in settings.legs], ["foot 1.L", "foot 1.R", "foot 4.L", "foot 4.R"])
+        self.assertEqual(settings.body_bone, "abdomen")
+        self.assertGreater(settings.legs[0].length, 0.5)
+        self.assertWell(spider)
+
+    def test_selected_objects_are_the_feet(self):
+        body, _, feet = cases.cross()
+        for obj in self.scene.objects:
+            obj.select_set(obj in feet or obj == body)
+        bpy.context.view_layer.objects.active = body
+        self.assertEqual(bpy.ops.motus.walker_add(), {'FINISHED'})
+        self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
+        np.testing.assert_allclose([tuple(leg.rest) for leg in body.motus.walker.legs], [tuple(foot.location) for foot in feet], atol=1e-6)
+
+    def test_again_changes_what_is_given(self):
+        spider = cases.spider(stride=0.3)
+        rests = [tuple(leg.rest) for leg in spider.motus.walker.legs]
+        cases.go_to(50)
+        bpy.ops.motus.walker_add(object=spider.name, gait='TRIPOD')
+        settings = spider.motus.walker
+        self.assertEqual((settings.gait, round(settings.stride, 6)), ('TRIPOD', 0.3))
+        np.testing.assert_allclose([tuple(leg.rest) for leg in settings.legs], rests, atol=1e-6)
+
+    def test_refusals(self):
+        add = bpy.ops.motus.walker_add
+        self.assertRefused("no object Nobody", add, object="Nobody")
+        body, shell, feet = cases.cross()
+        for obj in self.scene.objects:
+            obj.select_set(False)
+        self.assertRefused("Name the objects that are the feet", add, object=body.name)
+        self.assertRefused("its own foot", add, object=body.name, feet=body.name)
+        self.assertRefused("named twice", add, object=body.name, feet=f"{feet[0].name},{feet[0].name}")
+        self.assertRefused("no child of Body", add, object=body.name, feet=cases.names(feet), body=feet[0].name)
+        self.assertRefused("no mesh", add, object=body.name, feet=cases.names(feet), ground=shell.name)
+        self.assertRefused("no collection Nowhere", add, object=body.name, feet=cases.names(feet), grounds="Nowhere")
+        self.assertRefused("finite", add, object=body.name, feet=cases.names(feet), stride=float("inf"))
+        self.assertRefused("Nothing here walks", bpy.ops.motus.walker_remove, object=body.name)
+        self.assertFalse(any(obj.constraints for obj in feet))
+        spider = cases.spider(ahead=0.0)
+        self.assertRefused("walks itself", add, object=body.name, feet=cases.names(feet), ground=f"{spider.name} Mesh")
+        self.assertRefused("no bone Tail", add, object=spider.name, feet="Tail")
+        bare = cases.link("Bare", bpy.data.armatures.new("Bare"))
+        self.assertRefused("no chain of Inverse Kinematics", add, object=bare.name)
+        other, _, _ = cases.cross("Other")
+        add(object=body.name, feet=cases.names(feet))
+        self.assertRefused("a foot of Body already", add, object=other.name, feet=feet[0].name)
+
+    def test_axes_along_each_other(self):
+        spider = cases.spider(ahead=0.0, forward_axis='POS_Z')
+        self.assertIn("must be across", self.sentence(spider))
+
+
+class Remove(cases.WalkerTestCase):
+    def test_no_trace_on_a_rig(self):
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.walker_remove(object=spider.name)
+        bpy.context.view_layer.update()
+        before = state(spider)
+        bpy.ops.motus.walker_add(object=spider.name, body_tilt=0.25)
+        spider.motus.walker.keyframe_insert("influence", frame=3)
+        bpy.ops.motus.walker_remove(object=spider.name)
+        bpy.context.view_layer.update()
+        self.assertEqual(state(spider), before)
+
+    def test_no_trace_on_objects(self):
+        body, shell, feet = cases.cross()
+        seen = {obj: (obj.matrix_world.copy(), obj.is_property_set("motus"), sorted(obj.keys())) for obj in (body, shell, *feet)}
+        counts = len(bpy.data.objects), len(bpy.data.meshes)
+        land = cases.grid("Land", cases.waves)
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=land.name)
+        cases.go_to(5)
+        bpy.ops.motus.walker_remove(object=feet[0].name)
+        bpy.context.view_layer.update()
+        for obj, wanted in seen.items():
+            self.assertEqual((obj.matrix_world, obj.is_property_set("motus"), sorted(obj.keys())), wanted, obj.name)
+            self.assertFalse(obj.constraints)
+        bpy.data.objects.remove(land)
+        self.assertEqual((len(bpy.data.objects), len([mesh for mesh in bpy.data.meshes if mesh.users])), counts)
+
+
+class Edits(cases.WalkerTestCase):
+    def test_rest_places_are_taken(self):
+        body, _, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), use_plane=True)
+        feet[0].location = (0.7, 0.9, 0.1)
+        bpy.context.view_layer.update()
+        self.assertEqual(bpy.ops.motus.walker_rest(object=body.name), {'FINISHED'})
+        np.testing.assert_allclose(body.motus.walker.legs[0].rest, (0.7, 0.9, 0.1), atol=1e-6)
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(cases.places(body)[0], (0.7, 0.9, 0.0), atol=1e-5)
+
+    def test_renamed_bones(self):
+        spider = cases.spider()
+        spider.data.bones["foot 2.L"].name = "toe"
+        spider.data.bones["body"].name = "trunk"
+        bpy.context.view_layer.update()
+        bpy.context.view_layer.update()
+        settings = spider.motus.walker
+        self.assertIn("toe", [leg.name for leg in settings.legs])
+        self.assertEqual(settings.body_bone, "trunk")
+        self.assertWell(spider)
+
+    def test_a_copy_walks_by_itself(self):
+        spider = cases.spider()
+        other = spider.copy()
+        other.animation_data_clear()
+        self.scene.collection.objects.link(other)
+        for _ in range(3):
+            bpy.context.view_layer.update()
+        other.location = (5.0, 0.0, 0.0)
+        bpy.context.view_layer.update()
+        cases.go_to(60)
+        np.testing.assert_allclose(cases.places(other), cases.rests(other), atol=1e-5)
+        self.assertGreater(cases.places(spider)[:, 1].mean(), 0.5)
+        self.assertWell(spider)
+
+    def test_the_copy_of_a_body_leaves_feet_to_the_first(self):
+        body, shell, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name)
+        other = body.copy()
+        other.location.x = 9.0
+        self.scene.collection.objects.link(other)
+        for _ in range(3):
+            bpy.context.view_layer.update()
+        self.assertLess(np.abs(cases.places(body)).max(), 2.0)
+        self.assertIn("no foot any more", self.sentence(other))
+
+    def test_appended_and_linked(self):
+        spider = cases.spider()
+        cases.go_to(50)
+        wanted = cases.places(spider)
+        path = self.save()
+        for link in (False, True):
+            with self.subTest(link=link):
+                found = self.load(path, link, "Spider")
+                bpy.context.view_layer.update()
+                cases.go_to(50)
+                np.testing.assert_allclose(cases.places(found), wanted, atol=1e-5)
+
+    def test_an_override_walks(self):
+        spider = cases.spider()
+        path = self.save()
+        linked = self.load(path, True, "Spider")
+        self.scene = bpy.context.scene
+        local = linked.override_create(remap_local_usages=True)
+        bpy.context.view_layer.update()
+        local.motus.walker.gait = 'WAVE'
+        for _ in range(2):
+            bpy.context.view_layer.update()
+        cases.go_to(50)
+        walker = cases.plan_of(local).walker
+        np.testing.assert_allclose(cases.places(local), walker.feet(cases.seconds(50)), atol=1e-5)
+
+    def test_baked_and_unbaked(self):
+        spider = cases.spider()
+        wanted = cases.over((20, 50, 80), lambda: cases.tips(spider))
+        bpy.context.view_layer.objects.active = spider
+        spider.select_set(True)
+        self.assertEqual(bpy.ops.motus.bake(frame_start=1, frame_end=120), {'FINISHED'})
+        self.assertTrue(spider.motus.walker.is_baked)
+        np.testing.assert_allclose(cases.over((20, 50, 80), lambda: cases.tips(spider)), wanted, atol=1e-4)
+        self.assertEqual(bpy.ops.motus.unbake(), {'FINISHED'})
+        np.testing.assert_allclose(cases.over((20, 50, 80), lambda: cases.tips(spider)), wanted, atol=1e-5)
+
+    def test_presets(self):
+        spider = cases.spider(ahead=0.0)
+        for preset in support.addon("walker.presets").BROUGHT:
+            with self.subTest(preset.identifier):
+                self.assertEqual(bpy.ops.motus.walker_preset_use(preset=preset.identifier), {'FINISHED'})
+                for name, value in preset.values.items():
+                    found = getattr(spider.motus.walker, name)
+                    self.assertTrue(found == value or abs(found - value) < 1e-6, name)
+                self.assertWell(spider)

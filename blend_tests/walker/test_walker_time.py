@@ -1,0 +1,103 @@
+"""Walkers on motions that are solved or recorded, and what is known of them at other times."""
+
+import bpy
+import numpy as np
+import solved_cases
+import support
+from path import path_cases
+from walker import walker_cases as cases
+
+
+class Motions(cases.WalkerTestCase):
+    def path(self):
+        course = path_cases.curve_data("Course")
+        path_cases.add_bezier(course, path_cases.cubic_knots(((0, 0, 0), (0, 1, 0), (1, 2, 0), (2, 2, 0))))
+        return cases.link("Course", course)
+
+    def test_a_path_is_followed(self):
+        curve = self.path()
+        spider = cases.spider(ahead=0.0)
+        self.assertEqual(bpy.ops.motus.path_follow_add(object=spider.name, curve=curve.name, duration=4.0), {'FINISHED'})
+        bpy.context.view_layer.update()
+        self.assertStands(spider, list(range(1, 121, 2)), 2e-6)
+        self.assertWell(spider)
+        cases.go_to(400)
+        self.assertIn("planned for the frames of the scene", self.sentence(spider))
+        self.scene.frame_end = 500
+        cases.go_to(401)
+        self.assertWell(spider)
+
+    def test_frames_of_a_path_in_any_order(self):
+        curve = self.path()
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.path_follow_add(object=spider.name, curve=curve.name, duration=4.0)
+        frames = sorted(set(cases.OFF_THE_FRAMES))
+        played = dict(zip(frames, cases.over(frames, lambda: cases.places(spider))))
+        for frame in cases.OFF_THE_FRAMES:
+            cases.go_to(frame)
+            np.testing.assert_array_equal(cases.places(spider), played[frame])
+
+    def test_what_is_not_known_is_recorded(self):
+        spider = cases.spider(ahead=0.0)
+        carrier = cases.link("Carrier")
+        cases.key_places(carrier, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        spider.constraints.new('COPY_LOCATION').target = carrier
+        cases.go_to(30)
+        self.assertIn("record it", self.sentence(spider))
+        np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
+        self.assertEqual(bpy.ops.motus.track_record(datablock=spider.name, frame_start=1, frame_end=120), {'FINISHED'})
+        self.assertStands(spider, list(range(1, 121, 3)))
+        self.assertWell(spider)
+
+
+class OverTime(solved_cases.Solved, cases.WalkerTestCase):
+    label = "Walker"
+
+    def setUp(self):
+        super().setUp()
+        self.land = cases.grid("Land", cases.waves)
+
+    def test_feet_and_bodies_that_are_objects(self):
+        body, shell, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=self.land.name)
+        cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        bpy.context.view_layer.update()
+        for thing in (feet[2], shell):
+            self.assertSolved(thing, 2e-5)
+
+    def test_bones(self):
+        spider = cases.spider(ground=self.land.name)
+        spider.pose.bones["body"].location = (0.01, 0.02, 0.03)
+        bpy.context.view_layer.update()
+        for name in ("foot 2.L", "body", "abdomen", "lower 2.L"):
+            with self.subTest(name):
+                self.assertSolved(spider.pose.bones[name], 5e-5)
+
+    def test_dynamics_on_a_body_that_leans(self):
+        spider = cases.spider(ground=self.land.name)
+        self.assertEqual(bpy.ops.motus.dynamics_add(object=spider.name, bones="abdomen", style='BOUNCY'), {'FINISHED'})
+        bpy.context.view_layer.update()
+        found = support.addon("core.wiring").problem(support.addon("dynamics").SYSTEM, spider, bpy.context.view_layer.depsgraph)
+        self.assertIsNone(found)
+        frames = (30, 80, 55, 30)
+        values = cases.over(frames, lambda: np.array(cases.evaluated(spider).pose.bones["abdomen"].matrix))
+        np.testing.assert_array_equal(values[0], values[3])
+        cases.go_to(60)
+        walker = cases.plan_of(spider).walker
+        np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(60)), atol=cases.SINGLE)
+
+    def test_a_keyed_influence(self):
+        spider = cases.spider(ground=self.land.name)
+        for frame, value in ((1, 0.25), (100, 1.0)):
+            spider.motus.walker.influence = value
+            spider.keyframe_insert("motus.walker.influence", frame=frame)
+        bpy.context.view_layer.update()
+        for name in ("foot 2.L", "body"):
+            with self.subTest(name):
+                self.assertSolved(spider.pose.bones[name], 5e-5)
+
+    def test_what_is_not_known(self):
+        spider = cases.spider()
+        spider.constraints.new('COPY_LOCATION').target = self.land
+        bpy.context.view_layer.update()
+        self.assertUnknown(spider.pose.bones["foot 1.L"], "has the constraint")

@@ -1,0 +1,51 @@
+// Planning the steps of a shot, and looking them up.
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "motus/walker/walker.hpp"
+#include "stopwatch.hpp"
+#include "walker/walkers.hpp"
+
+using namespace motus::walker;
+using motus::bench::keep;
+using motus::bench::nanoseconds;
+
+namespace {
+
+constexpr double seconds = 250.0 / 24.0;
+
+void bench_plans(const char* name, const Ground& ground, const Settings& settings) {
+    const Way way = way_along(seconds, around);
+    const double planned = nanoseconds([&] { keep(Walker(way, settings, &ground, 1)); });
+    const Walker walker(way, settings, &ground, 1);
+    std::size_t steps = 0;
+    for (std::size_t leg = 0; leg < walker.leg_count(); ++leg) steps += walker.steps(leg).size();
+    const double frames = nanoseconds([&] {
+        for (int frame = 0; frame < 250; ++frame) {
+            for (std::size_t leg = 0; leg < walker.leg_count(); ++leg) keep(walker.foot(leg, frame / 24.0));
+            keep(walker.body(frame / 24.0));
+        }
+    });
+    std::printf("  %s: %zu steps planned %8.3f ms, a frame %8.3f us\n", name, steps, 1e-6 * planned,
+                1e-3 * frames / 250.0);
+}
+
+}  // namespace
+
+int main() {
+    std::printf("walker: 250 frames, eight legs, one thread\n");
+    Settings plain, with_hips;
+    for (const glm::dvec3& place : eight_feet())
+        with_hips.hips.push_back(0.3 * place + glm::dvec3(0.0, 0.0, 0.4));
+    with_hips.lengths.assign(8, 1.4);
+    const Ground level = plane(), hilly = hilly_ground();
+    bench_plans("a plane", level, plain);
+    bench_plans("12,800 triangles", hilly, plain);
+    bench_plans("the same, with hips", hilly, with_hips);
+    const Land large = land(8.0, 707, hills);
+    const double built =
+        nanoseconds([&] { keep(Ground(large.positions, large.triangles, std::nullopt, 1)); }, 3);
+    std::printf("  a ground of %zu triangles built %.0f ms\n", large.triangles.size(), 1e-6 * built);
+    bench_plans("a million triangles", ground_of(large), with_hips);
+}

@@ -1,0 +1,306 @@
+// Legs that walk where a body goes.
+#include "motus/walker/walker.hpp"
+
+#include <pybind11/pybind11.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "areas.hpp"
+#include "core/arguments.hpp"
+#include "core/arrays.hpp"
+#include "core/rotations.hpp"
+#include "mesh/arrays.hpp"
+
+namespace motus::bindings {
+namespace {
+
+using namespace pybind11::literals;
+using walker::Gait;
+using walker::Ground;
+using walker::Walker;
+
+constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns, rough
+
+/// (m,).
+[[nodiscard]] std::vector<double> numbers_argument(py::handle object, std::string_view name) {
+    const DoubleArray array = doubles(object, name);
+    if (array.ndim() != 1) value_error(name, "must have the shape (m,), not " + shape_of(array));
+    return {array.data(), array.data() + array.size()};
+}
+
+[[nodiscard]] std::vector<glm::dvec3> points_argument(py::handle object, std::string_view name) {
+    return copied(Points(object, name).values());
+}
+
+[[nodiscard]] py::tuple gait(const py::object& name, const py::object& rest, const py::object& forward,
+                             const py::object& up) {
+    const Gait wanted = choice<Gait>(name, "gait",
+                                     {{"tripod", Gait::tripod},
+                                      {"tetrapod", Gait::tetrapod},
+                                      {"ripple", Gait::ripple},
+                                      {"wave", Gait::wave},
+                                      {"trot", Gait::trot},
+                                      {"pace", Gait::pace}});
+    const walker::Pattern pattern = walker::pattern_of(wanted, points_argument(rest, "rest"),
+                                                       vector(forward, "forward"), vector(up, "up"));
+    return py::make_tuple(array_of(pattern.phases), pattern.duty);
+}
+
+[[nodiscard]] std::shared_ptr<Ground> ground_of(const py::object& given_positions,
+                                                const py::object& given_triangles,
+                                                const py::object& given_plane) {
+    std::vector<glm::vec3> positions;
+    if (!given_positions.is_none()) positions = copied(Positions(given_positions, "positions").values());
+    const std::vector<glm::ivec3> triangles =
+        copied(IndexRows<glm::ivec3>(given_triangles, "triangles").values());
+    std::optional<walker::Plane> plane;
+    if (!given_plane.is_none()) {
+        const Points rows(given_plane, "plane");
+        if (rows.values().size() != 2) value_error("plane", "must have the shape (2, 3): a point, a normal");
+        plane = walker::Plane{rows.values()[0], rows.values()[1]};
+    }
+    const py::gil_scoped_release released;
+    return std::make_shared<Ground>(positions, triangles, plane);
+}
+
+struct WayArguments {
+    const py::object &times, &poses, &rest, &phases, &duty, &stride, &cadence, &up, &resets, &jump;
+};
+
+[[nodiscard]] walker::Way way_of(const WayArguments& given) {
+    walker::Way way;
+    way.times = numbers_argument(given.times, "times");
+    way.poses = matrices(given.poses, "poses");
+    way.rest = points_argument(given.rest, "rest");
+    way.phases = numbers_argument(given.phases, "phases");
+    way.duty = number(given.duty, "duty");
+    way.stride = number(given.stride, "stride");
+    way.cadence = number(given.cadence, "cadence");
+    way.up = vector(given.up, "up");
+    way.resets = indices(given.resets, "resets");
+    if (!given.jump.is_none()) way.jump = number(given.jump, "jump");
+    return way;
+}
+
+[[nodiscard]] Walker walker_of(const py::object& times, const py::object& poses, const py::object& rest,
+                               const py::object& ground, const py::object& phases, const py::object& duty,
+                               const py::object& stride, const py::object& cadence,
+                               const py::object& clearance, const py::object& reach_up,
+                               const py::object& reach_down, const py::object& minimum_step,
+                               const py::object& up, const py::object& hips, const py::object& lengths,
+                               const py::object& resets, const py::object& jump, const py::object& frequency,
+                               const py::object& damping, const py::object& response,
+                               const py::object& height, const py::object& tilt) {
+    walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
+    walker::Settings settings;
+    settings.clearance = number(clearance, "clearance");
+    settings.reach_up = number(reach_up, "reach_up");
+    settings.reach_down = number(reach_down, "reach_down");
+    settings.minimum_step = number(minimum_step, "minimum_step");
+    if (!hips.is_none()) settings.hips = points_argument(hips, "hips");
+    if (!lengths.is_none()) settings.lengths = numbers_argument(lengths, "lengths");
+    settings.filter = {number(frequency, "frequency"), number(damping, "damping"),
+                       number(response, "response")};
+    settings.height = number(height, "height");
+    settings.tilt = number(tilt, "tilt");
+    const Ground* on =
+        ground.is_none() ? nullptr : &instance<Ground>(ground, "ground", "a WalkerGround or None");
+    const py::gil_scoped_release released;
+    return {std::move(way), std::move(settings), on};
+}
+
+/// Each time's feet: (n, ...) of a number, (m, n, ...) of more. write(foot, row): `width` numbers, 0 for one
+/// that is no row.
+template <class Write>
+[[nodiscard]] DoubleArray feet_at(const Walker& self, const py::object& times, py::ssize_t width,
+                                  const Write& write) {
+    const Numbers at(times, "times");
+    const std::size_t legs = self.leg_count(), count = at.values().size();
+    std::vector<py::ssize_t> shape;
+    if (!at.is_single()) shape.push_back(static_cast<py::ssize_t>(count));
+    shape.push_back(static_cast<py::ssize_t>(legs));
+    if (width > 0) shape.push_back(width);
+    DoubleArray result(shape);
+    double* row = result.mutable_data();
+    {
+        const ReleaseGil released(count * legs, foot_cost);
+        for (const double time : at.values()) {
+            for (std::size_t leg = 0; leg < legs; ++leg) {
+                write(self.foot(leg, time), row);
+                row += std::max<py::ssize_t>(width, 1);
+            }
+        }
+    }
+    return result;
+}
+
+[[nodiscard]] DoubleArray vectors_at(const Walker& self, const py::object& times,
+                                     glm::dvec3 walker::Foot::*part) {
+    return feet_at(self, times, 3, [&](const walker::Foot& foot, double* row) {
+        for (int axis = 0; axis < 3; ++axis) row[axis] = (foot.*part)[axis];
+    });
+}
+
+[[nodiscard]] py::tuple body(const Walker& self, const py::object& times) {
+    const Numbers at(times, "times");
+    const std::size_t count = at.values().size();
+    DoubleArray offsets = at.is_single() ? new_array({3}) : new_array({count, 3});
+    DoubleArray rotations = at.is_single() ? new_array({4}) : new_array({count, 4});
+    const std::span<glm::dvec3> moved = points_of(offsets);
+    const std::span<glm::dquat> turned = quaternions_in(rotations.mutable_data(), count);
+    {
+        const ReleaseGil released(count, body_cost);
+        for (std::size_t i = 0; i < count; ++i) {
+            const walker::Correction correction = self.body(at.values()[i]);
+            moved[i] = correction.offset;
+            turned[i] = correction.rotation;
+        }
+        rows_from_quaternions(turned);
+    }
+    return py::make_tuple(offsets, rotations);
+}
+
+[[nodiscard]] py::dict steps(const Walker& self) {
+    std::vector<int> legs;
+    std::vector<double> lifts, touches;
+    std::vector<glm::dvec3> starts, ends, apexes;
+    for (std::size_t leg = 0; leg < self.leg_count(); ++leg) {
+        for (const walker::Step& step : self.steps(leg)) {
+            legs.push_back(static_cast<int>(leg));
+            lifts.push_back(step.lift);
+            touches.push_back(step.touch);
+            starts.push_back(step.start);
+            ends.push_back(step.end);
+            apexes.push_back(0.5 * (step.start + step.end) + step.rise);
+        }
+    }
+    return py::dict("leg"_a = array_of(legs), "lift"_a = array_of(lifts), "touch"_a = array_of(touches),
+                    "start"_a = to_array(starts), "end"_a = to_array(ends), "apex"_a = to_array(apexes));
+}
+
+[[nodiscard]] std::string_view name_of(walker::Trouble trouble) {
+    switch (trouble) {
+        case walker::Trouble::no_ground:
+            return "no_ground";
+        case walker::Trouble::out_of_reach:
+            return "out_of_reach";
+        case walker::Trouble::no_length:
+            return "no_length";
+    }
+    return "";
+}
+
+[[nodiscard]] py::list problems(const Walker& self) {
+    py::list result;
+    for (const walker::Problem& problem : self.problems())
+        result.append(py::make_tuple(problem.leg, problem.first, problem.last, name_of(problem.trouble)));
+    return result;
+}
+
+void bind_plan(py::module_& m) {
+    py::class_<Walker>(m, "Walker", py::module_local(), R"(
+The steps of legs that walk where a body goes, planned for a whole shot; any time afterwards is a look-up. Immutable.
+Metres, seconds, radians, world space; rest, hips and up are in the body's space.
+
+times (k,), s, strictly rising, 1 to 100,000; poses (k, 4, 4): the body's matrices, of any scale, mirrored too. Between
+samples it goes evenly; before the first one it comes as it goes on, unless that is at the slowest cadence; after the last
+one it rests: sample once a frame.
+rest (n, 3), 1 to 256 legs: where each foot stands when the body rests.  ground: a WalkerGround; None: feet stand there.
+phases (n,), duty, [0.05, 0.95]: as from walker_gait(): leg i swings while frac(phase + phases[i]) < 1 - duty.
+stride, [1e-6, 1e6]: how far the body goes at most while a foot stands.  cadence, cycles/s, [0.001, 1000]: the slowest; it is
+max(cadence, duty * speed / stride) with the speed of the leg whose rest place goes fastest across `up`. A foot is to stand
+where its rest place is, along `up` on the ground, when its stand is half over; so it is never further than half a stride from
+it. Steps that lead nowhere are left out: feet of a body at rest end on their rest places and stay.
+clearance: of a foot half-way through its swing, above the ground under its way, less in steps below a quarter of the stride.
+reach_up, reach_down: how far above and below a rest place ground is looked for.  minimum_step: shorter ones are left out; all
+of these >= 0.  up: not zero.
+hips (n, 3), lengths (n,), >= 0, in the world, of whole legs; both or None: footholds out of reach are looked for nearer to
+the hip.  resets: rising indices of samples to which the body jumps, where the plan begins anew; so it does where a rest place
+goes further than `jump`, > 0, from one sample to the next; None: 4 strides.
+frequency, damping, response: the SecondOrder of the body's height and tilt, of the plane that its feet stand on; height,
+tilt, [0, 1]: how much of each.
+Raises ValueError or TypeError that names the argument, also where more than 1,000,000 steps would be planned.)")
+        .def(py::init(&walker_of), "times"_a, "poses"_a, "rest"_a, "ground"_a = py::none(), py::kw_only(),
+             "phases"_a, "duty"_a = 0.5, "stride"_a = 0.5, "cadence"_a = 1.0, "clearance"_a = 0.1,
+             "reach_up"_a = 0.5, "reach_down"_a = 1.0, "minimum_step"_a = 0.0,
+             "up"_a = py::make_tuple(0.0, 0.0, 1.0), "hips"_a = py::none(), "lengths"_a = py::none(),
+             "resets"_a = py::none(), "jump"_a = py::none(), "frequency"_a = 2.0, "damping"_a = 1.0,
+             "response"_a = 0.0, "height"_a = 1.0, "tilt"_a = 1.0)
+        .def(
+            "feet",
+            [](const Walker& self, const py::object& times) {
+                return vectors_at(self, times, &walker::Foot::position);
+            },
+            "times"_a, R"(
+Where feet are at times, s, a number or (m,): (n, 3) or (m, n, 3). While a foot stands these are the same bits.)")
+        .def(
+            "normals",
+            [](const Walker& self, const py::object& times) {
+                return vectors_at(self, times, &walker::Foot::normal);
+            },
+            "times"_a, R"(
+Unit normals of the ground under the feet, (n, 3) or (m, n, 3); in a swing from one foothold's to the next one's.)")
+        .def(
+            "swing",
+            [](const Walker& self, const py::object& times) {
+                return feet_at(self, times, 0,
+                               [](const walker::Foot& foot, double* row) { *row = foot.swing; });
+            },
+            "times"_a, R"(
+How far feet are through their swings, 0 to 1, and 0 while they stand: (n,) or (m, n).)")
+        .def("body", &body, "times"_a, R"(
+How the body follows its feet at times: (offsets (3,) or (m, 3), rotations (4,) or (m, 4)), w, x, y, z. In the world it is
+turned about its own origin, then moved.)")
+        .def(
+            "phase",
+            [](const Walker& self, const py::object& times) {
+                return map_numbers(Numbers(times, "times"), phase_cost,
+                                   [&](double time) { return self.phase(time); });
+            },
+            "times"_a, R"(
+Cycles since the first sample or the last jump, at times: a float or (m,).)")
+        .def_property_readonly("leg_count", &Walker::leg_count, "How many legs there are.")
+        .def_property_readonly("steps", &steps, R"(
+All steps by leg, then time, as a dict of arrays: leg (s,) int32; lift, touch (s,), s; start, end (s, 3); apex (s, 3), where the
+foot is half-way. Where lift is touch the foot is put: at the first sample and at jumps.)")
+        .def_property_readonly("problems", &problems, R"(
+What is wrong with footholds, by leg, then time: tuples (leg, first, last, reason), s, with the reasons 'no_ground', where the
+foot stands on its rest place, 'out_of_reach' of the hip, and 'no_length' of a leg.)")
+        .def_property_readonly("settled", &Walker::settled, "When the last foot has come to rest, s.")
+        .def_property_readonly("nbytes", &Walker::bytes, "Of the memory that it takes.");
+}
+
+}  // namespace
+
+void bind_walker(py::module_& m) {
+    m.def("walker_gait", &gait, "gait"_a, "rest"_a, "forward"_a = py::make_tuple(0.0, 1.0, 0.0),
+          "up"_a = py::make_tuple(0.0, 0.0, 1.0), R"(
+When the legs of a gait swing: (phases (n,), [0, 1), duty): leg i swings while frac(phase + phases[i]) < 1 - duty.
+
+gait: 'tripod', neighbours alternate; 'tetrapod', the same, and all stand for a moment: L1 R2 L3 R4 | R1 L2 R3 L4; 'ripple',
+on each side from the back to the front, the sides about half a cycle apart; 'wave', one after the other; 'trot', the front
+half of a side with the rear half of the other; 'pace', all left ones, all right ones.
+rest (n, 3), 1 to 256 legs in any order: where feet stand when the body rests, in the space of forward and up (3,).
+Raises ValueError or TypeError that names the argument.)");
+    py::class_<Ground, std::shared_ptr<Ground>>(m, "WalkerGround", py::module_local(), R"(
+What feet stand on, from either side; it stands still. Immutable: made once, for any number of Walkers.
+
+positions (v, 3), world space, of which those that are not finite are never met.  triangles (t, 3): indices of vertices.
+plane (2, 3): a point of an endless plane and its normal. All may be None.
+Raises ValueError or TypeError that names the argument.)")
+        .def(py::init(&ground_of), "positions"_a = py::none(), "triangles"_a = py::none(),
+             "plane"_a = py::none())
+        .def_property_readonly("vertex_count", &Ground::vertex_count, "How many vertices it has.")
+        .def_property_readonly("triangle_count", &Ground::triangle_count, "How many triangles it has.");
+    bind_plan(m);
+}
+
+}  // namespace motus::bindings

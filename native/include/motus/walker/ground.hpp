@@ -1,0 +1,54 @@
+// What feet stand on.
+#pragma once
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "motus/core/parallel.hpp"
+#include "motus/mesh/picker.hpp"
+
+namespace motus::walker {
+
+/// An endless plane.
+struct Plane {
+    glm::dvec3 point{0.0};
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< of any length but 0
+};
+
+/// Where a ray meets the ground.
+struct Contact {
+    glm::dvec3 point{0.0};
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit, towards where the ray comes from
+    double distance = 0.0;             ///< m, >= 0
+};
+
+/// Triangles, a plane, or both, from either side; they stand still. World space, metres. Immutable; any
+/// number of threads may ask.
+class Ground {
+  public:
+    /// Throws std::invalid_argument, naming the argument, where a triangle names a vertex that there is not,
+    /// or the plane has a number that is not finite or no normal. Vertices that are not finite are never met.
+    Ground(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
+           const std::optional<Plane>& plane, std::size_t threads = thread_count());
+
+    [[nodiscard]] bool is_empty() const noexcept { return picker_.triangle_count() == 0 && !plane_; }
+    [[nodiscard]] std::size_t vertex_count() const noexcept { return positions_.size(); }
+    [[nodiscard]] std::size_t triangle_count() const noexcept { return picker_.triangle_count(); }
+
+    /// The first that the ray from `origin` along `direction` (unit) meets, not farther away than `farthest`;
+    /// the triangle where plane and triangle are met at the same distance.
+    [[nodiscard]] std::optional<Contact> ray(const glm::dvec3& origin, const glm::dvec3& direction,
+                                             double farthest) const;
+
+  private:
+    [[nodiscard]] std::optional<Contact> on_plane(const glm::dvec3& origin, const glm::dvec3& direction,
+                                                  double farthest) const;
+
+    mesh::Picker picker_;
+    std::vector<glm::vec3> positions_;
+    std::optional<Plane> plane_;
+};
+
+}  // namespace motus::walker

@@ -1,0 +1,84 @@
+// Steps of feet, and what is wrong with some.
+#pragma once
+#include <algorithm>
+#include <cstddef>
+#include <glm/vec3.hpp>
+#include <span>
+#include <vector>
+
+namespace motus::walker {
+
+/// A foot's way from one foothold to the next, on which it stands then until its next step. World space.
+struct Step {
+    double lift = 0.0;   ///< s
+    double touch = 0.0;  ///< s; `lift` where the foot is put there: at the first sample and after jumps
+    glm::dvec3 start{0.0};
+    glm::dvec3 end{0.0};
+    glm::dvec3 rise{0.0};  ///< by which the foot is above the middle of start and end, half-way
+    glm::dvec3 start_normal{0.0, 0.0, 1.0};
+    glm::dvec3 end_normal{0.0, 0.0, 1.0};
+    bool is_grounded = true;  ///< whether there is ground at `end`
+
+    /// 0 before it lifts, 1 from the touch on.
+    [[nodiscard]] double through(double time) const {
+        if (time >= touch) return 1.0;
+        return std::max(0.0, (time - lift) / (touch - lift));
+    }
+};
+
+/// How far along a foot is, u of its swing, [0, 1]: starts and ends without speed and acceleration.
+[[nodiscard]] constexpr double along(double u) {
+    return u * u * u * (u * (6.0 * u - 15.0) + 10.0);
+}
+
+/// How high it is, of its rise: 1 half-way, starts and ends without speed and acceleration.
+[[nodiscard]] constexpr double above(double u) {
+    const double parabola = 4.0 * u * (1.0 - u);
+    return parabola * parabola * parabola;
+}
+
+/// Why a foothold is none.
+enum class Trouble {
+    no_ground,     ///< within reach above and below, or around an edge: the foot is on its rest place
+    out_of_reach,  ///< of the hip, and so are places nearer to it
+    no_length,     ///< the leg has none
+};
+
+struct Problem {
+    std::size_t leg = 0;
+    double first = 0.0, last = 0.0;  ///< s
+    Trouble trouble = Trouble::no_ground;
+};
+
+/// Steps of all legs on all stretches, each by time; a stretch of a leg begins where the foot is put.
+class Footsteps {
+  public:
+    /// Of leg by leg, stretch by stretch.
+    void add(std::span<const Step> steps) {
+        steps_.insert(steps_.end(), steps.begin(), steps.end());
+        ends_.push_back(steps_.size());
+    }
+
+    /// `row`: how many were added before.
+    [[nodiscard]] std::span<const Step> of(std::size_t row) const { return between(row, row + 1); }
+    [[nodiscard]] std::span<const Step> between(std::size_t first_row, std::size_t last_row) const {
+        const std::size_t first = first_row == 0 ? 0 : ends_[first_row - 1];
+        const std::size_t last = last_row == 0 ? 0 : ends_[last_row - 1];
+        return std::span<const Step>(steps_).subspan(first, last - first);
+    }
+    [[nodiscard]] std::size_t bytes() const noexcept {
+        return steps_.capacity() * sizeof(Step) + ends_.capacity() * sizeof(std::size_t);
+    }
+
+  private:
+    std::vector<Step> steps_;
+    std::vector<std::size_t> ends_;
+};
+
+/// The last that has begun at a time, and the first one before all.
+[[nodiscard]] inline const Step& step_at(std::span<const Step> steps, double time) {
+    const auto after = std::ranges::upper_bound(steps, time, {}, &Step::lift);
+    return after == steps.begin() ? steps.front() : *(after - 1);
+}
+
+}  // namespace motus::walker

@@ -1,0 +1,83 @@
+// Legs that walk where a body goes: the steps of a whole shot, planned from the body's way, and looked up at
+// any time.
+#pragma once
+#include <cstddef>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "motus/core/parallel.hpp"
+#include "motus/dynamics/track.hpp"
+#include "motus/walker/course.hpp"
+#include "motus/walker/gait.hpp"
+#include "motus/walker/ground.hpp"
+#include "motus/walker/step.hpp"
+
+namespace motus::walker {
+
+inline constexpr double most_steps = 1e6;
+
+/// How feet and body go on a way.
+struct Settings {
+    /// m, >= 0, of a swinging foot half-way, above the ground under its way; less in steps that are shorter
+    /// than a quarter of the stride.
+    double clearance = 0.1;
+    double reach_up = 0.5;         ///< m, >= 0, above a rest place in which ground is looked for
+    double reach_down = 1.0;       ///< the same below it
+    double minimum_step = 0.0;     ///< m, >= 0; shorter steps are left out
+    std::vector<glm::dvec3> hips;  ///< where legs begin, in the body's space: one for each, or none
+    std::vector<double> lengths;   ///< of whole legs, m in the world, >= 0: one for each hip
+    dynamics::SecondOrder filter{2.0, 1.0, 0.0};  ///< of the body's height and tilt
+    double height = 1.0;                          ///< how much of each, [0, 1]
+    double tilt = 1.0;
+};
+
+/// A foot at a time.
+struct Foot {
+    glm::dvec3 position{0.0};
+    glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit, of the ground; in a swing from one foothold's to the next's
+    double swing = 0.0;                ///< 0 while it stands, else how far through its swing, up to 1
+};
+
+/// How the body follows its feet, in world space: it is turned about its own origin, then moved.
+struct Correction {
+    glm::dvec3 offset{0.0};
+    glm::dquat rotation{1.0, 0.0, 0.0, 0.0};
+};
+
+/// The plan of a shot. Immutable; a foot's place while it stands is the same bits at all times. The same for
+/// any number of threads.
+class Walker {
+  public:
+    /// ground: none, or an empty one: feet stand on their rest places. Throws std::invalid_argument, naming
+    /// the argument, where sizes differ, a number is not finite or outside its domain, there are no samples
+    /// or more than most_samples, no legs or more than most_legs, or more than most_steps would be planned.
+    Walker(Way way, Settings settings, const Ground* ground = nullptr, std::size_t threads = thread_count());
+
+    [[nodiscard]] std::size_t leg_count() const noexcept { return course_.way().rest.size(); }
+    [[nodiscard]] Foot foot(std::size_t leg, double time) const;
+    [[nodiscard]] Correction body(double time) const;
+    /// Cycles since the first sample, or since the last jump; negative before.
+    [[nodiscard]] double phase(double time) const;
+
+    /// Those of one leg, by time within each stretch between jumps.
+    [[nodiscard]] std::span<const Step> steps(std::size_t leg) const;
+    /// By leg, then time.
+    [[nodiscard]] std::span<const Problem> problems() const noexcept { return problems_; }
+    /// When the last foot has come to rest, s.
+    [[nodiscard]] double settled() const noexcept { return settled_; }
+    [[nodiscard]] std::size_t bytes() const noexcept;
+
+  private:
+    Course course_;
+    Settings settings_;
+    Footsteps steps_;
+    std::optional<dynamics::Track> leans_;  ///< height at the origin, and slopes along Course::axes
+    std::vector<Problem> problems_;
+    double settled_ = 0.0;
+};
+
+}  // namespace motus::walker

@@ -1,0 +1,307 @@
+#include "plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "lean.hpp"
+#include "motus/core/numeric.hpp"
+
+namespace motus::walker {
+namespace {
+
+/// A step that is shorter than this part of the stride leads nowhere.
+constexpr double no_step = 1e-5;
+/// Shorter steps, in strides, rise less than the clearance, as much as they are shorter.
+constexpr double full_step = 0.25;
+/// So much a foot counts for the body's height and tilt half-way through its swing; standing it counts 1.
+constexpr double least_weight = 0.01;
+/// Parts of the way from a rest place to below the hip at which ground is looked for, one after the other.
+constexpr std::array nearer{0.25, 0.5, 0.75};
+
+[[nodiscard]] Search moved_nearer(Search search, double share) {
+    const glm::dvec3 way = search.hip - search.rest;
+    search.rest += share * (way - search.up * glm::dot(way, search.up));
+    return search;
+}
+
+[[nodiscard]] double expected_steps(const Course& course) {
+    // At both ends of a stretch there may be one more than there are cycles, and one is where the foot is
+    // put.
+    constexpr double at_ends = 3.0;
+    double cycles = 0.0;
+    for (std::size_t stretch = 0; stretch < course.stretch_count(); ++stretch)
+        cycles += course.last_phase(stretch) + at_ends;
+    return cycles * static_cast<double>(course.way().rest.size());
+}
+
+}  // namespace
+
+Correction corrected(const Settings& settings, const glm::dvec3& lean, const Axes& axes) {
+    const Lean followed{settings.height * lean.x, settings.tilt * lean.y, settings.tilt * lean.z};
+    return {followed.height * axes.up, turn_of(followed, axes)};
+}
+
+Planner::Planner(const Settings& settings, const Course& course, const Ground* ground, std::size_t threads)
+    : settings_(settings),
+      course_(course),
+      ground_(ground != nullptr && !ground->is_empty() ? ground : nullptr),
+      reach_{settings.reach_up, settings.reach_down},
+      threads_(threads),
+      hips_(settings.hips) {
+    require(expected_steps(course) <= most_steps,
+            "poses must go slower, or the stride be longer, or the cadence lower: more than 1,000,000 steps "
+            "would be planned");
+    if (!hips_.empty()) return;
+    const std::vector<glm::dvec3>& rest = course.way().rest;
+    glm::dvec3 middle(0.0);
+    for (const glm::dvec3& place : rest) middle += place / static_cast<double>(rest.size());
+    hips_.assign(rest.size(), middle);
+}
+
+template <class Work>
+void Planner::for_legs(const Work& work) const {
+    // Steps that are worth a thread: each takes some microseconds.
+    constexpr double worth_it = 100.0;
+    const std::size_t legs = hips_.size();
+    const std::size_t grain = expected_steps(course_) > worth_it ? 1 : legs;
+    const auto part = [&](std::size_t first, std::size_t last) {
+        for (std::size_t leg = first; leg < last; ++leg) work(leg);
+    };
+    in_parts(legs, grain, part, threads_);
+}
+
+void Planner::find_place(Footfall& fall) const {
+    fall.place = {fall.search.rest, fall.search.up, 0.0};
+    if (ground_ == nullptr) return;
+    std::optional<Contact> place = footing(*ground_, fall.search, reach_);
+    for (const double share : nearer)
+        if (!place) place = footing(*ground_, moved_nearer(fall.search, share), reach_);
+    if (!place) place = footing_around_edge(*ground_, fall.search, reach_);
+    fall.is_grounded = place.has_value();
+    if (place) fall.place = *place;
+}
+
+Planner::Footfalls Planner::footfalls(std::size_t leg, std::size_t stretch) const {
+    const Way& way = course_.way();
+    const double own = way.phases[leg], swing = 1.0 - way.duty;
+    const double begin = way.times[course_.first_sample(stretch)];
+    const bool is_slow = course_.starts_slowly(stretch);
+    // The stretch begins in cycle 0, maybe in its swing: of this the foot has so much before it. A body that
+    // sets off has all feet on the ground: such swings begin then, or are over where little is left of them.
+    const double before = (swing - own) / swing;
+    constexpr double little = 0.5;
+    const bool stands = before <= 0.0 || (is_slow && before < little);
+    const int first = stands ? 0 : -1;
+    // The first whose stand is half over when the body rests.
+    const auto last = static_cast<int>(std::ceil(course_.last_phase(stretch) + own - 1.0 + 0.5 * way.duty));
+    Footfalls falls;
+    for (int cycle = first; cycle <= std::max(first, last); ++cycle) {
+        const double lift = static_cast<double>(cycle) - own;
+        Footfall fall;
+        fall.lift = course_.time_at(stretch, lift);
+        fall.touch = course_.time_at(stretch, lift + swing);
+        fall.until = course_.time_at(stretch, lift + 1.0);
+        if (is_slow) fall.lift = std::max(fall.lift, begin);
+        const double middle = course_.time_at(stretch, lift + 1.0 - 0.5 * way.duty);
+        const glm::dmat4 pose = course_.pose(stretch, middle);
+        fall.search = {in_world(pose, way.rest[leg]), in_world(pose, hips_[leg]), course_.axes(pose).up};
+        find_place(fall);
+        falls.push_back(fall);
+    }
+    const double put = falls.size() > 1 ? std::min(begin, falls[1].lift) : begin;
+    falls.front().lift = falls.front().touch = put;
+    falls.back().until = std::numeric_limits<double>::infinity();
+    return falls;
+}
+
+std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obstacles) const {
+    const double least = std::max(settings_.minimum_step, no_step * course_.way().stride);
+    std::vector<Step> steps;
+    const Footfall* before = nullptr;
+    for (const Footfall& fall : falls) {
+        Step step;
+        step.lift = fall.lift;
+        step.touch = fall.touch;
+        step.end = fall.place.point;
+        step.end_normal = fall.place.normal;
+        step.is_grounded = fall.is_grounded;
+        step.start = before != nullptr ? before->place.point : step.end;
+        step.start_normal = before != nullptr ? before->place.normal : step.end_normal;
+        if (before != nullptr) {
+            const double length = length_of(step.end - step.start);
+            if (length <= least) continue;
+            const glm::dvec3 up = direction_or(before->search.up + fall.search.up, fall.search.up);
+            const double over = looks_for_obstacles && ground_ != nullptr
+                                    ? obstacle(*ground_, step.start, step.end, up, settings_.reach_up)
+                                    : 0.0;
+            const double share = std::min(1.0, length / (full_step * course_.way().stride));
+            step.rise = (settings_.clearance * share + over) * up;
+        }
+        steps.push_back(step);
+        before = &fall;
+    }
+    return steps;
+}
+
+Footsteps Planner::all_steps(bool looks_for_obstacles) const {
+    std::vector<std::vector<Step>> steps(falls_.size());
+    for_legs([&](std::size_t leg) {
+        for (std::size_t stretch = 0; stretch < course_.stretch_count(); ++stretch)
+            steps[row(leg, stretch)] = steps_of(falls_[row(leg, stretch)], looks_for_obstacles);
+    });
+    Footsteps all;
+    for (const std::vector<Step>& of_row : steps) all.add(of_row);
+    return all;
+}
+
+dynamics::Track Planner::leans_of(const Footsteps& steps) const {
+    const Way& way = course_.way();
+    const std::size_t legs = way.rest.size();
+    std::vector<double> inputs(3 * way.times.size());
+    std::vector<glm::dvec3> rest(legs), feet(legs);
+    std::vector<double> weights(legs);
+    for (std::size_t stretch = 0; stretch < course_.stretch_count(); ++stretch) {
+        for (std::size_t i = course_.first_sample(stretch); i <= course_.last_sample(stretch); ++i) {
+            for (std::size_t leg = 0; leg < legs; ++leg) {
+                const Step& step = step_at(steps.of(row(leg, stretch)), way.times[i]);
+                const double through = step.through(way.times[i]);
+                rest[leg] = in_world(way.poses[i], way.rest[leg]);
+                feet[leg] = step.start + (step.end - step.start) * along(through);
+                weights[leg] = 1.0 - (1.0 - least_weight) * above(through);
+            }
+            const glm::dvec3 origin(way.poses[i][3]);
+            const Lean lean = lean_of(origin, course_.axes(way.poses[i]), rest, feet, weights);
+            inputs[3 * i] = lean.height;
+            inputs[3 * i + 1] = lean.side;
+            inputs[3 * i + 2] = lean.ahead;
+        }
+    }
+    return {settings_.filter, way.times, inputs, 3, course_.starts()};
+}
+
+void Planner::correct(const dynamics::Track& leans) {
+    const std::vector<glm::dmat4>& poses = course_.way().poses;
+    std::vector<double> outputs(3 * poses.size());
+    leans.outputs(outputs);
+    corrections_.clear();
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        corrections_.push_back(corrected(settings_, {outputs[3 * i], outputs[3 * i + 1], outputs[3 * i + 2]},
+                                         course_.axes(poses[i])));
+}
+
+glm::dvec3 Planner::hip_at(std::size_t leg, std::size_t sample) const {
+    const glm::dmat4& pose = course_.way().poses[sample];
+    const Correction& correction = corrections_[sample];
+    const glm::dvec3 origin(pose[3]);
+    return origin + correction.offset + correction.rotation * (in_world(pose, hips_[leg]) - origin);
+}
+
+glm::dvec3 Planner::hip_after(std::size_t leg, std::size_t sample, double time) const {
+    const std::vector<double>& times = course_.way().times;
+    const glm::dvec3 hip = hip_at(leg, sample);
+    if (!(time > times[sample])) return hip;
+    const double share = (time - times[sample]) / (times[sample + 1] - times[sample]);
+    return hip + share * (hip_at(leg, sample + 1) - hip);
+}
+
+std::optional<std::pair<double, double>> Planner::missed(std::size_t leg, std::size_t stretch,
+                                                         const glm::dvec3& place, double from,
+                                                         double until) const {
+    const std::vector<double>& times = course_.way().times;
+    const std::size_t last = course_.last_sample(stretch);
+    const double begin = std::clamp(from, times[course_.first_sample(stretch)], times[last]);
+    const double end = std::clamp(until, begin, times[last]);
+    constexpr double rounding = 1e-6;
+    const double longest = settings_.lengths[leg] * (1.0 + rounding);
+    std::optional<std::pair<double, double>> span;
+    const auto look = [&](double time, const glm::dvec3& hip) {
+        if (length_of(place - hip) > longest) span = {span ? span->first : time, time};
+    };
+    const auto after = std::ranges::upper_bound(times, begin);
+    auto sample = static_cast<std::size_t>(after - times.begin()) - 1;
+    look(begin, hip_after(leg, sample, begin));
+    while (sample < last && times[sample + 1] <= end) {
+        ++sample;
+        look(times[sample], hip_at(leg, sample));
+    }
+    look(end, hip_after(leg, sample, end));
+    return span;
+}
+
+bool Planner::move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
+    bool has_moved = false;
+    for (Footfall& fall : falls) {
+        if (!missed(leg, stretch, fall.place.point, fall.touch, fall.until)) continue;
+        for (const double share : nearer) {
+            const auto place = footing(*ground_, moved_nearer(fall.search, share), reach_);
+            if (!place || missed(leg, stretch, place->point, fall.touch, fall.until)) continue;
+            fall.place = *place;
+            fall.is_grounded = true;
+            has_moved = true;
+            break;
+        }
+    }
+    return has_moved;
+}
+
+std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
+                                       std::span<const Step> steps) const {
+    const std::vector<double>& times = course_.way().times;
+    const double begin = times[course_.first_sample(stretch)], end = times[course_.last_sample(stretch)];
+    std::vector<Problem> found;
+    if (!settings_.lengths.empty() && !has_reach(leg)) found.push_back({leg, begin, end, Trouble::no_length});
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        // Before the first sample.
+        if (i + 1 < steps.size() && steps[i + 1].lift <= begin) continue;
+        const double first = std::max(begin, steps[i].touch);
+        const double last = std::max(first, i + 1 < steps.size() ? steps[i + 1].lift : end);
+        if (!steps[i].is_grounded) {
+            found.push_back({leg, first, last, Trouble::no_ground});
+        } else if (has_reach(leg)) {
+            if (const auto span = missed(leg, stretch, steps[i].end, first, last))
+                found.push_back({leg, span->first, span->second, Trouble::out_of_reach});
+        }
+    }
+    return found;
+}
+
+Plan Planner::plan() {
+    const std::size_t stretches = course_.stretch_count();
+    const std::size_t rows = hips_.size() * stretches;
+    falls_.resize(rows);
+    for_legs([&](std::size_t leg) {
+        for (std::size_t stretch = 0; stretch < stretches; ++stretch)
+            falls_[row(leg, stretch)] = footfalls(leg, stretch);
+    });
+    dynamics::Track leans = leans_of(all_steps(false));
+    correct(leans);
+    if (ground_ != nullptr && !settings_.lengths.empty()) {
+        // What the hips reach is known once the body follows the feet; then it follows them anew.
+        std::vector<char> has_moved(hips_.size(), 0);
+        for_legs([&](std::size_t leg) {
+            for (std::size_t stretch = 0; has_reach(leg) && stretch < stretches; ++stretch)
+                if (move_nearer(leg, stretch, falls_[row(leg, stretch)])) has_moved[leg] = 1;
+        });
+        if (std::ranges::count(has_moved, 1) > 0) {
+            leans = leans_of(all_steps(false));
+            correct(leans);
+        }
+    }
+
+    Plan plan{all_steps(true), std::move(leans), {}, course_.way().times.back()};
+    std::vector<std::vector<Problem>> troubles(rows);
+    for_legs([&](std::size_t leg) {
+        for (std::size_t stretch = 0; stretch < stretches; ++stretch)
+            troubles[row(leg, stretch)] = problems(leg, stretch, plan.steps.of(row(leg, stretch)));
+    });
+    for (std::size_t i = 0; i < rows; ++i)
+        plan.problems.insert(plan.problems.end(), troubles[i].begin(), troubles[i].end());
+    for (std::size_t leg = 0; leg < hips_.size(); ++leg)
+        plan.settled = std::max(plan.settled, plan.steps.of(row(leg, stretches - 1)).back().touch);
+    return plan;
+}
+
+}  // namespace motus::walker

@@ -1,0 +1,80 @@
+// Makes the plan of a shot. Private to the library.
+#pragma once
+#include <cstddef>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "footing.hpp"
+#include "motus/walker/walker.hpp"
+
+namespace motus::walker {
+
+struct Plan {
+    Footsteps steps;
+    dynamics::Track leans;
+    std::vector<Problem> problems;
+    double settled = 0.0;
+};
+
+/// How the body follows its feet, of a pose of its own: as much of height and tilt as `settings` say.
+[[nodiscard]] Correction corrected(const Settings& settings, const glm::dvec3& lean, const Axes& axes);
+
+/// Throws std::invalid_argument, naming the argument, where more than most_steps would be planned.
+class Planner {
+  public:
+    Planner(const Settings& settings, const Course& course, const Ground* ground, std::size_t threads);
+    [[nodiscard]] Plan plan();
+
+  private:
+    /// A foot's stand in one cycle, and its swing before.
+    struct Footfall {
+        double lift = 0.0;   ///< s
+        double touch = 0.0;  ///< s
+        double until = 0.0;  ///< when the next cycle's swing begins, s
+        Search search;
+        Contact place;
+        bool is_grounded = true;
+    };
+    /// Of a leg on one stretch; at the first one the foot is put.
+    using Footfalls = std::vector<Footfall>;
+
+    /// Calls work(leg) for all legs.
+    template <class Work>
+    void for_legs(const Work& work) const;
+    [[nodiscard]] std::size_t row(std::size_t leg, std::size_t stretch) const {
+        return leg * course_.stretch_count() + stretch;
+    }
+    [[nodiscard]] Footfalls footfalls(std::size_t leg, std::size_t stretch) const;
+    void find_place(Footfall& fall) const;
+    /// Moves those out of reach nearer to the hip; whether there were any that could be.
+    [[nodiscard]] bool move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls) const;
+    [[nodiscard]] std::vector<Step> steps_of(const Footfalls& falls, bool looks_for_obstacles) const;
+    [[nodiscard]] Footsteps all_steps(bool looks_for_obstacles) const;
+    [[nodiscard]] dynamics::Track leans_of(const Footsteps& steps) const;
+    void correct(const dynamics::Track& leans);
+    [[nodiscard]] std::vector<Problem> problems(std::size_t leg, std::size_t stretch,
+                                                std::span<const Step> steps) const;
+
+    [[nodiscard]] bool has_reach(std::size_t leg) const {
+        return !settings_.lengths.empty() && settings_.lengths[leg] > 0.0;
+    }
+    /// A leg's hip as the body follows its feet, at a sample and at a time between two.
+    [[nodiscard]] glm::dvec3 hip_at(std::size_t leg, std::size_t sample) const;
+    [[nodiscard]] glm::dvec3 hip_after(std::size_t leg, std::size_t sample, double time) const;
+    /// From when to when a place is out of the hip's reach, within these times of a stretch.
+    [[nodiscard]] std::optional<std::pair<double, double>> missed(std::size_t leg, std::size_t stretch,
+                                                                  const glm::dvec3& place, double from,
+                                                                  double until) const;
+
+    const Settings& settings_;
+    const Course& course_;
+    const Ground* ground_;  ///< none where it is empty
+    Reach reach_;
+    std::size_t threads_;
+    std::vector<glm::dvec3> hips_;           ///< the settings', or the middle of all feet for each leg
+    std::vector<Footfalls> falls_;           ///< by row()
+    std::vector<Correction> corrections_{};  ///< at samples
+};
+
+}  // namespace motus::walker

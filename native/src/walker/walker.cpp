@@ -1,0 +1,92 @@
+#include "motus/walker/walker.hpp"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "motus/core/ieee_floats.hpp"
+#include "motus/core/numeric.hpp"
+#include "plan.hpp"
+
+namespace motus::walker {
+namespace {
+
+constexpr double largest_number = 1e12;
+
+[[nodiscard]] bool is_length(double value) {
+    return value >= 0.0 && value <= largest_number;
+}
+[[nodiscard]] bool is_share(double value) {
+    return value >= 0.0 && value <= 1.0;
+}
+
+[[nodiscard]] Settings checked(Settings settings, std::size_t legs) {
+    require(is_length(settings.clearance), "clearance must be from 0 to 1e12");
+    require(is_length(settings.reach_up), "reach_up must be from 0 to 1e12");
+    require(is_length(settings.reach_down), "reach_down must be from 0 to 1e12");
+    require(is_length(settings.minimum_step), "minimum_step must be from 0 to 1e12");
+    require(is_share(settings.height), "height must be from 0 to 1");
+    require(is_share(settings.tilt), "tilt must be from 0 to 1");
+    require(settings.hips.empty() || settings.hips.size() == legs,
+            "hips must be as many as the legs of rest");
+    require(settings.lengths.size() == settings.hips.size(), "lengths must be as many as hips");
+    for (const glm::dvec3& hip : settings.hips)
+        require(is_finite(hip) && is_length(length_of(hip)), "hips must be finite, and 1e12 at most");
+    for (const double length : settings.lengths) require(is_length(length), "lengths must be from 0 to 1e12");
+    return settings;
+}
+
+}  // namespace
+
+Walker::Walker(Way way, Settings settings, const Ground* ground, std::size_t threads)
+    : course_(in_ieee_floats([&] { return Course(std::move(way)); })),
+      settings_(checked(std::move(settings), leg_count())) {
+    Plan plan = in_ieee_floats([&] { return Planner(settings_, course_, ground, threads).plan(); });
+    steps_ = std::move(plan.steps);
+    leans_ = std::move(plan.leans);
+    problems_ = std::move(plan.problems);
+    settled_ = plan.settled;
+}
+
+Foot Walker::foot(std::size_t leg, double time) const {
+    require(leg < leg_count(), "leg must be one of the walker's");
+    require(std::isfinite(time), "time must be finite");
+    return in_ieee_floats([&] {
+        const std::size_t row = leg * course_.stretch_count() + course_.stretch_at(time);
+        const Step& step = step_at(steps_.of(row), time);
+        const double through = step.through(time);
+        // Of a step that is over, or that has not begun, the very numbers.
+        if (through >= 1.0) return Foot{step.end, step.end_normal, 0.0};
+        const double share = along(through);
+        const glm::dvec3 normal = step.start_normal + share * (step.end_normal - step.start_normal);
+        return Foot{step.start + share * (step.end - step.start) + above(through) * step.rise,
+                    direction_or(normal, step.end_normal), through};
+    });
+}
+
+Correction Walker::body(double time) const {
+    require(std::isfinite(time), "time must be finite");
+    return in_ieee_floats([&] {
+        glm::dvec3 lean(0.0);
+        leans_->evaluate(time, {&lean[0], 3});
+        return corrected(settings_, lean, course_.axes(course_.pose(course_.stretch_at(time), time)));
+    });
+}
+
+double Walker::phase(double time) const {
+    require(std::isfinite(time), "time must be finite");
+    return course_.phase(course_.stretch_at(time), time);
+}
+
+std::span<const Step> Walker::steps(std::size_t leg) const {
+    require(leg < leg_count(), "leg must be one of the walker's");
+    const std::size_t stretches = course_.stretch_count();
+    return steps_.between(leg * stretches, (leg + 1) * stretches);
+}
+
+std::size_t Walker::bytes() const noexcept {
+    return course_.bytes() + steps_.bytes() + problems_.capacity() * sizeof(Problem) + leans_->bytes() +
+           settings_.hips.capacity() * sizeof(glm::dvec3) + settings_.lengths.capacity() * sizeof(double);
+}
+
+}  // namespace motus::walker
