@@ -1,0 +1,68 @@
+"""The scene "Motus Main": all systems at once, on a winter evening.
+
+A pilot walks through the snow with an aeroplane in his hand, throws it and flies it round the village, and a spider goes to
+meet it; two lanterns swing in the wind, and a stereo camera looks after it all.
+"""
+
+import math
+
+from . import evening, gaze_camera, main_flight, main_land, main_lanterns, main_pilot, shapes, staging
+from .keying import key
+
+SCENE_NAME = "Motus Main"
+FRAMES_PER_SECOND, LAST_FRAME = 24, 264
+# Name, place, half width, flakes a second, seed: over the village, and a few before the camera.
+CLOUDS = (
+    ("Snowfall", (0.0, 11.5, 10.0), 17.0, 420.0, 0),
+    ("Near Snowfall", (0.6, -2.2, 6.0), 4.5, 60.0, 1),
+)
+AHEAD, LIFETIME = 45.0, 14.0  # s before the scene in which it has snowed, and until flakes have come down
+COVER = {"lump": 0.30, "resolution": 0.22, "smoothing": 0.55, "thinnest": 0.004, "repose": math.radians(62.0)}
+STAND, LENS = (0.7, -7.8, 1.75), 29.0  # of the camera at first
+DOLLY = ((1, (-0.2, 0.2, 0.0)), (90, (-0.1, 0.0, 0.0)), (200, (0.35, -0.15, 0.05)), (LAST_FRAME, (0.5, 0.7, -0.1)))
+"""Frames, and m from there."""
+
+GAZE = 1.0  # of the camera's head, to what it attends to
+ATTENTION_HEIGHT = 1.45  # m
+PLANE_SHARE = ((1, 0.0), (74, 0.0), (104, 0.36), (205, 0.36), (LAST_FRAME, 0.5))
+"""Of the aeroplane in what the camera attends to; the rest is the pilot's."""
+
+NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 5.0, 60.0, 0.6, 1.4
+
+
+def build(context):
+    """Build the scene, show it in the window and return it."""
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, LAST_FRAME)
+    names = ("Winter Village", "Snow Covered", "Pilot", "Marks", "Aeroplane", "Lanterns", "Snowfall", "Stereo")
+    land, covered, figure, marks, air, lanterns, snow, views = (staging.new_collection(scene, name) for name in names)
+    main_land.build(scene, land, covered)
+    main_lanterns.build(context, lanterns, covered)
+    way = main_land.add_way(marks)
+    pilot = main_pilot.build(context, figure, marks, way)
+    carrier, _ = main_flight.build(scene, context, air, pilot.rig, main_pilot.RELEASE)
+    main_pilot.attend(pilot, carrier)
+    _add_spider(context)
+    evening.add_snow(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
+    _add_camera(context, scene, views, pilot.stage, carrier)
+    scene.frame_set(1)
+    return scene
+
+
+def _add_spider(context):
+    """Left for the walker."""
+
+
+def _add_camera(context, scene, collection, stage, carrier):
+    """A stereo camera that moves a little, and looks between the pilot and his aeroplane."""
+    attention = shapes.link_object(collection, "Attention", None)
+    attention.empty_display_size = 0.2
+    for thing, lift in ((stage, ATTENTION_HEIGHT), (carrier, 0.0)):
+        constraint = attention.constraints.new("COPY_LOCATION")
+        constraint.name, constraint.target = thing.name, thing
+        constraint.use_offset = lift > 0.0
+    attention.location.z = ATTENTION_HEIGHT
+    key(attention.constraints[1], "influence", PLANE_SHARE)
+    head, _ = gaze_camera.add(
+        context, scene, collection, "Main Camera", STAND, LENS, attention, GAZE, convergence="BUDGET", near=NEAR, far=FAR,
+        near_parallax=NEAR_PARALLAX, far_parallax=FAR_PARALLAX)
+    key(head, "location", [(frame, [a + b for a, b in zip(STAND, move)]) for frame, move in DOLLY])
