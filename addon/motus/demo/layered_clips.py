@@ -204,7 +204,7 @@ def _key_turns(bone, axis, keys):
 
 def _mirrored(name):
     """A bone's name on the other side."""
-    return f"{name[:-1]}{'LR'[name[-1] == 'L']}" if name[-2] == "." and name[-1] in "LR" else name
+    return name[:-2] + {".L": ".R", ".R": ".L"}.get(name[-2:], name[-2:])
 
 
 def _named(rig, name):

@@ -34,11 +34,11 @@ def build(scene, context, collection, rig, release):
     carrier.empty_display_size = 0.2
     start = release - ramp * scene.render.fps
     _follow(carrier, course, start)
+    end = round(start + SECONDS * scene.render.fps)
     toy = shapes.link_object(collection, "Toy", None, carrier)
-    aeroplane.build(collection).parent = toy
+    aeroplane.build(collection, last_frame=end).parent = toy
     toy.scale, toy.rotation_mode = 3 * [SIZE], "QUATERNION"
     _hold(collection, rig, toy, release, hand, held)
-    end = round(start + SECONDS * scene.render.fps)
     _key_pitch(scene, context, carrier, toy, held, release, end)
     return carrier, end
 
