@@ -138,7 +138,7 @@ class MainScene(unittest.TestCase):
         last, before = (self.played[frame].things["Toy"] for frame in (self.scene.frame_end, self.scene.frame_end - 10))
         self.assertEqual(last, before)
         wheel = last @ Vector((0.98, flight.WHEEL_AHEAD, -flight.WHEELS))
-        self.assertLess(abs(wheel.z - land.on_way_at(0.0)[2]), 0.02)
+        self.assertLess(abs(wheel.z - land.LEVEL), 0.02)
         highest = max(moment.things["Toy"].translation.z for moment in self.played.values())
         self.assertGreater(highest, 3.0)
 

@@ -5,19 +5,24 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from . import aeroplane, flight, main_land, main_steps, shapes
+from ..core import actions
+from . import aeroplane, flight, main_land, shapes
+from .keying import key
 
 SIZE = 0.078  # of the aeroplane that the pilots fly
 HAND = "hand.L"
 IN_HAND = (0.006, 0.066, -0.046)  # of the aeroplane's middle: along the palm, and before it
 CLIMB = math.radians(13.0)  # of the nose as it is let go
-SECONDS, EASE_IN, EASE_OUT = 6.9, 0.10, 0.22
+SECONDS, EASE_IN, EASE_OUT = 6.4, 0.10, 0.22
+FASTER, EVEN = 16, 110  # frames after the throw, in which it slows down to its pace, and after which it no longer is ahead by that
 BANK_SMOOTHING, BANK_LIMIT = 1.4, math.radians(58.0)
 SETTLING = 14  # frames in which it turns from the hand's hold to the course
-KNOTS = (  # world, m: out along the picture, round over the houses' roofs, and back before the pilot
-    (2.6, -0.85, 2.75), (6.3, 0.5, 3.9), (7.7, 4.2, 4.9), (4.6, 8.0, 5.3), (0.9, 7.2, 4.6), (-0.35, 4.3, 3.2), (0.35, 1.6, 1.75),
+KNOTS = (  # x, y, and m above the ground: to the left, across the picture before the camera, and back on the right
+    (-1.3, 2.05, 2.45), (-2.75, 2.2, 3.0), (-3.6, 1.3, 3.3), (-2.7, 0.4, 3.15), (-0.3, 0.2, 2.7), (2.3, 0.55, 2.65),
+    (3.8, 1.75, 2.75), (3.65, 3.05, 2.25), (2.75, 3.2, 1.35),
 )
-FINAL = ((2.75, 0.62), (3.75, 0.0), (5.75, 0.0))  # m before where the pilot stands, and above the ground: down to a stop
+FINAL = (0.62, 1.75), math.radians(216.0)  # where it comes to a stop, and heading there
+GLIDE = ((1.95, 0.42), (1.15, 0.0), (0.0, 0.0))  # m before the stop, and above the ground
 WHEEL_AHEAD, WHEELS = 1.16, 1.53  # of the aeroplane: before and below its middle
 FLARE, TAIL_DOWN = math.radians(7.0), math.radians(21.0)  # its nose is up as it comes down, and in the end
 
@@ -27,13 +32,14 @@ def build(scene, context, collection, rig, release):
     hand, before = (_hand(scene, context, rig, frame) for frame in (release, release - 1))
     place = hand @ Vector(IN_HAND)
     speed = (place - before @ Vector(IN_HAND)).length * scene.render.fps
-    nose = Vector((math.cos(main_land.WAY_ANGLE), math.sin(main_land.WAY_ANGLE), math.tan(CLIMB)))
+    nose = _heading(main_land.WAY_ANGLE) + Vector((0.0, 0.0, math.tan(CLIMB)))
     held = Matrix.Translation(place) @ nose.to_track_quat("Y", "Z").to_matrix().to_4x4()
-    ramp, course = _add_course(collection, held, speed)
+    ramp, pace, course = _add_course(collection, held, speed)
     carrier = shapes.link_object(collection, "Flight", None)
     carrier.empty_display_size = 0.2
     start = release - ramp * scene.render.fps
     _follow(carrier, course, start)
+    _key_slowing(carrier, release, (speed - pace) / scene.render.fps)
     end = round(start + SECONDS * scene.render.fps)
     toy = shapes.link_object(collection, "Toy", None, carrier)
     aeroplane.build(collection, last_frame=end).parent = toy
@@ -41,6 +47,10 @@ def build(scene, context, collection, rig, release):
     _hold(collection, rig, toy, release, hand, held)
     _key_pitch(scene, context, carrier, toy, held, release, end)
     return carrier, end
+
+
+def _heading(angle):
+    return Vector((math.cos(angle), math.sin(angle), 0.0))
 
 
 def _hand(scene, context, rig, frame):
@@ -51,22 +61,23 @@ def _hand(scene, context, rig, frame):
 
 
 def _add_course(collection, held, speed):
-    """(seconds from the start of the course to where the aeroplane is let go, the course).
+    """(seconds from the start of the course to where the aeroplane is let go, its pace then in m/s, the course).
 
     It starts behind the hand, so that the aeroplane leaves the hand as fast as the hand moves.
     """
     ahead = held.col[1].xyz.normalized()
     let_go = held.translation
-    ground = main_land.on_way_at(0.0)[2] + SIZE * WHEELS
-    final = [(*main_land.on_way_at(main_steps.STAND + far)[:2], ground + high) for far, high in FINAL]
-    course = flight.add_course(collection, (let_go - ahead, let_go, *KNOTS, *final))
+    ground, along = main_land.LEVEL, _heading(FINAL[1])
+    stop = Vector((*FINAL[0], ground + SIZE * WHEELS))
+    knots = [Vector((x, y, ground + high)) for x, y, high in KNOTS]
+    knots += [stop - far * along + Vector((0.0, 0.0, high)) for far, high in GLIDE]
+    course = flight.add_course(collection, (let_go - ahead, let_go, *knots))
     course.name = "Flight Course"
     points = course.data.splines[0].bezier_points
     _lead(points[0], ahead, 0.15, 0.15)
     _lead(points[1], ahead, 0.15, 0.9)
-    along = Vector((math.cos(main_land.WAY_ANGLE), math.sin(main_land.WAY_ANGLE), 0.0))
     for point in (points[-2], points[-1]):
-        _lead(point, along, 0.55, 0.55)
+        _lead(point, along, 0.38, 0.38)
     rest = flight.course_length(course) - 1.0
     top = 1.0 / (1.0 - 0.5 * EASE_IN - 0.5 * EASE_OUT)  # of the speed, by the mean one
     ramp = EASE_IN * SECONDS
@@ -78,7 +89,7 @@ def _add_course(collection, held, speed):
     move = ahead * (1.0 - before)
     for name in ("co", "handle_left", "handle_right"):
         setattr(points[0], name, getattr(points[0], name) + move)
-    return share * ramp, course
+    return share * ramp, share * most, course
 
 
 def _lead(point, direction, behind, before):
@@ -93,6 +104,21 @@ def _follow(carrier, course, start):
             ease_out=EASE_OUT, orientation="BANKING", bank_smoothing=BANK_SMOOTHING, bank_limit=BANK_LIMIT,
             forward_axis="POS_Y", up_axis="POS_Z") != {"FINISHED"}:
         raise RuntimeError("The aeroplane could not be put on its course")
+
+
+def _key_slowing(carrier, release, excess):
+    """Let it leave the hand as fast as the hand moves, faster by `excess` m a frame than it flies: ahead of its pace for a while."""
+    key(carrier.motus.path, "offset", ((release, 0.0), (release + FASTER, 0.5 * excess * FASTER), (release + EVEN, 0.0)))
+    curve = next(curve for curve in actions.fcurves(carrier) if curve.data_path.endswith("offset"))
+    first, ahead, last = curve.keyframe_points
+    for point in (first, ahead, last):
+        point.handle_left_type = point.handle_right_type = 'FREE'
+        point.handle_left = point.co.x - 1.0, point.co.y
+    third = FASTER / 3.0
+    first.handle_right = first.co.x + third, third * excess
+    ahead.handle_left, ahead.handle_right = (ahead.co.x - third, ahead.co.y), (ahead.co.x + EVEN / 3.0, ahead.co.y)
+    last.handle_left = last.co.x - EVEN / 3.0, 0.0
+    curve.update()
 
 
 def _hold(collection, rig, toy, release, hand, held):

@@ -6,20 +6,20 @@ import numpy as np
 
 from . import evening_houses, evening_land, evening_props, evening_trees, landscape, lighting, materials, shapes
 
-# The way that the pilot walks on and the aeroplane comes down on: from the houses, along the picture, and out of it. x, y, m.
-WAY_START, WAY_ANGLE = (-4.15, 1.62), math.radians(-20.0)
-WAY_LENGTH = 9.5
-TRODDEN = 0.09  # m that it lies lower
-LEVEL_MIDDLE, LEVEL_REACH = (0.4, 0.0), (7.0, 3.3)  # where the ground is level, m
-LEVEL = evening_land.ground_at(*LEVEL_MIDDLE)
+# The way that the pilot walks on: out of the village, and on past the camera. x, y, m.
+WAY_START, WAY_ANGLE = (1.35, 6.49), math.radians(245.0)
+TRODDEN, BEFORE, BEYOND = 0.09, (0.62, 8.6), ((-1.35, 0.7), (-2.2, -3.0), (-2.4, -9.0))  # m that it lies lower, and how it goes on
+WAY_LENGTH = 4.6  # of its straight part
+LEVEL_MIDDLE, LEVEL_REACH, LEVEL_END = (0.3, 2.4), (5.5, 4.2), 1.42  # where the ground is level, m, and where no more, by that
+LEVEL = evening_land.ground_at(3.0, 2.4)
 LANTERNS = ((2.6, 16.4),)
 FENCES = (
-    ((-3.1, 4.9), (-4.7, 5.0), (-6.4, 4.7), (-8.2, 4.3), (-10.0, 4.5)),
-    ((2.9, 6.6), (4.4, 6.9), (6.1, 6.8), (7.9, 6.3), (9.6, 5.4)),
+    ((-5.2, 8.9), (-6.4, 8.4), (-8.0, 7.9), (-9.8, 8.0)),
+    ((4.2, 8.9), (5.6, 8.6), (7.2, 8.0), (8.8, 7.0), (10.4, 5.6)),
 )
 WHITE, BLUE = (0.80, 0.84, 0.90), (0.66, 0.73, 0.85)
 LAMP_SHARE = 0.5  # of the light of lanterns and windows at night
-SUN_ELEVATION, SUN_AZIMUTH = math.radians(17.0), math.radians(218.0)
+SUN_ELEVATION, SUN_AZIMUTH = math.radians(29.0), math.radians(211.0)
 SUN_COLOR, SUN_STRENGTH, SUN_ANGLE = (1.0, 0.66, 0.40), 4.2, math.radians(1.5)
 # Sky colours from the horizon to the zenith: (sine of the elevation, linear rgb).
 SKY_STOPS = (
@@ -55,9 +55,9 @@ def height(x, y):
     """Height of the ground in metres at arrays of x and y: level round the way, which lies a little lower."""
     (middle_x, middle_y), (reach_x, reach_y) = LEVEL_MIDDLE, LEVEL_REACH
     far = np.hypot((x - middle_x) / reach_x, (y - middle_y) / reach_y)
-    rest = landscape.smoothstep(far, 1.0, 1.7)
+    rest = landscape.smoothstep(far, 1.0, LEVEL_END)
     drifts = 0.035 * (landscape.fractal_noise(x, y, 1.7, 3, evening_land.SEED + 40) - 0.5)
-    on_way = evening_land.trodden(x, y, (WAY_START, on_way_at(WAY_LENGTH)[:2]))
+    on_way = evening_land.trodden(x, y, (BEFORE, WAY_START, on_way_at(WAY_LENGTH)[:2], *BEYOND))
     level = LEVEL + drifts * (1.0 - on_way) - TRODDEN * on_way
     return level + rest * (evening_land.height(x, y) - level)
 

@@ -7,11 +7,11 @@ import numpy as np
 
 from . import character_parts, evening_land, evening_props, main_land, materials, shapes
 
-PLACE = (-2.95, 3.05)  # of the post
-ARM, HIGH = (0.95, 0.0), 2.62  # m: from the post to where they hang, and how high that is
-LENGTHS, ANGLES, MASSES = (0.62, 0.50), (math.radians(38.0), math.radians(-14.0)), (1.0, 0.7)
+PLACE = (-2.75, 4.7)  # of the post
+ARM, HIGH = (0.95, 0.0), 2.95  # m: from the post to where they hang, and how high that is
+LENGTHS, ANGLES, MASSES = (0.72, 0.66), (math.radians(38.0), math.radians(-14.0)), (1.0, 0.7)
 ROD, BOB = 0.007, 0.016  # radii, m
-SIZES = (1.0, 0.82)
+SIZES = (1.55, 1.25)
 WATTS = 26.0
 
 

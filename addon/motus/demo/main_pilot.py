@@ -9,10 +9,10 @@ from mathutils import Matrix
 from . import character, character_rig, layered_clips, main_steps, main_transmitter, shapes
 from .keying import key
 
-THROW_START = 57.0
-RELEASE = int(THROW_START) + layered_clips.RELEASE - 1
+RELEASE, WINDING_UP = 77, 28  # the frame on which he lets go, and frames of the throw before it
+THROW_START, THROW_SPEED = float(RELEASE - WINDING_UP), (layered_clips.RELEASE - 1) / WINDING_UP
 WALK_WEIGHT = ((1, 1.0), (72, 1.0), (90, 0.0))
-CARRY_WEIGHT = ((1, 0.92), (62, 0.92), (72, 0.0))
+CARRY_WEIGHT = ((1, 0.92), (54, 0.92), (66, 0.0))
 LOOK_WEIGHT = ((1, 0.0), (RELEASE, 0.0), (RELEASE + 14, 1.0))
 REACH_WEIGHT = ((1, 0.0), (RELEASE + 7, 0.0), (RELEASE + 25, 1.0))  # of the left hand, to the remote
 AT_REMOTE = 0.09, 0.17  # parts of the course behind the aeroplane, between which the hand goes from beside the remote onto it
@@ -97,8 +97,8 @@ def _lay_clips(rig):
     key(walk, "weight", WALK_WEIGHT)
     carry = layered_clips.lay(rig, clips["Carry"], bones="upper_arm.L", start=1.0, after='HOLD')
     key(carry, "weight", CARRY_WEIGHT)
-    layered_clips.lay(rig, clips["Throw"], bones="spine.002", start=THROW_START, blend_in=9.0, blend_out=12.0, feather=1,
-                      in_armature=True)
+    layered_clips.lay(rig, clips["Throw"], bones="spine.002", start=THROW_START, speed=THROW_SPEED, blend_in=10.0, blend_out=14.0,
+                      feather=1, in_armature=True)
 
 
 def _key_beneath(rig):

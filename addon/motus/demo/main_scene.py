@@ -18,9 +18,9 @@ CLOUDS = (
 )
 AHEAD, LIFETIME = 45.0, 14.0  # s before the scene in which it has snowed, and until flakes have come down
 COVER = {"lump": 0.30, "resolution": 0.22, "smoothing": 0.55, "thinnest": 0.004, "repose": math.radians(62.0)}
-STAND, LENS = (0.7, -7.8, 1.75), 29.0  # of the camera at first
-DOLLY = ((1, (-0.2, 0.2, 0.0)), (90, (-0.1, 0.0, 0.0)), (200, (0.35, -0.15, 0.05)), (LAST_FRAME, (0.5, 0.7, -0.1)))
-"""Frames, and m from there."""
+STAND, LENS = (0.25, -4.4, 1.60), 32.0  # of the camera while the aeroplane flies
+DOLLY = ((1, (-1.2, 4.9, -0.45)), (66, (-0.95, 3.0, -0.40)), (124, (0.0, 0.0, 0.0)), (215, (0.1, 0.2, 0.0)), (LAST_FRAME, (-0.1, 1.5, -0.2)))
+"""Frames, and m from there: near him as he walks, then back."""
 
 GAZE = 1.0  # of the camera's head, to what it attends to
 ATTENTION_HEIGHT = 1.45  # m
