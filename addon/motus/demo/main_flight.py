@@ -12,13 +12,13 @@ from .keying import key
 SIZE = 0.078  # of the aeroplane that the pilots fly
 HAND = "hand.L"
 IN_HAND = (0.006, 0.066, -0.046)  # of the aeroplane's middle: along the palm, and before it
-CLIMB = math.radians(13.0)  # of the nose as it is let go
+CLIMB = math.radians(4.0)  # of the nose as it is let go
 SECONDS, EASE_IN, EASE_OUT = 6.4, 0.10, 0.22
 FASTER, EVEN = 16, 110  # frames after the throw, in which it slows down to its pace, and after which it no longer is ahead by that
 BANK_SMOOTHING, BANK_LIMIT = 1.4, math.radians(58.0)
 SETTLING = 14  # frames in which it turns from the hand's hold to the course
 KNOTS = (  # x, y, and m above the ground: to the left, across the picture before the camera, and back on the right
-    (-1.3, 2.05, 2.45), (-2.75, 2.2, 3.0), (-3.6, 1.3, 3.3), (-2.7, 0.4, 3.15), (-0.3, 0.2, 2.7), (2.3, 0.55, 2.65),
+    (-1.5, 2.35, 2.45), (-2.65, 2.2, 3.0), (-3.3, 1.35, 3.25), (-2.6, 0.45, 3.1), (-0.3, 0.2, 2.7), (2.3, 0.55, 2.65),
     (3.8, 1.75, 2.75), (3.65, 3.05, 2.25), (2.75, 3.2, 1.35),
 )
 FINAL = (0.62, 1.75), math.radians(216.0)  # where it comes to a stop, and heading there
@@ -31,8 +31,9 @@ def build(scene, context, collection, rig, release):
     """Course and aeroplane, which is let go at the frame `release`; gives (what flies the course, the frame of the landing)."""
     hand, before = (_hand(scene, context, rig, frame) for frame in (release, release - 1))
     place = hand @ Vector(IN_HAND)
-    speed = (place - before @ Vector(IN_HAND)).length * scene.render.fps
-    nose = _heading(main_land.WAY_ANGLE) + Vector((0.0, 0.0, math.tan(CLIMB)))
+    thrown = place - before @ Vector(IN_HAND)
+    speed = thrown.length * scene.render.fps
+    nose = thrown.xy.normalized().to_3d() + Vector((0.0, 0.0, math.tan(CLIMB)))
     held = Matrix.Translation(place) @ nose.to_track_quat("Y", "Z").to_matrix().to_4x4()
     ramp, pace, course = _add_course(collection, held, speed)
     carrier = shapes.link_object(collection, "Flight", None)

@@ -23,7 +23,7 @@ def build(context, collection, covered):
     post = shapes.link_object(covered, "Lantern Post", _post_mesh([timber, iron]))
     post.location = (*PLACE, ground)
     pivot = _add_pendulum(context, collection, (PLACE[0] + ARM[0], PLACE[1] + ARM[1], ground + HIGH))
-    lantern = _lantern_mesh([iron, evening_props.glow("Hanging Light", 7.0)])
+    lantern = _lantern_mesh([iron, evening_props.glow("Hanging Light", 3.2)])
     for rod, size in zip(pivot.motus.pendulum.rods, SIZES):
         for part in (rod.object, rod.bob):
             part.material_slots[0].material = iron

@@ -18,13 +18,13 @@ CLOUDS = (
 )
 AHEAD, LIFETIME = 45.0, 14.0  # s before the scene in which it has snowed, and until flakes have come down
 COVER = {"lump": 0.30, "resolution": 0.22, "smoothing": 0.55, "thinnest": 0.004, "repose": math.radians(62.0)}
-STAND, LENS = (0.25, -4.4, 1.60), 32.0  # of the camera while the aeroplane flies
-DOLLY = ((1, (-1.2, 4.9, -0.45)), (66, (-0.95, 3.0, -0.40)), (124, (0.0, 0.0, 0.0)), (215, (0.1, 0.2, 0.0)), (LAST_FRAME, (-0.1, 1.5, -0.2)))
+STAND, LENS = (0.25, -4.4, 1.60), 35.0  # of the camera while the aeroplane flies
+DOLLY = ((1, (-1.2, 4.9, -0.45)), (60, (-0.95, 3.1, -0.40)), (112, (0.0, 0.0, 0.0)), (215, (0.1, 0.2, 0.0)), (LAST_FRAME, (-0.15, 2.1, -0.3)))
 """Frames, and m from there: near him as he walks, then back."""
 
 GAZE = 1.0  # of the camera's head, to what it attends to
 ATTENTION_HEIGHT = 1.45  # m
-PLANE_SHARE = ((1, 0.0), (74, 0.0), (104, 0.36), (205, 0.36), (LAST_FRAME, 0.5))
+PLANE_SHARE = ((1, 0.0), (70, 0.0), (96, 0.42), (205, 0.42), (LAST_FRAME, 0.5))
 """Of the aeroplane in what the camera attends to; the rest is the pilot's."""
 
 NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 5.0, 60.0, 0.6, 1.4

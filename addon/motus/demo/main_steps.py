@@ -28,7 +28,7 @@ ANKLE = 0.090  # high, of a foot that stands flat
 # Frames after a foot has come down, and degrees of its sole, toes up: it rolls over the heel, then over the ball.
 ROLL = ((0.0, 15.0), (2.5, 0.0), (8.0, 0.0), (11.0, -14.0), (14.0, -40.0))
 # Shares of the way through the air: how far the ankle has come, how high it is above the straight way, degrees of the sole.
-SWING = ((0.0, 0.0, 0.0, -40.0), (0.18, 0.07, 0.055, -48.0), (0.5, 0.49, 0.078, -16.0), (0.8, 0.91, 0.036, 11.0), (1.0, 1.0, 0.0, 15.0))
+SWING = ((0.0, 0.0, 0.0, -40.0), (0.18, 0.07, 0.055, -48.0), (0.5, 0.52, 0.065, -16.0), (0.8, 0.88, 0.030, 11.0), (1.0, 1.0, 0.0, 15.0))
 LAST_SWING = ((0.0, 0.0, 0.0, -40.0), (0.2, 0.12, 0.050, -42.0), (0.55, 0.62, 0.060, -12.0), (0.85, 0.96, 0.020, 3.0), (1.0, 1.0, 0.0, 0.0))
 FLAT, LIFTED = ROLL[2][0], ROLL[-1][0]
 
