@@ -127,9 +127,9 @@ class MainScene(unittest.TestCase):
         ways = [later - earlier for earlier, later in zip(places, places[1:])]
         for one, other in zip(ways, ways[1:]):
             self.assertLess((other - one).length, 0.6 * max(one.length, other.length))
-        turns = [self.played[frame].things["Toy"].to_quaternion() for frame in range(RELEASE - 1, RELEASE + 3)]
+        turns = [self.played[frame].things["Toy"].to_quaternion() for frame in range(RELEASE, RELEASE + 4)]
         for one, other in zip(turns, turns[1:]):
-            self.assertLess(math.degrees(one.rotation_difference(other).angle), 16.0)
+            self.assertLess(math.degrees(one.rotation_difference(other).angle), 12.0)
 
     def in_hand(self, moment):
         return moment.bones[flight.HAND].inverted() @ moment.things["Toy"].translation
