@@ -33,14 +33,14 @@ VIEWS = (("AgX", "AgX - Medium High Contrast", 0.15), ("Filmic", "Medium High Co
 
 
 def build(scene, collection, covered):
-    """Land, village, light and sky. covered: the collection of what snow lies on; the ground is white by itself."""
+    """Land, village, light and sky; gives the ground. covered: the collection of what snow lies on; the ground is white by itself."""
     scene.world = lighting.build_gradient_world(
         "Motus Winter Sky", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0))
     lighting.set_color_management(scene, VIEWS)
     lighting.add_sun(collection, SUN_ELEVATION, SUN_AZIMUTH, SUN_COLOR, SUN_STRENGTH, SUN_ANGLE)
     snow = _snow()
     evening_land.add_far_land(collection, snow)
-    evening_land.add_ground(collection, snow, height, step=0.2)
+    ground = evening_land.add_ground(collection, snow, height, step=0.2)
     evening_houses.build(collection, covered)
     evening_props.build(collection, covered, LANTERNS, FENCES)
     white = evening_land.whitening(scene, evening_land.SNOWY, evening_land.SNOWY)
@@ -49,6 +49,7 @@ def build(scene, collection, covered):
         if lamp.type == 'LIGHT' and lamp.data.type != 'SUN':
             lamp.data.energy *= LAMP_SHARE
             lamp.data.use_shadow = False  # the sun's are enough, and each costs a picture of the village
+    return ground
 
 
 def height(x, y):

@@ -6,7 +6,7 @@ meet it; two lanterns swing in the wind, and a stereo camera looks after it all.
 
 import math
 
-from . import evening, gaze_camera, main_flight, main_land, main_lanterns, main_pilot, shapes, staging
+from . import evening, gaze_camera, main_flight, main_land, main_lanterns, main_pilot, main_spider, shapes, staging
 from .keying import key
 
 SCENE_NAME = "Motus Main"
@@ -18,14 +18,15 @@ CLOUDS = (
 )
 AHEAD, LIFETIME = 45.0, 14.0  # s before the scene in which it has snowed, and until flakes have come down
 COVER = {"lump": 0.30, "resolution": 0.22, "smoothing": 0.55, "thinnest": 0.004, "repose": math.radians(62.0)}
-STAND, LENS = (0.25, -4.4, 1.60), 35.0  # of the camera while the aeroplane flies
+STAND, LENS = (0.25, -4.4, 1.60), 34.0  # of the camera while the aeroplane flies
 DOLLY = ((1, (-1.2, 4.9, -0.45)), (60, (-0.95, 3.1, -0.40)), (112, (0.0, 0.0, 0.0)), (215, (0.1, 0.2, 0.0)), (LAST_FRAME, (-0.15, 2.1, -0.3)))
 """Frames, and m from there: near him as he walks, then back."""
 
 GAZE = 1.0  # of the camera's head, to what it attends to
 ATTENTION_HEIGHT = 1.45  # m
 PLANE_SHARE = ((1, 0.0), (70, 0.0), (96, 0.42), (205, 0.42), (LAST_FRAME, 0.5))
-"""Of the aeroplane in what the camera attends to; the rest is the pilot's."""
+PLANE_RISE = ((1, 0.0), (70, 0.0), (96, 0.26), (190, 0.26), (LAST_FRAME, 0.5))
+"""Of the aeroplane's place, and of its height, in what the camera attends to; the rest is the pilot's."""
 
 NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 5.0, 60.0, 0.6, 1.4
 
@@ -33,35 +34,33 @@ NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 5.0, 60.0, 0.6, 1.4
 def build(context):
     """Build the scene, show it in the window and return it."""
     scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, LAST_FRAME)
-    names = ("Winter Village", "Snow Covered", "Pilot", "Marks", "Aeroplane", "Lanterns", "Snowfall", "Stereo")
-    land, covered, figure, marks, air, lanterns, snow, views = (staging.new_collection(scene, name) for name in names)
-    main_land.build(scene, land, covered)
+    names = ("Winter Village", "Snow Covered", "Pilot", "Marks", "Aeroplane", "Lanterns", "Spider", "Snowfall", "Stereo")
+    land, covered, figure, marks, air, lanterns, spider, snow, views = (staging.new_collection(scene, name) for name in names)
+    ground = main_land.build(scene, land, covered)
     main_lanterns.build(context, lanterns, covered)
     way = main_land.add_way(marks)
     pilot = main_pilot.build(context, figure, marks, way)
     carrier, _ = main_flight.build(scene, context, air, pilot.rig, main_pilot.RELEASE)
     main_pilot.attend(pilot, carrier)
-    _add_spider(context)
+    main_spider.build(context, spider, ground)
     evening.add_snow(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
     _add_camera(context, scene, views, pilot.stage, carrier)
     scene.frame_set(1)
     return scene
 
 
-def _add_spider(context):
-    """Left for the walker."""
-
-
 def _add_camera(context, scene, collection, stage, carrier):
     """A stereo camera that moves a little, and looks between the pilot and his aeroplane."""
     attention = shapes.link_object(collection, "Attention", None)
     attention.empty_display_size = 0.2
-    for thing, lift in ((stage, ATTENTION_HEIGHT), (carrier, 0.0)):
-        constraint = attention.constraints.new("COPY_LOCATION")
-        constraint.name, constraint.target = thing.name, thing
-        constraint.use_offset = lift > 0.0
     attention.location.z = ATTENTION_HEIGHT
-    key(attention.constraints[1], "influence", PLANE_SHARE)
+    for thing, axes in ((stage, "xyz"), (carrier, "xy"), (carrier, "z")):
+        constraint = attention.constraints.new("COPY_LOCATION")
+        constraint.name, constraint.target, constraint.use_offset = thing.name, thing, thing == stage
+        for axis in "xyz":
+            setattr(constraint, f"use_{axis}", axis in axes)
+    for constraint, shares in zip(attention.constraints[1:], (PLANE_SHARE, PLANE_RISE)):
+        key(constraint, "influence", shares)
     head, _ = gaze_camera.add(
         context, scene, collection, "Main Camera", STAND, LENS, attention, GAZE, convergence="BUDGET", near=NEAR, far=FAR,
         near_parallax=NEAR_PARALLAX, far_parallax=FAR_PARALLAX)
