@@ -50,7 +50,7 @@ WHIP = ("upper_arm.R", "forearm.R")
 """Bones whose way to the release begins slowly and ends fast: their curves are shaped for it."""
 
 CARRY = {
-    ("upper_arm.L", 0): 30.0, ("upper_arm.L", 2): -34.0, ("forearm.L", 0): 124.0, ("hand.L", 0): -34.0,
+    ("upper_arm.L", 0): 30.0, ("upper_arm.L", 2): -41.0, ("forearm.L", 0): 124.0, ("hand.L", 0): -34.0,
     ("hand.L", 1): 22.0, ("hand.L", 2): 18.0,
 }
 

@@ -1,7 +1,7 @@
 """The scene "Motus Main": all systems at once, on a winter evening.
 
-A pilot walks through the snow with an aeroplane in his hand, throws it and flies it round the village, and a spider goes to
-meet it; two lanterns swing in the wind, and a stereo camera looks after it all.
+A pilot walks through the snow with an aeroplane in his hand, throws it and steers it, and a spider goes to meet it; two
+lanterns swing in the wind, and a stereo camera looks after it all.
 """
 
 import math

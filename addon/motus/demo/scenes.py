@@ -96,9 +96,9 @@ SCENES = (
     ),
     DemoScene(
         name="main", identifier="MAIN", module="main_scene", label="Winter Flight",
-        description="All systems at once: a pilot walks through the snow, throws an aeroplane and flies it round the village, "
-                    "while lanterns swing and a spider walks",
-        stills=(("Main Camera", 3.2), ("Main Camera", 6.0), ("Main Camera", 6.0)),
+        description="All systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing "
+                    "and a spider comes to see",
+        stills=(("Main Camera", 4.7), ("Main Camera", 10.8), ("Main Camera", 4.7)),
         film=(0.0, 11.0),
         ambience=0.6,
         stereo=("", "", "ANAGLYPH", ""),
