@@ -11,10 +11,10 @@ from .keying import key
 
 SCENE_NAME = "Motus Main"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 264
-# Name, place, half width, flakes a second, seed: over the village, and a few before the camera.
+# Name, place, half width, flakes a second, seed: over the village, and a few before the camera, none at it.
 CLOUDS = (
-    ("Snowfall", (0.0, 11.5, 10.0), 17.0, 420.0, 0),
-    ("Near Snowfall", (0.6, -2.2, 6.0), 4.5, 60.0, 1),
+    ("Snowfall", (0.0, 15.6, 10.0), 15.5, 400.0, 0),
+    ("Near Snowfall", (0.2, 4.6, 6.0), 2.9, 36.0, 1),
 )
 AHEAD, LIFETIME = 45.0, 14.0  # s before the scene in which it has snowed, and until flakes have come down
 COVER = {"lump": 0.30, "resolution": 0.22, "smoothing": 0.55, "thinnest": 0.004, "repose": math.radians(62.0)}
@@ -28,7 +28,7 @@ PLANE_SHARE = ((1, 0.0), (70, 0.0), (96, 0.42), (205, 0.42), (LAST_FRAME, 0.5))
 PLANE_RISE = ((1, 0.0), (70, 0.0), (96, 0.26), (190, 0.26), (LAST_FRAME, 0.5))
 """Of the aeroplane's place, and of its height, in what the camera attends to; the rest is the pilot's."""
 
-NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 5.0, 60.0, 0.6, 1.4
+NEAR, FAR, NEAR_PARALLAX, FAR_PARALLAX = 2.8, 60.0, 0.25, 1.6
 
 
 def build(context):
