@@ -17,6 +17,8 @@ from . import leaning, legs, plan
 
 CYCLES = 2.0
 """Of the slowest cadence, in which all feet come to rest."""
+SLOWEST = 1e-3
+"""Hz: what a file that somebody has changed may fall short of."""
 FADES = 8.0
 """Swings of the body's filter until it rests."""
 
@@ -67,7 +69,7 @@ class _OverTime:
         """As Channel.extent: feet come to rest after the body. Without the plan, which takes longer."""
         moving, settings = self._body.extent, self._owner.motus.walker
         if moving is not None:
-            rest = CYCLES / settings.cadence + FADES / settings.frequency
+            rest = CYCLES / max(SLOWEST, settings.cadence) + FADES / max(SLOWEST, settings.frequency)
             moving = moving[0], moving[1] + rest * self._fps
         return united([moving, self._influence.extent])
 
