@@ -111,4 +111,5 @@ class OverTime:
 
 
 def _changes_shape(curve):
-    return bool(curve.modifiers) or curve.data.shape_keys is not None or copies.has_animation(curve.data)
+    data = curve.original.data
+    return bool(curve.modifiers) or data.shape_keys is not None or copies.has_animation(data)

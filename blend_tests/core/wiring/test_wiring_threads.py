@@ -66,6 +66,23 @@ class SolversTest(support.SceneTestCase):
         self.assertEqual(asked, set())
 
 
+class HubsTest(support.SceneTestCase):
+    """An evaluated hub's mesh is freed memory until the geometry of the hub is evaluated, for which no other solver waits."""
+
+    def setUp(self):
+        super().setUp()
+        live_scenes.build()
+
+    def test_whose_a_sink_is_is_asked_of_the_original(self):
+        wiring, systems = support.addon("core.wiring"), support.addon("core.system").systems()
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        evaluated = [obj.evaluated_get(depsgraph) for obj in bpy.context.scene.objects]
+        found = [(system.name, carrier) for system in systems for obj in evaluated
+                 for _, _, carrier, _ in wiring.on_object(system, obj)]
+        self.assertLessEqual({"path", "ik", "look_at", "layers", "dynamics"}, {name for name, _ in found})
+        self.assertEqual([name for name, carrier in found if carrier.is_evaluated], [])
+
+
 class NestedTest(support.SceneTestCase):
     """A solver that Blender runs within another one's to_curve(), as it may do while modifiers are computed in parallel."""
 

@@ -429,7 +429,7 @@ def of_parent(obj):
         return None
     if obj.parent_type in {'VERTEX', 'VERTEX_3'}:
         return Reason(Reason.VERTICES, thing=obj.name, name=parent.name)
-    if obj.parent_type == 'OBJECT' and parent.type == 'CURVE' and parent.data.use_path:
+    if obj.parent_type == 'OBJECT' and parent.type == 'CURVE' and parent.original.data.use_path:
         return Reason(Reason.ALONG_CURVE, thing=obj.name, name=parent.name)
     return None
 

@@ -29,13 +29,16 @@ def put(constraint, hub, index):
 
 
 def read(system, constraint):
-    """(hub's mesh, key of its group) of a sink of the system; None for any other constraint."""
+    """(the original of its hub's mesh, key of its group) of a sink of the system, itself original or evaluated; None for any other
+    constraint."""
     if constraint.type not in KINDS:
         return None
     for hub in (constraint.space_object, getattr(constraint, "target", None)):  # an older version has noted the target alone
-        key = outbox.key_on_hub(system, hub.data) if hub and hub.type == 'MESH' else None
+        # Of an evaluated hub nobody here waits for the geometry, until which its data is memory that Blender has freed.
+        mesh = hub.original.data if hub and hub.type == 'MESH' else None
+        key = outbox.key_on_hub(system, mesh) if mesh else None
         if key is not None:
-            return hub.data, key
+            return mesh, key
     return None
 
 
