@@ -23,7 +23,7 @@ def entries(owner):
         return []
     found = [Entry(FEET, ((owner, ""),), tuple(foot.driven for foot in feet))]
     body = legs.body(owner)
-    if body is not None:
+    if body is not None and not _is_foot(body, feet):
         found.append(Entry(BODY, ((owner, ""), *_above(owner, body)), (body if owner.pose is None else body.name,)))
     return found
 
@@ -33,11 +33,17 @@ def _above(owner, body):
     return [(owner, body.parent.name)] if owner.pose and body.parent else []
 
 
+def _is_foot(body, feet):
+    return any(foot.thing == body for foot in feet)
+
+
 def groups(owner):
     """One group for the feet, one for the body. What would wait for itself is left out."""
     levels = dependencies.levels(owner)
     feet, body = legs.feet(owner), legs.body(owner)
     looped = {name for name in (FEET, BODY) if levels.get(("walker", name), 0) is None}
+    if body is not None and _is_foot(body, feet):
+        looped.add(BODY)
     data = {PLAN: json.dumps({
         "feet": [{"leg": foot.index, "is_bone": foot.is_bone} for foot in feet if FEET not in looped], "is_looped": bool(looped),
         "lacks": len(owner.motus.walker.legs) - len(feet), "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}

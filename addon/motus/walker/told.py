@@ -31,7 +31,7 @@ def _unreached(context, owner, leg, first, last, reason, more):
             "no_length": lambda: tr("The leg of {foot} has no length")}[reason]()
     entry = owner.motus.walker.legs[leg]
     told = said.format(foot=legs.label(entry), first=frames[0], last=frames[1])
-    return told if more == 0 else tr("{sentence}, and {count} more times").format(sentence=told, count=more)
+    return told if more == 0 else tr("{sentence}, and {count} more footholds").format(sentence=told, count=more)
 
 
 def _frame(number):

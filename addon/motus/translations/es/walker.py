@@ -24,7 +24,9 @@ INTERFACE = {
     "Name the objects that are the feet of {object}, or select them too":
         "Nombra los objetos que son los pies de {object}, o selecciónalos también",
     "{object} cannot be its own foot": "{object} no puede ser su propio pie",
-    "{object} is a foot of {leader} already": "{object} ya es un pie de {leader}",
+    "{object} cannot be the body, and a foot too": "{object} no puede ser el cuerpo y a la vez un pie",
+    "{object} walks itself, and can be no part of {owner}": "{object} camina por su cuenta, y no puede ser parte de {owner}",
+    "{object} is part of {leader}, which walks already": "{object} es parte de {leader}, que ya camina",
     "{bone} is connected to its parent, and cannot be a foot": "{bone} está conectado a su padre, y no puede ser un pie",
     "Spider": "Araña",
     "Eight legs in two groups, a body that hangs calmly between them":
@@ -120,7 +122,7 @@ INTERFACE = {
     "Collection whose mesh objects the feet stand on": "Colección sobre cuyos objetos de malla apoyan los pies",
     "Steps": "Pasos",
     "At Rest From": "En reposo desde",
-    "{sentence}, and {count} more times": "{sentence}, y {count} veces más",
+    "{sentence}, and {count} more footholds": "{sentence}, y {count} apoyos más",
     "{foot} finds no ground within reach on frames {first}-{last}":
         "{foot} no encuentra suelo a su alcance en los fotogramas {first}-{last}",
     "{foot} is too far from its leg on frames {first}-{last}": "{foot} está demasiado lejos de su pata en los fotogramas {first}-{last}",
@@ -158,8 +160,10 @@ INTERFACE = {
     "selected objects":
         "Nombres de los pies separados por comas: huesos del esqueleto, u objetos; vacío toma los objetivos de sus cadenas, o los demás "
         "objetos seleccionados",
-    "Name of the bone, or of the child object, that rises and leans with the feet; empty takes the bone that all chains hang on":
-        "Nombre del hueso, o del objeto hijo, que sube y se inclina con los pies; vacío toma el hueso del que cuelgan todas las cadenas",
+    "Name of the bone, or of the child object, that rises and leans with the feet; empty leaves the one that is there, or takes the bone that all chains "
+    "hang on":
+        "Nombre del hueso, o del objeto hijo, que sube y se inclina con los pies; vacío deja el que ya hay, o toma el hueso del que cuelgan "
+        "todas las cadenas",
     "{object} walks on {count} legs": "{object} camina con {count} patas",
     "{count} feet belong where they were placed": "El sitio de {count} pies es donde se colocaron",
     "Make a spider that walks wherever its armature is moved: key it, or let it follow a path":
