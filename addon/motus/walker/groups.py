@@ -13,7 +13,7 @@ FEET, BODY = "feet", "body"
 """Names of the entries; the first one's group has no key."""
 PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
 
-_FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "fingerprint": int}
+_FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "is_bodiless": bool, "fingerprint": int}
 
 
 def entries(owner):
@@ -46,7 +46,8 @@ def groups(owner):
         looped.add(BODY)
     data = {PLAN: json.dumps({
         "feet": [{"leg": foot.index, "is_bone": foot.is_bone} for foot in feet if FEET not in looped], "is_looped": bool(looped),
-        "lacks": len(owner.motus.walker.legs) - len(feet), "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}
+        "lacks": len(owner.motus.walker.legs) - len(feet), "is_bodiless": body is None and legs.names_body(owner),
+        "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}
     found = [Group(
         members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
         inputs=(Transform(owner),), data=data)]
@@ -64,8 +65,8 @@ def _channels(owner, body):
 
 @functools.lru_cache(maxsize=64)
 def parsed(text):
-    """What a group notes: {"feet": of the members, "is_looped", "lacks": how many legs have no foot, "fingerprint": of the rig}.
-    Raises Damaged."""
+    """What a group notes: {"feet": of the members, "is_looped", "lacks": how many legs have no foot, "is_bodiless": whether the body
+    that is named is not there, "fingerprint": of the rig}. Raises Damaged."""
     said = stored.parse(text, _FORM)
     order = [foot["leg"] for foot in said["feet"]]
     if order != sorted(set(order)):

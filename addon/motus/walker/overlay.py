@@ -18,6 +18,7 @@ SIDES = 12
 SIZE = 0.12
 """Radius of a foothold, of the body's stride."""
 TINY = 1e-30
+"""Lets the rings of a body that is scaled to nothing be points."""
 
 
 def _batches(context, obj):

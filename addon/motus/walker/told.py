@@ -4,7 +4,7 @@ import math
 
 from ..core.system import Problem
 from ..core.translations import tr
-from . import legs, plan, solve
+from . import ground, legs, plan, solve
 
 
 def found(context, owner):
@@ -20,6 +20,9 @@ def sentence(context, owner, problem):
         troubles = [] if isinstance(planned, Problem) else planned.walker.problems
         if troubles:
             return _unreached(context, owner, *min(troubles, key=lambda one: one[1]), len(troubles) - 1)
+    settings = owner.motus.walker
+    if problem == ground.GONE and settings.ground and ground.is_walking(settings.ground):
+        return tr("{object} walks itself, and is no ground").format(object=settings.ground.name)
     return tr(problem.sentence)
 
 

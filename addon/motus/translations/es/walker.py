@@ -9,6 +9,8 @@ INTERFACE = {
     "The body or the ground moves with what the walker drives: what would wait for itself is left alone":
         "El cuerpo o el suelo se mueve con lo que impulsa el caminante: se deja en paz lo que se esperaría a sí mismo",
     "Some legs have no foot any more: add the walker again": "Algunas patas ya no tienen pie: vuelve a añadir el caminante",
+    "The body that rises and leans is gone, or hangs on something else: choose it anew":
+        "El cuerpo que sube y se inclina ya no está, o cuelga de otra cosa: vuelve a elegirlo",
     "Some feet do not get to the ground where they should": "Algunos pies no llegan al suelo donde deberían",
     "The walk is planned for the frames of the scene: here the feet stand":
         "La marcha está planeada para los fotogramas de la escena: aquí los pies están quietos",
