@@ -148,7 +148,6 @@ class Bodies(cases.WalkerTestCase):
                 spider = cases.spider()
                 spider.scale = scale
                 bpy.context.view_layer.update()
-                np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
                 walker = cases.plan_of(spider).walker
                 for frame in (1, 50, 110):
                     cases.go_to(frame)
