@@ -248,6 +248,21 @@ class Objects(cases.WalkerTestCase):
         self.assertWell(body)
         self.assertTrue(shell.constraints)
 
+    def test_a_body_with_keys_of_its_own(self):
+        body, shell, feet = cases.cross()
+        land = cases.grid("Land", cases.waves)
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name, ground=land.name)
+        cases.key_places(body, {1: (0.0, 0.0, 0.0), 60: (0.0, 2.0, 0.0)})
+        cases.key_places(shell, {1: (0.0, 0.0, 0.5), 60: (0.3, 0.0, 0.9)})
+        for frame in (60, 1, 44, 12.5, 44):
+            cases.go_to(frame)
+            seen = cases.evaluated(shell)
+            own = np.array(cases.evaluated(body).matrix_world @ Matrix.Translation(seen.location))
+            height, turn = cases.plan_of(body).walker.body(cases.seconds(frame))
+            about = np.array(cases.evaluated(body).matrix_world.translation)
+            np.testing.assert_allclose(
+                cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (own[:3, 3] - about), atol=2e-6)
+
     def test_a_deleted_foot(self):
         body, _, feet = cases.cross()
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))

@@ -111,6 +111,20 @@ class Bodies(cases.WalkerTestCase):
         bpy.context.view_layer.update()
         np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
 
+    def test_one_that_is_moved_and_then_keyed(self):
+        spider = cases.spider()
+        cases.go_to(60)
+        spider.location = (1.0, 1.0, 0.0)
+        bpy.context.view_layer.update()
+        np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
+        self.assertIn("until it is keyed", self.sentence(spider))
+        spider.keyframe_insert("location")
+        for _ in range(2):  # an insertion is noticed after the evaluation
+            bpy.context.view_layer.update()
+        walker = cases.plan_of(spider).walker
+        np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(60)), atol=cases.SINGLE)
+        self.assertWell(spider)
+
     def test_no_numbers_in_its_keys(self):
         spider = cases.spider()
         curve = next(one for one in support.addon("core.actions").fcurves(spider) if one.data_path == "location")
@@ -181,7 +195,7 @@ class Bodies(cases.WalkerTestCase):
     def test_a_motion_that_is_too_long(self):
         spider = cases.spider(ahead=0.0)
         cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60_000: (0.0, 50.0, 0.0)})
-        bpy.context.view_layer.update()
+        cases.go_to(2)
         self.assertIn("first 20,000 frames", self.sentence(spider))
 
     def test_settings_beyond_all_bounds(self):

@@ -47,7 +47,7 @@ def spider(ahead=2.0, last=90, **keywords):
     made = bpy.context.object
     if ahead:
         key_places(made, {10: (0.0, 0.0, 0.0), last: (0.0, ahead, 0.0)})
-        bpy.context.view_layer.update()
+        go_to(bpy.context.scene.frame_current)
     return made
 
 

@@ -121,7 +121,10 @@ def render_still(shot, scene, folder, quality, progress, width):
 def _set_stereo(shot, scene):
     """Let both eyes be written as the scene says, where its camera has two."""
     if shot.scene.stereo:
-        bpy.ops.motus.stereo_output(object=scene.camera.name, format=shot.scene.stereo[shot.still])
+        output = shot.scene.stereo[shot.still]
+        scene.render.use_multiview = bool(output)
+        if output:
+            bpy.ops.motus.stereo_output(object=scene.camera.name, format=output)
 
 
 def _suspend_cuts(scene):

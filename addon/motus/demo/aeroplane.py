@@ -36,15 +36,15 @@ SPINNER = ((0.002, 3.04), (0.07, 3.0), (0.13, 2.9), (0.17, 2.76), (0.185, 2.62),
 TYRE = ((0.02, 0.075), (0.2, 0.075), (0.24, 0.03), (0.24, -0.03), (0.2, -0.075), (0.02, -0.075))
 
 
-def build(collection):
-    """Body, canopy and propeller; returns the body, which carries the others."""
+def build(collection, last_frame=None):
+    """Body, canopy and propeller, which stands still from the last frame on; returns the body, which carries the others."""
     body = shapes.link_object(collection, "Aeroplane", _body_mesh())
     shapes.link_object(collection, "Canopy", _canopy_mesh(), parent=body)
     shapes.link_object(collection, "Pilot", _pilot_mesh(), parent=body)
     propeller = shapes.link_object(collection, "Propeller", _propeller_mesh(), parent=body)
     propeller.location.y = PROPELLER_Y
     spin = propeller.driver_add("rotation_euler", 1).driver
-    spin.expression = f"frame * {PROPELLER_TURN_PER_FRAME}"
+    spin.expression = f"{'frame' if last_frame is None else f'min(frame, {last_frame})'} * {PROPELLER_TURN_PER_FRAME}"
     disc = shapes.link_object(collection, "Propeller Disc", _disc_mesh(), parent=body)
     disc.location.y = PROPELLER_Y
     return body

@@ -47,7 +47,7 @@ def build(context):
     evening_props.build(land, covered)
     evening_trees.build(land, covered, evening_land.mottled("Wood Needles", (0.012, 0.034, 0.024), (0.022, 0.052, 0.038), 3.0, white))
     _add_camera(scene, land)
-    _add_snow(context, snow, covered)
+    add_snow(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
     scene.frame_set(1)
     return scene
 
@@ -64,21 +64,21 @@ def _add_moon(collection):
     shapes.link_object(collection, "Moon", lamp).rotation_euler = MOON_ROTATION
 
 
-def _add_snow(context, collection, covered):
-    """Gentle snow, and what lies of it, by the public operators."""
+def add_snow(context, collection, covered, clouds, ahead, lifetime, cover):
+    """Gentle snow, and what lies of it, by the public operators. ahead: s before the scene in which it begins to snow."""
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
     emitters = []
-    for name, place, radius, rate, seed in CLOUDS:
+    for name, place, radius, rate, seed in clouds:
         if bpy.ops.motus.snow_add(
-                preset="GENTLE", location=place, cone_radius=radius, rate=rate, seed=seed, lifetime=LIFETIME,
-                start_frame=1.0 - AHEAD * FRAMES_PER_SECOND) != {"FINISHED"}:
+                preset="GENTLE", location=place, cone_radius=radius, rate=rate, seed=seed, lifetime=lifetime,
+                start_frame=1.0 - ahead * FRAMES_PER_SECOND) != {"FINISHED"}:
             raise RuntimeError("The snow could not be added")
         context.object.name = name
         emitters.append(context.object.name)  # in a file with a scene that was built before it is another one
         _keep_flakes_out_of_shadow_maps(context.object)
     if bpy.ops.motus.snow_cover_add(
-            collection=covered.name, emitters=",".join(emitters), lands=False, **COVER) != {"FINISHED"}:
+            collection=covered.name, emitters=",".join(emitters), lands=False, **cover) != {"FINISHED"}:
         raise RuntimeError("The snow that lies could not be added")
 
 

@@ -25,13 +25,13 @@ def height(x, y):
     hills = 16.0 * landscape.smoothstep(np.hypot(x, y), 60.0, 90.0) * landscape.fractal_noise(x, y, 45.0, 3, SEED + 9)
     far = np.min([np.hypot(np.asarray(x, float) - at, np.asarray(y, float) - up) for at, up in PLACES], axis=0)
     level = landscape.smoothstep(far, 3.2, 8.0)
-    return level * rolling + rise + hills - 0.16 * _trodden(x, y)
+    return level * rolling + rise + hills - 0.16 * trodden(x, y)
 
 
-def _trodden(x, y):
+def trodden(x, y, path=PATH):
     """How much of a place is path, 0 to 1."""
     nearest = np.full(np.broadcast(x, y).shape, np.inf)
-    for (ax, ay), (bx, by) in zip(PATH, PATH[1:]):
+    for (ax, ay), (bx, by) in zip(path, path[1:]):
         along = np.clip(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2), 0.0, 1.0)
         nearest = np.minimum(nearest, np.hypot(x - ax - along * (bx - ax), y - ay - along * (by - ay)))
     return 1.0 - landscape.smoothstep(nearest, 0.25, 0.75)
@@ -39,27 +39,37 @@ def _trodden(x, y):
 
 def build(collection, covered, white):
     """The land, and the ground of the village, which stands in the collection of what snow lies on. white: see whitening()."""
+    add_far_land(collection, mottled("Far Meadow", *GRASS, 0.8, white))
+    add_ground(covered, mottled("Meadow", *GRASS, 0.8))
+
+
+def add_far_land(collection, material):
+    """The land all around; it lies a little below the ground of the village, which is finer."""
     axis = np.linspace(-1.0, 1.0, GRID)
     warped = HALF * (0.25 * axis + 0.75 * axis ** 3)
     x, y = np.meshgrid(warped, warped + 8.0)
-    z = height(x, y)
     (left, right), (front, back) = VILLAGE
-    # Under the ground of the village, which is finer.
     inside = np.minimum(np.minimum(x - left, right - x), np.minimum(y - front, back - y))
+    z = height(x, y) - 0.6 * landscape.smoothstep(inside, 0.0, 2.0)
     land = shapes.MeshBuilder()
-    land.add(shapes.loft(np.stack((x, y, z - 0.6 * landscape.smoothstep(inside, 0.0, 2.0)), axis=-1), closed=False))
-    shapes.link_object(collection, "Land", land.build("Land", [mottled("Far Meadow", *GRASS, 0.8, white)]))
-    x, y = np.meshgrid(np.arange(left, right + 0.5 * STEP, STEP), np.arange(front, back + 0.5 * STEP, STEP))
+    land.add(shapes.loft(np.stack((x, y, z), axis=-1), closed=False))
+    shapes.link_object(collection, "Land", land.build("Land", [material]))
+
+
+def add_ground(collection, material, height_at=height, step=STEP):
+    """The ground of the village. height_at(x, y): of the ground, m."""
+    (left, right), (front, back) = VILLAGE
+    x, y = np.meshgrid(np.arange(left, right + 0.5 * step, step), np.arange(front, back + 0.5 * step, step))
     ground = shapes.MeshBuilder()
-    ground.add(shapes.loft(np.stack((x, y, height(x, y)), axis=-1), closed=False))
-    shapes.link_object(covered, "Village Ground", ground.build("Village Ground", [mottled("Meadow", *GRASS, 0.8)]))
+    ground.add(shapes.loft(np.stack((x, y, height_at(x, y)), axis=-1), closed=False))
+    return shapes.link_object(collection, "Village Ground", ground.build("Village Ground", [material]))
 
 
-def whitening(scene):
+def whitening(scene, bare=BARE, snowy=SNOWY):
     """A node group whose output falls in the course of the scene: how far up what is white of the far land has to face."""
     shader, _, result = materials.new_group("Evening Whitening", [], [("Least", "NodeSocketFloat")])
     value = shader.add("ShaderNodeValue").outputs[0]
-    for frame, least in ((scene.frame_start, BARE), (scene.frame_end, SNOWY)):
+    for frame, least in ((scene.frame_start, bare), (scene.frame_end, snowy)):
         value.default_value = least
         value.keyframe_insert("default_value", frame=frame)
     shader.feed(result.inputs[0], value)

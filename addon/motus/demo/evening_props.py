@@ -17,12 +17,12 @@ PILE = (7.7, 10.3)  # of wood
 LOG = 0.11  # m
 
 
-def build(collection, covered):
+def build(collection, covered, lanterns=LANTERNS, fences=FENCES):
     """All of it; snow lies on all but the lights."""
-    _add_lanterns(collection, covered)
+    _add_lanterns(collection, covered, lanterns)
     wood = evening_land.mottled("Fence Wood", (0.045, 0.034, 0.028), (0.11, 0.085, 0.068), 7.0)
     builder = shapes.MeshBuilder()
-    for places in FENCES:
+    for places in fences:
         _add_fence(builder, np.array([(x, y, evening_land.ground_at(x, y)) for x, y in places]))
     _add_pile(builder)
     shapes.link_object(covered, "Fences", builder.build("Fences", [wood]))
@@ -37,7 +37,7 @@ def glow(name, strength):
     return material
 
 
-def _add_lanterns(collection, covered):
+def _add_lanterns(collection, covered, places):
     iron = materials.principled("Iron", color=(0.012, 0.012, 0.014), roughness=0.4)
     light = glow("Lantern Light", 9.0)
     builder = shapes.MeshBuilder()
@@ -46,7 +46,7 @@ def _add_lanterns(collection, covered):
     builder.add(shapes.upright(shapes.lathe(((0.13, 2.64), (0.10, 2.34)), segments=6)), 1, smooth=False)
     builder.add(shapes.upright(shapes.lathe(((0.12, 2.34), (0.05, 2.26)), segments=6)), 0, smooth=False)
     mesh = builder.build("Lantern", [iron, light])
-    for place in LANTERNS:
+    for place in places:
         lantern = shapes.link_object(covered, "Lantern", mesh)
         lantern.location = (*place, evening_land.ground_at(*place))
         data = bpy.data.lights.new("Lantern Light", "POINT")

@@ -97,23 +97,23 @@ def add_course(collection, knots, is_cyclic=False):
 
 def course_length(course):
     """Length of the course in metres, by fine chords: good for planning frames, motus measures it exactly."""
-    return sum((b - a).length for a, b in _chords(course.data.splines[0].bezier_points))
+    return sum((b - a).length for a, b in _chords(course.data.splines[0]))
 
 
 def place_on_course(course, distance):
     """Position and horizontal direction of flight at a distance along the course, for placing cameras beside it."""
-    points = course.data.splines[0].bezier_points
     distance %= course_length(course)
-    for a, b in _chords(points):
+    for a, b in _chords(course.data.splines[0]):
         distance -= (b - a).length
         if distance <= 0.0:
             break
     return b, Vector((b.x - a.x, b.y - a.y, 0.0)).normalized()
 
 
-def _chords(points):
-    """Short chords along a cyclic spline, as pairs of positions."""
-    for point, following in zip(points, [*points[1:], points[0]]):
+def _chords(spline):
+    """Short chords along a spline, as pairs of positions."""
+    points = list(spline.bezier_points)
+    for point, following in zip(points, [*points[1:], points[0]] if spline.use_cyclic_u else points[1:]):
         way = interpolate_bezier(point.co, point.handle_right, following.handle_left, following.co, 200)
         yield from zip(way, way[1:])
 

@@ -41,15 +41,10 @@ def build(context):
 def _animate(rig):
     """Three layers, added by the public operators: the walk over and over, and now and then a throw or a jump."""
     clips = {"Throw": layered_clips.throw(rig), "Jump": layered_clips.jump(rig), "Walk": layered_clips.walk(rig)}
-    _add_layer(rig, clips["Walk"], mask='ALL', start=1.0, after='REPEAT')
-    _add_layer(rig, clips["Throw"], bones="spine.002", start=THROW_START, blend_in=7.0, blend_out=10.0, feather=1,
-               in_armature=True)
-    _add_layer(rig, clips["Jump"], mask='ALL', start=JUMP_START, blend_in=5.0, blend_out=6.0)
-
-
-def _add_layer(rig, action, **keywords):
-    if bpy.ops.motus.layer_add(object=rig.name, action=action.name, **keywords) != {"FINISHED"}:
-        raise RuntimeError(f"{rig.name} could not be given the layer {action.name}")
+    layered_clips.lay(rig, clips["Walk"], mask='ALL', start=1.0, after='REPEAT')
+    layered_clips.lay(rig, clips["Throw"], bones="spine.002", start=THROW_START, blend_in=7.0, blend_out=10.0, feather=1,
+                      in_armature=True)
+    layered_clips.lay(rig, clips["Jump"], mask='ALL', start=JUMP_START, blend_in=5.0, blend_out=6.0)
 
 
 def _add_toy(scene, collection, rig):

@@ -2,6 +2,8 @@
 
 import math
 
+import bpy
+
 from ..core import actions
 from . import character_rig
 from .keying import key
@@ -47,6 +49,11 @@ THROW = {
 WHIP = ("upper_arm.R", "forearm.R")
 """Bones whose way to the release begins slowly and ends fast: their curves are shaped for it."""
 
+CARRY = {
+    ("upper_arm.L", 0): 30.0, ("upper_arm.L", 2): -41.0, ("forearm.L", 0): 124.0, ("hand.L", 0): -34.0,
+    ("hand.L", 1): 22.0, ("hand.L", 2): 18.0,
+}
+
 JUMP = {
     ("pelvis", 0): ((1, 0.0), (8, 26.0), (TAKE_OFF, 6.0), (21, 8.0), (TOUCH_DOWN, 4.0), (34, 22.0), (JUMP_FRAMES, 0.0)),
     ("spine.002", 0): ((1, 0.0), (8, 12.0), (15, -8.0), (21, 4.0), (34, 12.0), (JUMP_FRAMES, 0.0)),
@@ -91,16 +98,35 @@ def walk(rig):
     return action
 
 
-def throw(rig):
-    """The throw, of the upper body alone."""
+def throw(rig, hand="R"):
+    """The throw, of the upper body alone, by the right or the left hand."""
     for (name, axis), keys in THROW.items():
+        if hand == "L":
+            name, keys = _mirrored(name), [(frame, angle if axis == 0 else -angle) for frame, angle in keys]
         _key_turns(rig.pose.bones[name], axis, keys)
     action = _named(rig, "Throw")
+    whip = [name if hand == "R" else _mirrored(name) for name in WHIP]
     for curve in actions.curves_for_object(action):
-        if any(f'"{name}"' in curve.data_path for name in WHIP) and curve.array_index == 0:
+        if any(f'"{name}"' in curve.data_path for name in whip) and curve.array_index == 0:
             _shape_whip(curve)
     actions.assign(rig, None)
     return action
+
+
+def carry(rig):
+    """A pose of the left arm, which holds something up before the shoulder."""
+    for (name, axis), angle in CARRY.items():
+        _key_turns(rig.pose.bones[name], axis, ((1, angle),))
+    action = _named(rig, "Carry")
+    actions.assign(rig, None)
+    return action
+
+
+def lay(rig, action, **keywords):
+    """Lay a clip over the rig's animation, by the public operator; gives the layer."""
+    if bpy.ops.motus.layer_add(object=rig.name, action=action.name, **keywords) != {"FINISHED"}:
+        raise RuntimeError(f"{rig.name} could not be given the layer {action.name}")
+    return rig.motus.layers.entries[rig.motus.layers.active_entry]
 
 
 def jump(rig):
@@ -175,6 +201,11 @@ def _closed(keys):
 
 def _key_turns(bone, axis, keys):
     key(bone, "rotation_euler", [(frame, math.radians(angle)) for frame, angle in keys], index=axis)
+
+
+def _mirrored(name):
+    """A bone's name on the other side."""
+    return name[:-2] + {".L": ".R", ".R": ".L"}.get(name[-2:], name[-2:])
 
 
 def _named(rig, name):

@@ -31,10 +31,10 @@ HAZE_DISTANCE = 3400.0  # metres in which the haze takes 63 % of the view
 HAZE_LIMIT = 0.93
 
 
-def sun_direction():
+def sun_direction(elevation=SUN_ELEVATION, azimuth=SUN_AZIMUTH):
     """Unit vector towards the sun."""
-    flat = math.cos(SUN_ELEVATION)
-    return Vector((flat * math.cos(SUN_AZIMUTH), flat * math.sin(SUN_AZIMUTH), math.sin(SUN_ELEVATION)))
+    flat = math.cos(elevation)
+    return Vector((flat * math.cos(azimuth), flat * math.sin(azimuth), math.sin(elevation)))
 
 
 def build_sky_group():
@@ -104,13 +104,14 @@ def _cloud_cover(shader, direction):
     return shader.math("MULTIPLY", shader.math("MULTIPLY", cover, fade), 0.75)
 
 
-def add_sun(collection):
+def add_sun(collection, elevation=SUN_ELEVATION, azimuth=SUN_AZIMUTH, color=SUN_COLOR, strength=SUN_STRENGTH, angle=SUN_ANGLE):
     """The sun lamp."""
     lamp = bpy.data.lights.new("Sun", "SUN")
-    lamp.energy, lamp.color, lamp.angle = SUN_STRENGTH, SUN_COLOR, SUN_ANGLE
+    lamp.energy, lamp.color, lamp.angle = strength, color, angle
     sun = shapes.link_object(collection, "Sun", lamp)
-    sun.rotation_euler = sun_direction().to_track_quat("Z", "Y").to_euler()
-    sun.location = sun_direction() * 200.0
+    direction = sun_direction(elevation, azimuth)
+    sun.rotation_euler = direction.to_track_quat("Z", "Y").to_euler()
+    sun.location = direction * 200.0
     return sun
 
 

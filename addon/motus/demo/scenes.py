@@ -14,7 +14,8 @@ class DemoScene(NamedTuple):
     stills: tuple  # (camera, time), the most beautiful first
     film: tuple  # (time of its start, time of its end)
     ambience: float  # m up to which things darken each other
-    stereo: tuple = ()  # of a stereo camera: how each still is written, and then the film, by motus.stereo_output's names
+    # Of a stereo camera: how each still is written, and then the film, by motus.stereo_output's names; "" from between the eyes.
+    stereo: tuple = ()
 
 
 # The first one's still is rendered before all others, and its film is the one that `./motus demo` without a name makes.
@@ -92,5 +93,14 @@ SCENES = (
         stills=(("Garden Camera", 4.4), ("Garden Camera", 9.0), ("Garden Camera", 7.2)),
         film=(0.0, 12.0),
         ambience=0.5,
+    ),
+    DemoScene(
+        name="main", identifier="MAIN", module="main_scene", label="Winter Flight",
+        description="All systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing "
+                    "and a spider comes to see",
+        stills=(("Main Camera", 4.7), ("Main Camera", 10.8), ("Main Camera", 4.7)),
+        film=(0.0, 11.0),
+        ambience=0.6,
+        stereo=("", "", "ANAGLYPH", ""),
     ),
 )

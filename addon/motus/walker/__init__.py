@@ -13,6 +13,7 @@ SYSTEM = System(
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,
+    reads_keys=True,
     groups=groups.groups,
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,

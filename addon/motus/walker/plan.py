@@ -11,6 +11,8 @@ from ..core.tracks import keys
 from . import ground
 from .properties import NUMBERS
 
+UNLIKE = 1e-4
+"""How far numbers of a matrix are apart, of the largest, that somebody has changed. Blender's own are in single precision."""
 MOST_FRAMES = 20_000
 """That are planned."""
 LEAST_STRIDE = 1e-4
@@ -25,8 +27,9 @@ NOT_FINITE = Problem("A setting, or the body's motion, is not a finite number")
 AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be across each other")
 OUT_OF_RANGE = Problem("The settings are outside of what a walk can be planned by")
 UNKNOWN = Problem("The body's motion is not known ahead, and its feet do not step: record it, or key it", blocking=False)
+UNKEYED = Problem("The body was moved away from its keys: its feet stand below it until it is keyed here", blocking=False)
 TOO_LONG = Problem("Only the first 20,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
-PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, OUT_OF_RANGE, UNKNOWN, TOO_LONG, *ground.PROBLEMS)
+PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, OUT_OF_RANGE, UNKNOWN, UNKEYED, TOO_LONG, *ground.PROBLEMS)
 
 EVER = -math.inf, math.inf
 
@@ -71,12 +74,17 @@ class Plan(NamedTuple):
     has_problems: bool
 
 
-def of(owner, scene, numbers):
-    """The Plan of an evaluated owner, or the Problem that keeps it from walking. numbers: read() of its settings."""
+def of(owner, scene, numbers, frame=None):
+    """The Plan of an evaluated owner, or the Problem that keeps it from walking. numbers: read() of its settings.
+
+    frame: the present one in a viewport, where somebody may have moved the body without keys.
+    """
     if isinstance(numbers, Problem):
         return numbers
-    render = scene.render
-    poses, fault = body(owner, scene, render.fps / render.fps_base)
+    fps = scene.render.fps / scene.render.fps_base
+    poses, fault = body(owner, scene, fps)
+    if poses is not None and frame is not None and _is_elsewhere(owner, poses, frame / fps):
+        poses, fault = _standing(owner), UNKEYED
     if poses is None:
         return NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
@@ -132,6 +140,19 @@ def body(owner, scene, fps):
     if not np.isfinite(matrices).all():
         return None, None
     return Poses(stamp and (stamp, place), seconds, matrices, known), fault
+
+
+def _is_elsewhere(owner, poses, seconds):
+    """Whether an evaluated owner stands where its Poses do not have it; it can be told on whole frames, and where it rests."""
+    times = poses.seconds
+    if len(times) == 1:
+        return False
+    row = min(np.searchsorted(times, seconds), len(times) - 1)
+    rests = seconds > times[-1] and poses.known[1] == EVER[1] or seconds < times[0] and poses.known[0] == EVER[0]
+    if times[row] != seconds and not rests:
+        return False
+    known = poses.matrices[row]
+    return np.abs(np.array(owner.matrix_world, float) - known).max() > UNLIKE * max(1.0, np.abs(known).max())
 
 
 def _standing(owner):

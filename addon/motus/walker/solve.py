@@ -2,7 +2,7 @@
 
 from mathutils import Matrix
 
-from ..core import rigs
+from ..core import rigs, tracks
 from ..core.lazy import numpy as np
 from ..core.stored import Damaged
 from ..core.system import Geometries, Problem
@@ -35,7 +35,8 @@ def solve(context, awaited):
     del awaited
     owner, scene = context.owner, context.depsgraph.scene
     wired = groups.parsed(context.data.get(groups.PLAN))
-    found = plan.of(owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)))
+    found = plan.of(owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)),
+                    context.frame if context.depsgraph.mode == 'VIEWPORT' else None)
     if isinstance(found, Problem):
         return found
     seconds = context.frame / context.fps
@@ -86,6 +87,14 @@ def _lean(context, walker, seconds):
         basis = Matrix(rigs.basis(owner, known.still)[known.row].reshape(4, 4).T.tolist())
         place, axes = leaning.of_bone(body, basis, body.parent and body.parent.matrix, world)
     else:
-        place, axes = leaning.of_object(body, body.matrix_basis, world)
+        place, axes = leaning.of_object(body, _basis(body, context.frame), world)
     context.locations[0], context.rotations[0] = leaning.relative(place, axes, world.translation, lift, turn)
     return None
+
+
+def _basis(body, frame):
+    """What an object's own channels make of it on a frame: no solver may wait for these, since its sinks come after them."""
+    track = tracks.own_track(body)
+    if not track.is_known:
+        return body.matrix_basis
+    return Matrix(track.values([frame]).matrices[0].tolist())

@@ -19,7 +19,7 @@ def steps(strip):
     yield from hand.empty_view()
     _look()
     yield from hand.menu("Add", "Motus", "Add Spider", within=hand.box('HEADER'))
-    yield from strip.shot(240, 180)
+    yield from strip.shot(240, 40)
     yield from hand.click()
 
     yield from hand.over_view()
@@ -64,6 +64,10 @@ def _make_steps():
                 collection.objects.unlink(block)
             blocks.objects.link(block)
             block.select_set(False)
+        bpy.ops.mesh.primitive_plane_add(size=8.0)
+        floor = bpy.context.object
+        blocks.objects.link(floor)
+        floor.select_set(False)
         spider.select_set(True)
         bpy.context.view_layer.objects.active = spider
         spider.motus.walker.grounds = blocks

@@ -79,7 +79,7 @@ def of(obj, scene):
             continue
         settings = getattr(obj.motus, system.name)
         owner = obj if settings.is_active else settings.leader
-        sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj)} if owner else ()
+        sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj, has_bones=False)} if owner else ()
         source = system.over_time(owner, obj, scene) if sinks and all(one in sinks for one in acting) else None
         if source is not None:
             return Solved(system, obj, source)

@@ -7,10 +7,14 @@ from ..system import groups_of, leader_of, of_owner
 from . import drivers, hub_lookup, marks, outbox, outputs, property_sink, proxy_sink
 
 
-def on_object(system, obj):
-    """Yields (Object or PoseBone, constraint, carrier, group's key) of every sink of the system, whoever drives it."""
+def on_object(system, obj, has_bones=True):
+    """Yields (Object or PoseBone, constraint, carrier, group's key) of every sink of the system, whoever drives it.
+
+    has_bones: those of its bones too. A solver that waits for the object alone must not look at the hubs of its bones, which other
+    threads may evaluate meanwhile.
+    """
     known = set()
-    for thing in _things(obj):
+    for thing in _things(obj) if has_bones else (obj,):
         for constraint in thing.constraints:
             found = marks.read(system, constraint)
             if found is None and marks.is_bereft(system, constraint):
@@ -19,7 +23,7 @@ def on_object(system, obj):
                 known.add(constraint)
                 yield thing, constraint, *found
     for thing, constraint, *found in _driven_by_outboxes(system, obj):
-        if constraint not in known:
+        if constraint not in known and (has_bones or thing == obj):
             known.add(constraint)
             yield thing, constraint, *found
 

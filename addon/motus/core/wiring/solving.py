@@ -138,7 +138,7 @@ class Solver:
     def _tell_healing(self, moves):
         if self._drives_properties:
             healing.note_properties(self._carrier)
-        if self._system.lays_pose:
+        if self._system.lays_pose or self._system.reads_keys:
             healing.note_keys(self._carrier)
         if self._place is None:
             return

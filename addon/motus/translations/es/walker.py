@@ -134,6 +134,8 @@ INTERFACE = {
     "The settings are outside of what a walk can be planned by": "Con estos ajustes no se puede planear ninguna marcha",
     "The body's motion is not known ahead, and its feet do not step: record it, or key it":
         "El movimiento del cuerpo no se conoce de antemano, y sus pies no pisan: grábalo, o ponle claves",
+    "The body was moved away from its keys: its feet stand below it until it is keyed here":
+        "El cuerpo se ha apartado de sus claves: sus pies están debajo de él hasta que se pongan claves aquí",
     "Only the first 20,000 frames of the body's motion are walked: beyond, the feet stand":
         "Solo se caminan los primeros 20.000 fotogramas del movimiento del cuerpo: más allá, los pies están quietos",
     "The ground is gone: choose another one": "El suelo ya no está: elige otro",
