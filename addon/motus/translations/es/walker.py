@@ -131,6 +131,8 @@ INTERFACE = {
     "The leg of {foot} has no length": "La pata de {foot} no tiene longitud",
     "There are no legs: add the walker again, and name its feet": "No hay patas: vuelve a añadir el caminante y nombra sus pies",
     "A setting, or the body's motion, is not a finite number": "Un ajuste, o el movimiento del cuerpo, no es un número finito",
+    "The walk has more than 1,000,000 steps: a longer stride, a slower body or a lower cadence has fewer":
+        "La marcha tiene más de 1.000.000 de pasos: una zancada más larga, un cuerpo más lento o una cadencia menor da menos",
     "The settings are outside of what a walk can be planned by": "Con estos ajustes no se puede planear ninguna marcha",
     "The body's motion is not known ahead, and its feet do not step: record it, or key it":
         "El movimiento del cuerpo no se conoce de antemano, y sus pies no pisan: grábalo, o ponle claves",
