@@ -198,6 +198,14 @@ class Remove(cases.WalkerTestCase):
                 for obj in (body, shell, other, *feet):
                     self.assertFalse(obj.constraints or obj.is_property_set("motus"), obj.name)
 
+    def test_others_keep_their_settings(self):
+        body, _, feet = cases.cross()
+        other = cases.link("Other")
+        other.motus.walker.gait = 'WAVE'
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
+        bpy.ops.motus.walker_remove(object=body.name)
+        self.assertEqual(other.motus.walker.gait, 'WAVE')
+
     def test_what_is_taken_amiss_leaves_the_walk_on(self):
         body, _, feet = cases.cross()
         bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))

@@ -6,7 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import actions, entries, wiring
-from ..core.system import forget, has_settings, is_owner, leader_of, registered
+from ..core.system import forget, has_settings, of_owner, registered, says_anything
 from . import legs
 
 PREFIX = "motus.walker."
@@ -55,7 +55,7 @@ def attach(context, owner, found, body, changes):
 def _forget_others():
     """Let objects that were feet or bodies, and that nobody drives any more, hold no settings."""
     for obj in bpy.data.objects:
-        if has_settings(system(), obj) and not (obj.library or is_owner(system(), obj) or leader_of(system(), obj)):
+        if has_settings(system(), obj) and not (obj.library or says_anything(of_owner(system(), obj))):
             forget(system(), obj)
 
 
