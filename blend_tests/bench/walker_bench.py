@@ -17,7 +17,8 @@ import support  # noqa: E402  (found by the line above)
 import typical_bench  # noqa: E402
 
 SPIDERS = 10
-BOUNDS = {"one spider": 0.300, f"{SPIDERS} spiders": 3.000}  # ms
+STONES = 50
+BOUNDS = {"one spider": 0.300, f"{SPIDERS} spiders": 3.000, f"on {STONES} stones": 1.500, "on a path": 1.000}  # ms
 PLANNING, FRAMES = 50.0, 250  # ms, of so many frames
 ROUNDS = 20
 
@@ -37,15 +38,37 @@ def new_spiders(count):
     return found
 
 
+def new_on_stones():
+    """One whose ground is a collection."""
+    (spider, land), = new_spiders(1)
+    stones = bpy.data.collections.new("Stones")
+    bpy.context.scene.collection.children.link(stones)
+    for index in range(STONES):
+        stone = bpy.data.objects.new("Stone", land.data)
+        stone.location = (index % 10 - 5.0, index // 10 - 3.0, 0.0)
+        stones.objects.link(stone)
+    return [(spider, stones)]
+
+
+def new_on_path():
+    """One that follows a path, which has to be asked where it is over time."""
+    found = new_spiders(1)
+    for spider, _ in found:
+        spider.animation_data_clear()
+        bpy.ops.motus.path_follow_add(object=spider.name, curve=typical_bench.new_curve().name, duration=10.0)
+    return found
+
+
 def walk(spiders):
     for spider, land in spiders:
-        bpy.ops.motus.walker_add(object=spider.name, ground=land.name)
+        key = "ground" if isinstance(land, bpy.types.Object) else "grounds"
+        bpy.ops.motus.walker_add(object=spider.name, **{key: land.name})
 
 
 def report():
     print(f"| Cost added to a frame by walkers, ms, Blender {bpy.app.version_string}: the median of rounds, the least, the bound")
-    for name, count in (("one spider", 1), (f"{SPIDERS} spiders", SPIDERS)):
-        rounds = typical_bench.costs(lambda count=count: new_spiders(count), walk) / 1e3
+    for name, make in zip(BOUNDS, (lambda: new_spiders(1), lambda: new_spiders(SPIDERS), new_on_stones, new_on_path)):
+        rounds = typical_bench.costs(make, walk) / 1e3
         extra = rounds[:, 1] - rounds[:, 0]
         print(f"| {name:24} {np.median(extra):9.4f} {extra.min():9.4f} {BOUNDS[name]:9.3f}")
     print(f"| {'planning 250 frames':24} {planning():9.4f} {'':9} {PLANNING:9.3f}")

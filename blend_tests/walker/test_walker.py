@@ -65,8 +65,7 @@ class Steps(cases.WalkerTestCase):
         for name, value in changes.items():
             setattr(settings, name, value)
         with mock.patch.object(native, "Walker", wraps=native.Walker) as made, \
-                mock.patch.object(native, "walker_gait", wraps=native.walker_gait) as gait, \
-                mock.patch.object(native, "WalkerGround", wraps=native.WalkerGround) as ground:
+                mock.patch.object(native, "walker_gait", wraps=native.walker_gait) as gait:
             bpy.context.view_layer.update()
         given = made.call_args.kwargs
         wanted = {"duty": 0.75, "stride": 0.6, "cadence": 2.0, "clearance": 0.1, "minimum_step": 0.04, "reach_up": 0.5,
@@ -74,7 +73,7 @@ class Steps(cases.WalkerTestCase):
         for name, value in wanted.items():
             self.assertAlmostEqual(given[name], value, places=6, msg=name)
         self.assertEqual(gait.call_args.args[0], "ripple")
-        self.assertEqual(ground.call_args.args[2].tolist(), [[0.0, 0.0, -0.25], [0.0, 0.0, 1.0]])
+        np.testing.assert_allclose(cases.places(spider)[:, 2], -0.25, atol=1e-5)
         np.testing.assert_array_equal(made.call_args.args[2], [tuple(leg.rest) for leg in settings.legs])
 
     def test_phases_of_ones_own(self):

@@ -94,7 +94,28 @@ class NoGround(cases.WalkerTestCase):
                 cases.go_to(frame)
             spider.motus.walker.stride = 0.4
             cases.go_to(50)
+            spider.motus.walker.use_plane = True
+            spider.motus.walker.plane_height = -0.3
+            cases.go_to(60)
         self.assertEqual(made.call_count, 1)
+
+    def test_stones_on_a_still_empty_stand_still(self):
+        root, spare = cases.link("Root"), cases.link("Spare")
+        stones = bpy.data.collections.new("Stones")
+        self.scene.collection.children.link(stones)
+        for index in range(3):
+            stone = cases.grid(f"Stone {index}", lambda x, y: 0.2 + 0.0 * x, half=1.0, count=2)
+            stone.parent = root
+            self.scene.collection.objects.unlink(stone)
+            stones.objects.link(stone)
+        spider = cases.spider(ahead=0.0, grounds="Stones")
+        cases.go_to(1)
+        self.assertWell(spider)
+        np.testing.assert_allclose(cases.places(spider)[:, 2], 0.2, atol=1e-5)
+        root.parent = spare
+        cases.key_places(spare, {1: (0.0, 0.0, 0.0), 50: (0.0, 0.0, 1.0)})
+        cases.go_to(2)
+        self.assertIn("may move", self.sentence(spider))
 
 
 class Bodies(cases.WalkerTestCase):
@@ -133,6 +154,17 @@ class Bodies(cases.WalkerTestCase):
         cases.go_to(50)
         self.assertIn("not a finite number", self.sentence(spider))
 
+    def test_axes_that_there_are_not(self):
+        """As a file has them that somebody has changed: '' to Blender."""
+        spider = cases.spider()
+        for name in ("forward_axis", "up_axis"):
+            with self.subTest(name):
+                kept = getattr(spider.motus.walker, name)
+                cases.set_raw(spider, name, 99)
+                bpy.context.view_layer.update()
+                self.assertIn("outside of what", self.sentence(spider))
+                setattr(spider.motus.walker, name, kept)
+
     def test_settings_that_are_no_numbers(self):
         spider = cases.spider()
         spider.motus.walker.plane_height = math.nan
@@ -168,6 +200,21 @@ class Bodies(cases.WalkerTestCase):
                     np.testing.assert_allclose(cases.places(spider), walker.feet(cases.seconds(frame)), atol=1e-5)
                 self.assertTrue(np.isfinite(cases.body_of(spider)).all())
 
+    def test_a_body_that_grows(self):
+        """As one that pops into the picture: it has legs, and steps, of the size that it grows to."""
+        for smallest in (0.0, 0.1, 0.5):
+            with self.subTest(smallest):
+                support.empty_scene()
+                spider = cases.spider(ahead=4.0, last=110)
+                for frame, size in ((1, smallest), (30, 1.0)):
+                    spider.scale = (size, size, size)
+                    spider.keyframe_insert("scale", frame=frame)
+                cases.go_to(2)
+                self.assertWell(spider)
+                steps = cases.plan_of(spider).walker.steps
+                length = np.linalg.norm(steps["end"] - steps["start"], axis=1)[steps["touch"] > cases.seconds(40)]
+                self.assertGreater(length.max(), 0.3)
+
     def test_scaled_to_nothing(self):
         spider = cases.spider()
         spider.scale = (0.0, 0.0, 0.0)
@@ -196,7 +243,7 @@ class Bodies(cases.WalkerTestCase):
         spider = cases.spider(ahead=0.0)
         cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60_000: (0.0, 50.0, 0.0)})
         cases.go_to(2)
-        self.assertIn("first 20,000 frames", self.sentence(spider))
+        self.assertIn("first 9,000 frames", self.sentence(spider))
 
     def test_settings_beyond_all_bounds(self):
         spider = cases.spider(ahead=30.0, stride=0.0, cadence=100.0)

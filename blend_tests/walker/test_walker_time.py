@@ -1,5 +1,7 @@
 """Walkers on motions that are solved or recorded, and what is known of them at other times."""
 
+from unittest import mock
+
 import bpy
 import numpy as np
 import solved_cases
@@ -36,6 +38,86 @@ class Motions(cases.WalkerTestCase):
         for frame in cases.OFF_THE_FRAMES:
             cases.go_to(frame)
             np.testing.assert_array_equal(cases.places(spider), played[frame])
+
+    def test_where_the_scene_begins_changes_nothing_on_a_path(self):
+        curve = self.path()
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.path_follow_add(object=spider.name, curve=curve.name, duration=4.0)
+        frames = (57, 60, 70)
+        whole = cases.over(frames, lambda: cases.places(spider))
+        for self.scene.frame_start, self.scene.frame_end in ((50, 120), (57, 70)):
+            np.testing.assert_array_equal(cases.over(frames, lambda: cases.places(spider)), whole)
+
+    def test_a_scene_that_begins_late(self):
+        curve = self.path()
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.path_follow_add(object=spider.name, curve=curve.name, extend='LOOP', duration=4.0)
+        self.scene.frame_start, self.scene.frame_end = 30_000, 30_100
+        cases.go_to(30_050)
+        self.assertWell(spider)
+
+    def test_each_frame_of_a_long_motion_is_a_sample(self):
+        spider = cases.spider(ahead=0.0)
+        plan = support.addon("walker.plan")
+        cases.key_places(spider, {0: (0.0, 0.0, 0.0), 30_000: (0.0, 20_000.0, 0.0)})
+        for curve in support.addon("core.actions").fcurves(spider):
+            for key in curve.keyframe_points:
+                key.interpolation = 'LINEAR'
+        cases.go_to(5000)
+        steps = cases.plan_of(spider).walker.steps
+        self.assertGreater(int((steps["touch"] > steps["lift"]).sum()), 8 * plan.MOST_FRAMES)
+
+    def test_a_render_plans_nothing_anew(self):
+        """Its evaluated copies are others on each frame; what they are read for is the same."""
+        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        cases.go_to(20)
+        native, others = support.addon("core.native").module, []
+        with mock.patch.object(native, "Walker", wraps=native.Walker) as made:
+            for frame in (20, 21):
+                cases.go_to(frame)
+                spider.location.x = 0.0  # not keyed on its own: a fresh copy
+                spider.update_tag()
+                spider.motus.walker.influence = 0.5 + 0.01 * frame
+                bpy.context.view_layer.update()
+                others.append(support.addon("core.copies").of(cases.evaluated(spider)).number)
+        self.assertEqual(len(set(others)), 2)
+        self.assertEqual(made.call_count, 0)
+
+    def test_feet_and_body_share_a_plan_for_as_long_as_an_evaluation(self):
+        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        plan = support.addon("walker.plan")
+        cases.go_to(20)
+        with mock.patch.object(plan, "of", wraps=plan.of) as asked:
+            cases.go_to(21)
+            self.assertIn(asked.call_count, (1, 2))  # two where both begin at once
+        for stride in (0.2, 0.6):
+            for change in (lambda stride=stride: setattr(spider.motus.walker, "stride", stride),
+                           lambda: setattr(spider.pose.bones["body"], "location", (0.0, 0.01, 0.0))):
+                change()
+                bpy.context.view_layer.update()
+                found = cases.places(spider), cases.body_of(spider)
+                cases.go_to(1)
+                cases.go_to(21)
+                for was, now in zip(found, (cases.places(spider), cases.body_of(spider))):
+                    np.testing.assert_array_equal(was, now)
+
+    def test_an_extent_needs_no_plan(self):
+        spider = cases.spider(ground=cases.grid("Land", cases.waves).name)
+        cases.go_to(20)
+        native, tracks = support.addon("core.native").module, support.addon("core.tracks")
+        with mock.patch.object(native, "Walker", wraps=native.Walker) as made:
+            for name in ("abdomen", "foot 1.L"):
+                self.assertGreater(tracks.world_track(spider.pose.bones[name], self.scene).extent[1], 90.0)
+        self.assertEqual(made.call_count, 0)
+
+    def test_feet_rest_when_the_extent_ends(self):
+        for gait in ("TETRAPOD", "WAVE", "RIPPLE"):
+            for cadence in (0.5, 1.0):
+                with self.subTest((gait, cadence)):
+                    support.empty_scene()
+                    spider = cases.spider(gait=gait, cadence=cadence, ahead=1.7)
+                    end = support.addon("core.tracks").world_track(spider.pose.bones["foot 1.L"], bpy.context.scene).extent[1]
+                    self.assertLess(cases.plan_of(spider).walker.settled, cases.seconds(end))
 
     def test_what_is_not_known_is_recorded(self):
         spider = cases.spider(ahead=0.0)

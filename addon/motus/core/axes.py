@@ -4,6 +4,7 @@ AXES = (
     ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
     ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
 )
+IDENTIFIERS = frozenset(name for name, *_ in AXES)
 
 
 def vector(identifier):

@@ -194,10 +194,12 @@ def _number_in(mark):
 
 def number_given(evaluated):
     """The same of a datablock that nobody has prepared, and of whose properties no other thread reads any."""
-    if _mark(evaluated) is None:
+    mark = _mark(evaluated)
+    if mark is None:
         evaluated[KEY] = [0]
+        mark = _mark(evaluated)
     # The meshes that modifiers make do not count as evaluated to Blender.
-    return _number_in(_mark(evaluated))
+    return _number_in(mark)
 
 
 @persistent

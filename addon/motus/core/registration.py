@@ -3,9 +3,11 @@
 import bpy
 
 from . import (
-    bake, deleted, menus, overlay, panels, preferences, settings, system, teardown, tracks, translations, ui, viewports, wiring)
+    bake, deleted, handlers, menus, overlay, panels, preferences, settings, system, teardown, tracks, translations, ui, viewports, wiring)
+from .scenery import meshes
 
 _undo = []
+_FORGETTING = handlers.Forgetting(tracks.forget), handlers.Forgetting(meshes.forget)
 
 
 def register(systems, extra_classes=(), extra_add_menu=()):
@@ -36,6 +38,8 @@ def _register(systems, extra_classes, extra_add_menu):
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
     _call(tracks.register, tracks.unregister)
+    for one in _FORGETTING:
+        _call(one.register, one.unregister)
     _call(viewports.register, viewports.unregister)
     _call(overlay.register, overlay.unregister)
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)

@@ -152,16 +152,12 @@ class Geometry(Deformed):
 
 @dataclass(frozen=True)
 class Geometries(Deformed):
-    """The objects that the function `of` gives for settings, as Geometry has one, once the geometry of all of them is there; none
-    of them without it."""
+    """The same of the objects that the function `of` gives for settings: wiring.waited_for() has them then."""
 
     of: Callable
 
     def objects(self, settings):
         return self.of(settings)
-
-    def read(self, value, settings):
-        return self.of(settings) if Matrix.read(value, settings) is not None else []
 
 
 @dataclass(frozen=True)

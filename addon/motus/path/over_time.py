@@ -37,7 +37,7 @@ class OverTime:
         return {name: self._channel(name) for name in solve.NUMBERS}
 
     def _channel(self, name):
-        return Channel(self._owner, f"{self._settings.path_from_id()}.{name}", -1)
+        return Channel(self._owner, f"motus.path.{name}", -1)
 
     @functools.cached_property
     def _curve(self):

@@ -48,7 +48,7 @@ def parts(settings, scene, left_out=()):
         return (() if kept is None else (kept,)), None
     found, fault = _found(settings)
     found = [one for one in found if one.objects[0].original not in left_out]
-    still = [one for one in found if not one.moves(scene)]
+    still = seen.still(found, scene)
     fault = fault or (MOVING if len(still) < len(found) else None)
     return tuple(filter(None, (one.placed for one in still))), fault
 

@@ -1,8 +1,7 @@
 """Walkers: legs that step by themselves under a body that is moved, planned for the whole shot."""
 
-from ..core import handlers
 from ..core.system import System
-from . import ground, groups, operators, over_time, overlay, panel, presets, properties, solve
+from . import groups, operators, over_time, overlay, panel, presets, properties, shared, solve
 from .spider import operators as spider_operators
 
 SYSTEM = System(
@@ -19,7 +18,7 @@ SYSTEM = System(
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
     overlay=overlay.overlay,
-    extras=(handlers.Forgetting(ground.forget),),
+    extras=(shared,),
     add_menu=("motus.spider_add",),
     object_menu=("motus.walker_add", "motus.walker_remove"),
 )

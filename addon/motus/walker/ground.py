@@ -1,11 +1,9 @@
 """What a walker's feet stand on: meshes that stand still, beside the plane."""
 
-import functools
-
-from ..core import deleted, gathered, native, wiring
+from ..core import deleted, gathered, native, tracks, wiring
 from ..core.lazy import numpy as np
 from ..core.scenery import meshes, seen
-from ..core.system import Problem, is_owner, leader_of, pointed, registered
+from ..core.system import Problem, has_settings, is_owner, leader_of, pointed, registered
 
 GONE = Problem("The ground is gone: choose another one", blocking=False)
 NO_FACES = Problem("The ground has no faces", blocking=False)
@@ -14,7 +12,6 @@ PROBLEMS = GONE, NO_FACES, MOVING
 
 DEEPEST = 64
 """Parents above each other that are looked through."""
-KEPT = 8
 
 
 def objects(settings):
@@ -35,21 +32,21 @@ def parts(settings, scene):
             fault = GONE
         else:
             found.append(seen.alone(ground))
-    still = [one for one in found if not one.moves(scene)]
+    still = seen.still(found, scene)
     fault = fault or (MOVING if len(still) < len(found) else None)
     placed = tuple(filter(None, (one.placed for one in still)))
     is_named = ground is not None or pointed(settings, "grounds") is not None
     return placed, fault or (NO_FACES if is_named and not placed else None)
 
 
-@functools.lru_cache(maxsize=KEPT)
 def made(placed, plane):
     """The native WalkerGround of what is Placed, and of a level plane of a height, or None without."""
-    positions = triangles = None
-    if placed:
-        positions, triangles = meshes.joined(placed)
-    level = None if plane is None else np.array([(0.0, 0.0, plane), (0.0, 0.0, 1.0)])
-    return native.module.WalkerGround(positions, triangles, level)
+    ground = tracks.kept_by(tuple(one.stamp for one in placed), "walker ground", lambda: _made(placed))
+    return ground if plane is None else ground.with_plane(np.array([(0.0, 0.0, plane), (0.0, 0.0, 1.0)]))
+
+
+def _made(placed):
+    return native.module.WalkerGround(*(meshes.joined(placed) if placed else ()))
 
 
 def _members(settings):
@@ -79,9 +76,4 @@ def is_walking(obj, feet=frozenset()):
 
 
 def _is_part(walker, obj, feet):
-    return is_owner(walker, obj) or leader_of(walker, obj) is not None or obj.original in feet
-
-
-def forget():
-    """Let go of what feet stood on."""
-    made.cache_clear()
+    return has_settings(walker, obj) and (is_owner(walker, obj) or leader_of(walker, obj) is not None) or obj.original in feet

@@ -15,6 +15,8 @@ from ..core.tracks.strips import together
 from ..core.tracks.transforms import World
 from . import leaning, legs, plan
 
+CYCLES = 2.0
+"""Of the slowest cadence, in which all feet come to rest."""
 FADES = 8.0
 """Swings of the body's filter until it rests."""
 
@@ -62,11 +64,11 @@ class _OverTime:
 
     @property
     def extent(self):
-        """As Channel.extent: feet come to rest after the body."""
-        moving, found = self._body.extent, self._plan
-        if moving is not None and not isinstance(found, Problem):
-            rest = found.walker.settled + FADES / self._owner.motus.walker.frequency
-            moving = moving[0], max(moving[1], rest * self._fps)
+        """As Channel.extent: feet come to rest after the body. Without the plan, which takes longer."""
+        moving, settings = self._body.extent, self._owner.motus.walker
+        if moving is not None:
+            rest = CYCLES / settings.cadence + FADES / settings.frequency
+            moving = moving[0], moving[1] + rest * self._fps
         return united([moving, self._influence.extent])
 
     @property
@@ -75,7 +77,7 @@ class _OverTime:
         found = self._plan
         if isinstance(found, Problem):
             return together((found.sentence, self._influence.stamp))
-        return together((found.stamp, self._fps, self._own, self._influence.stamp))
+        return together((found.stamp, self._body.stamp, self._fps, self._own, self._influence.stamp))
 
     @property
     def _own(self):

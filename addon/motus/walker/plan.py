@@ -1,5 +1,6 @@
 """The steps of a whole shot, planned by the native library from the body's motion, the legs and the ground."""
 
+import hashlib
 import math
 from typing import Any, NamedTuple
 
@@ -13,10 +14,12 @@ from .properties import NUMBERS
 
 UNLIKE = 1e-4
 """How far numbers of a matrix are apart, of the largest, that somebody has changed. Blender's own are in single precision."""
-MOST_FRAMES = 20_000
-"""That are planned."""
+MOST_FRAMES = 9_000
+"""That are planned: fewer than keys.MOST, as each has to be a sample. *Jump* counts from one to the next."""
 LEAST_STRIDE = 1e-4
 """m: a body that is scaled to nothing has steps too."""
+BEYOND = 250.0
+"""Frames after the scene's last one, to which a foot that is lifted by then may be on its way."""
 EVERYWHERE = 1e6
 """m: length of a leg of which nobody knows how long it is."""
 SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
@@ -29,17 +32,17 @@ TOO_MANY = Problem("The walk has more than 1,000,000 steps: a longer stride, a s
 OUT_OF_RANGE = Problem("The settings are outside of what a walk can be planned by")
 UNKNOWN = Problem("The body's motion is not known ahead, and its feet do not step: record it, or key it", blocking=False)
 UNKEYED = Problem("The body was moved away from its keys: its feet stand below it until it is keyed here", blocking=False)
-TOO_LONG = Problem("Only the first 20,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
+TOO_LONG = Problem("Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
 PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, TOO_MANY, OUT_OF_RANGE, UNKNOWN, UNKEYED, TOO_LONG, *ground.PROBLEMS)
 
 EVER = -math.inf, math.inf
 
 
 class Poses(NamedTuple):
-    """Where the body is over time. stamp: hashable, of all that the samples were read from, None where nobody can tell whether that
-    is still the same. known: (first, last) frame up to which it goes on as the samples say."""
+    """Where the body is over time. digest: of the samples, which is the same in the viewport and on each frame of a render. known:
+    (first, last) frame up to which it goes on as the samples say."""
 
-    stamp: Any
+    digest: bytes
     seconds: Any
     matrices: Any
     known: tuple
@@ -65,8 +68,8 @@ class Numbers(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from, None
-    where nobody can tell whether that is still the same. has_problems: whether walker.problems has any."""
+    """walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from.
+    has_problems: whether walker.problems has any."""
 
     walker: Any
     fault: Any
@@ -89,7 +92,7 @@ def of(owner, scene, numbers, frame=None):
     if poses is None:
         return NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
-    stamp = None if poses.stamp is None else (numbers, poses.stamp, tuple(one.stamp for one in placed))
+    stamp = numbers, poses.digest, tuple(one.stamp for one in placed)
     made = tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed))
     if isinstance(made, Problem):
         return made
@@ -101,6 +104,8 @@ def read(settings):
     """Numbers of the settings, or what is wrong with them."""
     if not settings.legs:
         return NO_LEGS
+    if not {settings.forward_axis, settings.up_axis} <= axes.IDENTIFIERS:
+        return OUT_OF_RANGE  # of a file that somebody has changed
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
     rest, hips = ([tuple(getattr(leg, name)) for leg in settings.legs] for name in ("rest", "hip"))
@@ -136,11 +141,8 @@ def body(owner, scene, fps):
         last, fault = first + MOST_FRAMES, TOO_LONG
     start, end = extent
     known = first if math.isinf(start) else EVER[0], last if math.isinf(end) or fault else EVER[1]
-    place = "walker", first, last, fps
-    seconds, matrices = tracks.kept_by(stamp, place, lambda: _sampled(track, first, last, fps))
-    if not np.isfinite(matrices).all():
-        return None, None
-    return Poses(stamp and (stamp, place), seconds, matrices, known), fault
+    samples = tracks.kept_by(stamp, ("walker", first, last, fps), lambda: _sampled(track, first, last, fps))
+    return samples and Poses(*samples, known), fault
 
 
 def _is_elsewhere(owner, poses, seconds):
@@ -157,29 +159,48 @@ def _is_elsewhere(owner, poses, seconds):
 
 
 def _standing(owner):
-    rows = np.array(owner.matrix_world, float)
-    if not np.isfinite(rows).all():
+    samples = _digested(np.zeros(1), np.array(owner.matrix_world, float)[None])
+    return samples and Poses(*samples, EVER)
+
+
+def _digested(seconds, matrices):
+    """(digest, seconds, matrices); None where these are not finite."""
+    if not np.isfinite(matrices).all():
         return None
-    return Poses(rows.tobytes(), np.zeros(1), rows[None], EVER)
+    digest = hashlib.blake2b(np.ascontiguousarray(seconds), digest_size=16)
+    digest.update(np.ascontiguousarray(matrices))
+    return digest.digest(), seconds, matrices
 
 
 def span(extent, scene):
-    """(first, last) frame of a motion that is read: all of one that ends, else the scene's."""
+    """(first, last) frame of a motion that is read: all of one that ends, else the scene's.
+
+    From a frame before, so that the library sees the body come, or rest. A motion without a beginning is read from frame 0 on,
+    even if the scene begins later, and one without an end beyond the scene's: the steps on a frame are the same whichever part of
+    the shot is rendered.
+    """
     start, end = extent
-    # From a frame before, so that the library sees the body come, or rest.
-    first = start - 1.0 if math.isfinite(start) else min(scene.frame_start - 1.0, end)
-    return first, end if math.isfinite(end) else max(scene.frame_end + 1.0, first)
+    last = end if math.isfinite(end) else scene.frame_end + BEYOND
+    first = start if math.isfinite(start) else min(scene.frame_start, 1.0, end + 1.0)
+    if math.isinf(start) and last - first >= MOST_FRAMES:
+        first = scene.frame_start  # then there is not room for all
+    return first - 1.0, max(last, first - 1.0)
 
 
 def _sampled(track, first, last, fps):
-    frames = np.array(keys.union([[first, *keys.whole(first, last), last], track.bounds(first, last)]), float)
+    whole = [first, *keys.whole(first, last), last]
+    frames = keys.union([whole, track.bounds(first, last)])
+    if len(frames) >= keys.MOST:  # which leaves some out
+        frames = keys.union([whole])
+    frames = np.array(frames)
     seconds, places = np.unique(frames / fps, return_index=True)
-    return seconds, track.values(frames[places])
+    return _digested(seconds, track.values(frames[places]))
 
 
 def _made(numbers, poses, placed):
     """(the native Walker, whether there are problems with its steps), or what is wrong with the settings."""
-    scale = abs(np.linalg.det(poses.matrices[0, :3, :3])) ** (1.0 / 3.0)
+    # The largest: what grows from nothing has legs as well.
+    scale = np.abs(np.linalg.det(poses.matrices[:, :3, :3])).max() ** (1.0 / 3.0)
     rest = np.array(numbers.rest)
     try:
         phases, duty = numbers.phases, numbers.duty

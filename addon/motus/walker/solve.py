@@ -6,7 +6,7 @@ from ..core import rigs, tracks
 from ..core.lazy import numpy as np
 from ..core.stored import Damaged
 from ..core.system import Geometries, Problem
-from . import groups, ground, leaning, legs, plan
+from . import groups, ground, leaning, legs, plan, shared
 
 LOOPED = Problem("The body or the ground moves with what the walker drives: what would wait for itself is left alone", blocking=False)
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
@@ -35,8 +35,9 @@ def solve(context, awaited):
     del awaited
     owner, scene = context.owner, context.depsgraph.scene
     wired = groups.parsed(context.data.get(groups.PLAN))
-    found = plan.of(owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)),
-                    context.frame if context.depsgraph.mode == 'VIEWPORT' else None)
+    found = shared.found(context, lambda: plan.of(
+        owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)),
+        context.frame if context.depsgraph.mode == 'VIEWPORT' else None))
     if isinstance(found, Problem):
         return found
     seconds = context.frame / context.fps

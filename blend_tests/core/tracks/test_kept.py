@@ -95,6 +95,32 @@ class Room(support.SceneTestCase):
             track.kept_by("stamp", ("small", number), lambda: None)
         self.assertEqual([one for one in made if one() is not None], [])
 
+    def test_what_is_in_use_stays(self):
+        track, made = support.addon("core.tracks.track"), []
+        for number in range(2 * track.LARGEST_CACHE):
+            track.kept_by("stamp", ("other", number), lambda: None)
+            track.kept_by("stamp", "in use", lambda: made.append(1))
+        self.assertEqual(made, [1])
+
+    def test_nothing_stays_when_another_file_is_opened(self):
+        track, meshes = support.addon("core.tracks.track"), support.addon("core.scenery.meshes")
+        self.assertIsNotNone(meshes.faces(self._face()))
+        self.assertGreater(len(meshes._faces), 0)
+        made = []
+        for _ in range(2):
+            track.kept_by("stamp", "file", lambda: made.append(1))
+            support.empty_scene()
+        self.assertEqual(made, [1, 1])
+        self.assertEqual(len(meshes._faces), 0)
+
+    def _face(self):
+        mesh = bpy.data.meshes.new("Face")
+        mesh.from_pydata([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)], [], [(0, 1, 2)])
+        obj = bpy.data.objects.new("Face", mesh)
+        bpy.context.scene.collection.objects.link(obj)
+        bpy.context.view_layer.update()
+        return obj.evaluated_get(bpy.context.evaluated_depsgraph_get())
+
     def test_three_thousand_properties_are_kept_from_frame_to_frame(self):
         track, made = support.addon("core.tracks.track"), []
         for _ in range(2):

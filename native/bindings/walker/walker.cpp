@@ -54,6 +54,13 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
     return py::make_tuple(array_of(pattern.phases), pattern.duty);
 }
 
+[[nodiscard]] std::optional<walker::Plane> plane_argument(const py::object& given) {
+    if (given.is_none()) return std::nullopt;
+    const Points rows(given, "plane");
+    if (rows.values().size() != 2) value_error("plane", "must have the shape (2, 3): a point, a normal");
+    return walker::Plane{rows.values()[0], rows.values()[1]};
+}
+
 [[nodiscard]] std::shared_ptr<Ground> ground_of(const py::object& given_positions,
                                                 const py::object& given_triangles,
                                                 const py::object& given_plane) {
@@ -61,12 +68,7 @@ constexpr double foot_cost = 60.0, body_cost = 200.0, phase_cost = 30.0;  // ns,
     if (!given_positions.is_none()) positions = copied(Positions(given_positions, "positions").values());
     const std::vector<glm::ivec3> triangles =
         copied(IndexRows<glm::ivec3>(given_triangles, "triangles").values());
-    std::optional<walker::Plane> plane;
-    if (!given_plane.is_none()) {
-        const Points rows(given_plane, "plane");
-        if (rows.values().size() != 2) value_error("plane", "must have the shape (2, 3): a point, a normal");
-        plane = walker::Plane{rows.values()[0], rows.values()[1]};
-    }
+    const std::optional<walker::Plane> plane = plane_argument(given_plane);
     const py::gil_scoped_release released;
     return std::make_shared<Ground>(positions, triangles, plane);
 }
@@ -298,8 +300,16 @@ plane (2, 3): a point of an endless plane and its normal. All may be None.
 Raises ValueError or TypeError that names the argument.)")
         .def(py::init(&ground_of), "positions"_a = py::none(), "triangles"_a = py::none(),
              "plane"_a = py::none())
+        .def(
+            "with_plane",
+            [](const Ground& self, const py::object& plane) {
+                return std::make_shared<Ground>(self.with_plane(plane_argument(plane)));
+            },
+            "plane"_a, R"(
+The same triangles, which both share, with this plane (2, 3), or None, in the place of its own.)")
         .def_property_readonly("vertex_count", &Ground::vertex_count, "How many vertices it has.")
-        .def_property_readonly("triangle_count", &Ground::triangle_count, "How many triangles it has.");
+        .def_property_readonly("triangle_count", &Ground::triangle_count, "How many triangles it has.")
+        .def_property_readonly("nbytes", &Ground::bytes, "Of the memory that it takes, about.");
     bind_plan(m);
 }
 

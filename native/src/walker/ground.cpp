@@ -37,9 +37,20 @@ namespace {
 
 Ground::Ground(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
                const std::optional<Plane>& plane, std::size_t threads)
-    : picker_(picker_of(positions, triangles, threads)),
-      positions_(positions.begin(), positions.end()),
+    : mesh_(std::make_shared<const Mesh>(
+          Mesh{picker_of(positions, triangles, threads), {positions.begin(), positions.end()}})),
       plane_(checked(plane)) {}
+
+Ground Ground::with_plane(const std::optional<Plane>& plane) const {
+    Ground made = *this;
+    made.plane_ = checked(plane);
+    return made;
+}
+
+std::size_t Ground::bytes() const noexcept {
+    // The tree has the positions too, in its order, the triangles and a box for a few of them.
+    return 2 * vertex_count() * sizeof(glm::vec3) + 4 * triangle_count() * sizeof(glm::ivec3);
+}
 
 std::optional<Contact> Ground::on_plane(const glm::dvec3& origin, const glm::dvec3& direction,
                                         double farthest) const {
@@ -54,10 +65,12 @@ std::optional<Contact> Ground::on_plane(const glm::dvec3& origin, const glm::dve
 std::optional<Contact> Ground::ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                    double farthest) const {
     const std::optional<Contact> plane = on_plane(origin, direction, farthest);
-    const std::optional<mesh::Hit> hit = picker_.ray(origin, direction, plane ? plane->distance : farthest);
+    const std::optional<mesh::Hit> hit =
+        mesh_->picker.ray(origin, direction, plane ? plane->distance : farthest);
     if (!hit) return plane;
-    const glm::dvec3 a(positions_[hit->corners[0]]), b(positions_[hit->corners[1]]),
-        c(positions_[hit->corners[2]]);
+    const std::vector<glm::vec3>& positions = mesh_->positions;
+    const glm::dvec3 a(positions[hit->corners[0]]), b(positions[hit->corners[1]]),
+        c(positions[hit->corners[2]]);
     const glm::dvec3 normal = unit_vector(glm::cross(b - a, c - a));
     return Contact{hit->point, facing(normal, direction), hit->distance};
 }

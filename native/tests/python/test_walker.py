@@ -49,6 +49,16 @@ class WalkerTest(unittest.TestCase):
                                 ({"plane": [[0, 0, 1], [0, 0, 0]]}, "plane"), ({"plane": [[0, 0, 1]]}, "plane")):
             with self.assertRaisesRegex(ValueError, name):
                 native.WalkerGround(**arguments)
+        self.assertGreater(ground.nbytes, native.WalkerGround().nbytes)
+
+    def test_another_plane_for_the_same_triangles(self):
+        ground = native.WalkerGround(*FLOOR)
+        raised = ground.with_plane([[0, 0, 0.2], [0, 0, 1]])
+        self.assertEqual(raised.triangle_count, ground.triangle_count)
+        for on, height in ((ground, 0.0), (raised, 0.2), (raised.with_plane(None), 0.0)):
+            np.testing.assert_allclose(walker(ground=on).feet(0.0)[:, 2], height, atol=1e-12)
+        with self.assertRaisesRegex(ValueError, "plane"):
+            ground.with_plane([[0, 0, 1], [0, 0, 0]])
 
     def test_shapes(self):
         walks = walker()

@@ -85,6 +85,12 @@ def faces(obj):
     return found
 
 
+def forget():
+    """Let go of all faces: they are of another file."""
+    with _lock:
+        _faces.clear()
+
+
 def _read(mesh):
     mesh.calc_loop_triangles()
     count = len(mesh.loop_triangles)
@@ -103,8 +109,8 @@ def _read(mesh):
 
 def placed(obj, matrix):
     """The faces of an evaluated mesh object, Placed; None where it has none."""
-    found = faces(obj)
-    return found and Placed((found.stamp, np.array(matrix, float).tobytes()), found, matrix.copy())
+    found, matrix = faces(obj), matrix.copy()  # each row of which is not asked of Blender then
+    return found and Placed((found.stamp, np.array(matrix, float).tobytes()), found, matrix)
 
 
 def joined(parts):

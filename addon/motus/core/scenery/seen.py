@@ -4,6 +4,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix
 
+from ..tracks.question import answered
 from . import meshes, stillness
 
 
@@ -30,14 +31,23 @@ def awaited(members):
 
 def gathered(members, ready):
     """[Seen] of those Gathered that are evaluated. ready: {original: evaluated}, see wiring.waited_for."""
-    return [Seen(matrix(each, ready), tuple(ready[one] for one in (each.object, *each.instancers)))
-            # What has come into the collection since the owner was wired may not be evaluated.
-            for each in members if all(one in ready for one in (each.object, *each.instancers))]
+    found = []
+    for each in members:
+        objects = ready.get(each.object), *map(ready.get, each.instancers)
+        # What has come into the collection since the owner was wired may not be evaluated.
+        if None not in objects:
+            found.append(Seen(matrix(each, ready), objects))
+    return found
 
 
 def alone(obj):
     """The Seen of an evaluated object that settings name."""
     return Seen(obj.matrix_world, (obj,))
+
+
+def still(found, scene):
+    """Those Seen that do not move. What several of them hang on is asked once."""
+    return answered(object(), lambda: [one for one in found if not one.moves(scene)])
 
 
 def matrix(each, ready):

@@ -6,12 +6,15 @@ What Blender does not tell counts as moving: constraints, drivers, physics, modi
 import bpy
 
 from .. import actions, node_groups, tracks
+from ..tracks.question import answered
 
 _OVER_TIME = {'BUILD', 'CLOTH', 'DYNAMIC_PAINT', 'EXPLODE', 'FLUID', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN',
               'PARTICLE_INSTANCE', 'PARTICLE_SYSTEM', 'SOFT_BODY', 'WAVE'}
 """Modifiers that look at the time."""
 _TIME_NODES = "GeometryNodeInputSceneTime", "GeometryNodeSimulation"
 """Beginnings of the names of nodes that do."""
+DEEPEST = 64
+"""Parents above each other that are looked through one by one."""
 
 
 def moves(obj, scene, seen=None):
@@ -23,12 +26,23 @@ def moves(obj, scene, seen=None):
     if obj in seen:
         return False
     seen.add(obj)
-    return _goes(obj, scene) or _is_animated(obj.data) or _is_deformed(obj, scene, seen)
+    # Of an evaluated object the data may be memory that Blender has freed, where nobody waits for its geometry.
+    return _goes(obj, scene) or _is_animated(obj.original.data) or _is_deformed(obj, scene, seen)
 
 
 def _goes(obj, scene):
-    if obj.animation_data is None and obj.parent is None and not obj.constraints and obj.rigid_body is None:
-        return False
+    for _ in range(DEEPEST):
+        parent = obj.parent
+        is_plain = parent is None or obj.parent_type == 'OBJECT' and parent.type != 'CURVE'
+        if not is_plain or obj.animation_data is not None or obj.constraints or obj.rigid_body is not None:
+            break
+        if parent is None:
+            return False
+        obj = parent
+    return answered((hash(obj), hash(scene), "goes"), lambda: _is_moved(obj, scene))
+
+
+def _is_moved(obj, scene):
     track = tracks.world_track(obj, scene)
     # A single key moves nothing.
     return not track.is_known or track.extent is not None and track.extent[0] != track.extent[1]

@@ -2,7 +2,7 @@
 
     property_track, own_track, world_track   a number, the channels of an object or bone, its world matrix: each a Track
     moving_numbers                           what keys make of some properties on one frame
-    kept, kept_by                            keeps what a solver made of a Track until the keys change
+    kept, kept_by, forget                    keeps what a solver made of a Track until the keys change, or another file is opened
     keys_stamp                               when these do, of properties that nothing but keys animates
     animation, keys                          which F-curve animates a property, and its integral and bounds
     draw, classes, register                  for the panel: what kind it is, and the buttons that record it
@@ -14,9 +14,9 @@ through the frames and keeps samples in the file. See docs/tracks.md.
 from .operators import classes
 from .panel import draw, is_outdated, register, unregister
 from .strips import keys_stamp
-from .track import Kind, Track, kept, kept_by, moving_numbers, own_track, property_track, world_track
+from .track import Kind, Track, forget, kept, kept_by, moving_numbers, own_track, property_track, world_track
 
 __all__ = (
-    "Kind", "Track", "classes", "draw", "is_outdated", "kept", "kept_by", "keys_stamp", "moving_numbers", "own_track", "property_track", "register",
+    "Kind", "Track", "classes", "draw", "forget", "is_outdated", "kept", "kept_by", "keys_stamp", "moving_numbers", "own_track", "property_track", "register",
     "unregister", "world_track",
 )

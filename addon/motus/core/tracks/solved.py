@@ -74,16 +74,24 @@ def of(obj, scene):
     acting = [constraint for constraint in obj.constraints if not constraint.mute]
     if not acting or not obj.is_property_set("motus"):
         return None
-    for system in systems():
-        if system.over_time is None:
-            continue
-        settings = getattr(obj.motus, system.name)
-        owner = obj if settings.is_active else settings.leader
-        sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj, has_bones=False)} if owner else ()
-        source = system.over_time(owner, obj, scene) if sinks and all(one in sinks for one in acting) else None
-        if source is not None:
-            return Solved(system, obj, source)
+    owners = [(system, obj if settings.is_active else settings.leader)
+              for system in systems() if system.over_time for settings in [getattr(obj.motus, system.name)]]
+    for are_sinks in _have_marks, _are_known:
+        for system, owner in owners:
+            source = system.over_time(owner, obj, scene) if owner and are_sinks(system, obj, acting) else None
+            if source is not None:
+                return Solved(system, obj, source)
     return None
+
+
+def _have_marks(system, _obj, constraints):
+    return all(wiring.is_sink(system, one) for one in constraints)
+
+
+def _are_known(system, obj, constraints):
+    """The same of those of an older version, and of those that have lost their hub: that takes longer."""
+    sinks = {constraint for _, constraint, *_ in wiring.on_object(system, obj, has_bones=False)}
+    return all(one in sinks for one in constraints)
 
 
 def of_bone(bone, scene, beneath=None):

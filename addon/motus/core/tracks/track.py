@@ -18,11 +18,25 @@ LARGEST_MEMORY = 1 << 30  # bytes of that
 
 
 class _Kept(OrderedDict):
-    """(what, bytes of it) by place, the oldest first; no more than the limits."""
+    """(what, bytes of it) by place, what was asked for least lately first; no more than the limits."""
 
     def __init__(self):
         self._memory = 0
         self._changing = threading.Lock()
+
+    def find(self, place):
+        """What is there; None without."""
+        with self._changing:
+            held = self.get(place)
+            if held is not None:
+                self.move_to_end(place)
+        return held
+
+    def empty(self):
+        """Let go of all."""
+        with self._changing:
+            self.clear()
+            self._memory = 0
 
     def add(self, place, held):
         with self._changing:
@@ -202,12 +216,17 @@ def kept_by(stamp, name, make):
     if stamp is None:
         return make()
     place = name, stamp
-    held = _kept.get(place)
+    held = _kept.find(place)
     if held is None:
         found = make()
         held = found, _bytes(found)
         _kept.add(place, held)
     return held[0]
+
+
+def forget():
+    """Let go of what is kept: it is of another file."""
+    _kept.empty()
 
 
 def _bytes(found):

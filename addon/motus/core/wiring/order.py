@@ -10,6 +10,7 @@ from ..system import Deformed, pointed
 
 _WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION'}
 """Type of an object -> of the constraint that waits for its geometry, or, where it has none, for its transform."""
+_WAIT = frozenset(_WAITING.values())
 
 
 def geometries(system, settings):
@@ -59,4 +60,4 @@ def release(settings):
 
 
 def _waits_for(candidate):
-    return [one.target for one in candidate.constraints if one.type in _WAITING.values() and one.influence == 0.0]
+    return [one.target for one in candidate.constraints if one.type in _WAIT and one.influence == 0.0]

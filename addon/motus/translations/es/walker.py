@@ -138,8 +138,8 @@ INTERFACE = {
         "El movimiento del cuerpo no se conoce de antemano, y sus pies no pisan: grábalo, o ponle claves",
     "The body was moved away from its keys: its feet stand below it until it is keyed here":
         "El cuerpo se ha apartado de sus claves: sus pies están debajo de él hasta que se pongan claves aquí",
-    "Only the first 20,000 frames of the body's motion are walked: beyond, the feet stand":
-        "Solo se caminan los primeros 20.000 fotogramas del movimiento del cuerpo: más allá, los pies están quietos",
+    "Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand":
+        "Solo se caminan los primeros 9.000 fotogramas del movimiento del cuerpo: más allá, los pies están quietos",
     "The ground is gone: choose another one": "El suelo ya no está: elige otro",
     "The ground has no faces": "El suelo no tiene caras",
     "Ground that may move is left out: feet do not stand on it": "Se deja fuera el suelo que puede moverse: los pies no apoyan en él",

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -33,9 +34,14 @@ class Ground {
     Ground(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
            const std::optional<Plane>& plane, std::size_t threads = thread_count());
 
-    [[nodiscard]] bool is_empty() const noexcept { return picker_.triangle_count() == 0 && !plane_; }
-    [[nodiscard]] std::size_t vertex_count() const noexcept { return positions_.size(); }
-    [[nodiscard]] std::size_t triangle_count() const noexcept { return picker_.triangle_count(); }
+    /// The same triangles, which both share, with this plane alone. Throws as above.
+    [[nodiscard]] Ground with_plane(const std::optional<Plane>& plane) const;
+
+    [[nodiscard]] bool is_empty() const noexcept { return triangle_count() == 0 && !plane_; }
+    [[nodiscard]] std::size_t vertex_count() const noexcept { return mesh_->positions.size(); }
+    [[nodiscard]] std::size_t triangle_count() const noexcept { return mesh_->picker.triangle_count(); }
+    /// Of the memory that it takes, about.
+    [[nodiscard]] std::size_t bytes() const noexcept;
 
     /// The first that the ray from `origin` along `direction` (unit) meets, not farther away than `farthest`;
     /// the triangle where plane and triangle are met at the same distance.
@@ -43,11 +49,15 @@ class Ground {
                                              double farthest) const;
 
   private:
+    struct Mesh {
+        mesh::Picker picker;
+        std::vector<glm::vec3> positions;
+    };
+
     [[nodiscard]] std::optional<Contact> on_plane(const glm::dvec3& origin, const glm::dvec3& direction,
                                                   double farthest) const;
 
-    mesh::Picker picker_;
-    std::vector<glm::vec3> positions_;
+    std::shared_ptr<const Mesh> mesh_;
     std::optional<Plane> plane_;
 };
 
