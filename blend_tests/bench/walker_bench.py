@@ -80,6 +80,7 @@ def planning():
     bpy.context.scene.frame_end = FRAMES
     (spider, _), = spiders = new_spiders(1)
     walk(spiders)
+    bpy.context.scene.frame_set(2)
     settings = spider.motus.walker
 
     def least(change):

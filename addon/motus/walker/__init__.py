@@ -1,7 +1,7 @@
 """Walkers: legs that step by themselves under a body that is moved, planned for the whole shot."""
 
 from ..core.system import System
-from . import groups, operators, over_time, overlay, panel, presets, properties, shared, solve
+from . import groups, operators, over_time, overlay, panel, presets, properties, solve
 from .spider import operators as spider_operators
 
 SYSTEM = System(
@@ -18,7 +18,6 @@ SYSTEM = System(
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
     overlay=overlay.overlay,
-    extras=(shared,),
     add_menu=("motus.spider_add",),
     object_menu=("motus.walker_add", "motus.walker_remove"),
 )

@@ -11,6 +11,7 @@ from .geometry_sink import place as points_place
 from .geometry_sink import set_collection as set_points_collection
 from .geometry_sink import set_material as set_points_material
 from .geometry_sink import set_object as set_points_object
+from .healing import evaluation
 from .order import waited_for
 from .outputs import output, output_path, outputs_of
 from .problems import problem, report_problems
@@ -22,7 +23,7 @@ from .sinks import abandoned, has_sinks, is_sink, on_object, release, sinks
 from .solver import register, unregister
 
 __all__ = (
-    "abandoned", "absent_path", "attach", "check_property", "detach", "driven_bones", "driven_properties", "has_sinks", "is_attached", "is_sink",
-    "on_object", "output", "output_path", "outputs_of", "points_place", "problem", "property_place", "refresh", "register", "release", "set_muted",
+    "abandoned", "absent_path", "attach", "check_property", "detach", "driven_bones", "driven_properties", "evaluation", "has_sinks", "is_attached",
+    "is_sink", "on_object", "output", "output_path", "outputs_of", "points_place", "problem", "property_place", "refresh", "register", "release", "set_muted",
     "set_points_collection", "set_points_material", "set_points_object", "sinks", "targets_on", "touch", "unregister",
 )

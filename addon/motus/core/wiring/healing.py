@@ -29,6 +29,8 @@ log = logging.getLogger(__name__)
 
 _in_use = [False]
 """Whether any solver was called since the file was opened. Until then there is nothing of Motus in it that could need help."""
+_evaluations = [0]
+"""How many have ended since a solver was called."""
 _asked = set()
 # Owners by their names, those of this file: what is linked is wired in its own.
 _seen = {}
@@ -102,6 +104,11 @@ def watch_collections(place):
     _gathering.add(place)
 
 
+def evaluation():
+    """A number that is the same for all solvers of one evaluation, and another one for the next in the viewport."""
+    return _evaluations[0]
+
+
 def ask_to_settle(system, owner):
     """Have System.settle called with the original of an evaluated owner, after the evaluation."""
     if not owner.library:
@@ -115,7 +122,10 @@ def _heal_after_frame(_scene=None, depsgraph=None):
 
 @persistent
 def _heal(_scene=None, depsgraph=None, is_edit=True):
-    if not _in_use[0] or bpy.app.is_job_running('RENDER'):
+    if not _in_use[0]:
+        return
+    _evaluations[0] += 1
+    if bpy.app.is_job_running('RENDER'):
         return
     _try(lambda: _heal_all(depsgraph, is_edit))
 
