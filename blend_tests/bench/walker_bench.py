@@ -75,25 +75,19 @@ def report():
 
 
 def planning():
-    """ms of an edit that has the steps planned anew beyond those of one that does not, each the least."""
+    """ms that the steps of a spider take to be planned, its motion and its ground being read; the least."""
     support.empty_scene()
-    bpy.context.scene.frame_end = FRAMES
     (spider, _), = spiders = new_spiders(1)
     walk(spiders)
-    bpy.context.scene.frame_set(2)
-    settings = spider.motus.walker
-
-    def least(change):
-        found = []
-        for index in range(ROUNDS):
-            begin = time.perf_counter()
-            change(index)
-            bpy.context.view_layer.update()
-            found.append(1e3 * (time.perf_counter() - begin))
-        return min(found)
-
-    return least(lambda index: setattr(settings, "stride", 0.2 + 0.001 * index)) - least(
-        lambda index: setattr(settings, "influence", 1.0 - 0.001 * index))
+    plan, scene = support.addon("walker.plan"), bpy.context.scene
+    owner = spider.evaluated_get(bpy.context.evaluated_depsgraph_get())
+    read = plan.read(owner.motus.walker), plan.body(owner, scene, 24.0)[0], support.addon("walker.ground").parts(owner.motus.walker, scene)[0]
+    found = []
+    for _ in range(ROUNDS):
+        begin = time.perf_counter()
+        plan._made(*read)
+        found.append(1e3 * (time.perf_counter() - begin))
+    return min(found)
 
 
 if __name__ == "__main__":
