@@ -90,6 +90,7 @@ class ExamplesTest(support.SceneTestCase):
         seen = []
         scope = {"print": lambda place: seen.append(tuple(place))}
         exec(compile(scripted, "walker.md", "exec"), scope)
+        self.assertEqual(len(seen), 2)
         for x, y, z in seen:
             self.assertAlmostEqual(z, 0.1 * math.sin(3.0 * x) * math.cos(2.0 * y), delta=2e-3)
             self.assertLess(abs(y - 2.0), 0.6)

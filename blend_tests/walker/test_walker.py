@@ -113,11 +113,18 @@ class Steps(cases.WalkerTestCase):
     def test_frame_rates_change_nothing_in_seconds(self):
         spider = cases.spider()
         cases.go_to(50)
-        before = cases.plan_of(spider).walker.steps["touch"]
+        before = cases.plan_of(spider).walker.steps
         self.scene.render.fps_base = 0.5
-        bpy.context.view_layer.update()
-        after = cases.plan_of(spider).walker.steps["touch"]
-        self.assertLess(after.max(), before.max())
+        for curve in support.addon("core.actions").fcurves(spider):
+            for point in curve.keyframe_points:
+                point.co.x *= 2.0
+            curve.update()
+        cases.go_to(100)
+        after = cases.plan_of(spider).walker.steps
+        np.testing.assert_array_equal(after["leg"], before["leg"])
+        # The motion is read from a frame before its first key on.
+        np.testing.assert_allclose(after["touch"], before["touch"], atol=1.0 / 24.0)
+        np.testing.assert_allclose(after["end"], before["end"], atol=0.03)
         self.assertWell(spider)
 
 
@@ -228,6 +235,18 @@ class Objects(cases.WalkerTestCase):
             cases.body_of(body)[:3, 3], about + height + rotation(turn) @ (0.0, 0.0, 0.5), atol=2e-6)
         self.assertWell(body)
 
+    def test_a_body_that_hangs_on_something_else(self):
+        body, shell, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name)
+        shell.parent = cases.link("Crane")
+        bpy.context.view_layer.update()
+        self.assertIn("hangs on something else", self.sentence(body))
+        self.assertFalse(shell.constraints)
+        shell.parent = body
+        bpy.context.view_layer.update()
+        self.assertWell(body)
+        self.assertTrue(shell.constraints)
+
     def test_a_body_with_keys_of_its_own(self):
         body, shell, feet = cases.cross()
         land = cases.grid("Land", cases.waves)
@@ -254,6 +273,34 @@ class Objects(cases.WalkerTestCase):
         cases.go_to(60)
         left = feet[0].evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.translation
         self.assertGreater(left.y, 1.5)
+
+
+class Overlay(cases.WalkerTestCase):
+    def drawn(self, owner):
+        return support.addon("walker.overlay").overlay.draw(bpy.context, owner)
+
+    def test_left_is_where_the_body_looks_from(self):
+        """Of a body that looks along +X that is +Y."""
+        body, _, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), forward_axis='POS_X')
+        colors = support.addon("walker.overlay")
+        sides = {batch.colors: batch.points[:, 1] for batch in self.drawn(body) if batch.width > 1.0}
+        self.assertGreater(sides[colors.LEFT_COLOR].min(), 0.0)
+        self.assertLess(sides[colors.RIGHT_COLOR].max(), 0.0)
+
+    def test_rings_lie_on_what_feet_stand_on(self):
+        wall = cases.grid("Wall", lambda x, y: 0.0 * x)
+        wall.rotation_euler.y = -0.5 * math.pi
+        spider = cases.spider(ahead=0.0, ground="Wall", location=(0.0, 0.0, 0.0))
+        spider.rotation_euler = (0.0, -0.5 * math.pi, 0.0)
+        self.scene.motus.show_walker_rests = True
+        cases.key_places(spider, {1: (0.0, 0.0, -1.0), 60: (0.0, 0.0, 1.0)})
+        cases.go_to(30)
+        rings = [batch.points for batch in self.drawn(spider) if batch.width > 1.0 or batch.colors[3] == 0.5]
+        self.assertEqual(len(rings), 3)
+        for points in rings:
+            np.testing.assert_allclose(points[:, 0], 0.0, atol=1e-5)
+            self.assertGreater(np.ptp(points[:, 1]), 0.2)
 
 
 def rotation(turn):

@@ -1,5 +1,7 @@
 """Adding walkers and taking them back: no trace, copies, names, files, baking, presets, and what is refused."""
 
+from unittest import mock
+
 import bpy
 import numpy as np
 import support
@@ -73,6 +75,18 @@ class Add(cases.WalkerTestCase):
         self.assertEqual((settings.gait, round(settings.stride, 6)), ('TRIPOD', 0.3))
         np.testing.assert_allclose([tuple(leg.rest) for leg in settings.legs], rests, atol=1e-6)
 
+    def test_again_with_other_feet_leaves_the_body(self):
+        body, shell, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name)
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet[:3]))
+        self.assertEqual(body.motus.walker.body, shell)
+        self.assertTrue(shell.constraints)
+        self.assertFalse(feet[3].constraints or feet[3].is_property_set("motus"))
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.walker_add(object=spider.name, body="abdomen")
+        bpy.ops.motus.walker_add(object=spider.name, feet="foot 1.L,foot 1.R,foot 4.L,foot 4.R")
+        self.assertEqual(spider.motus.walker.body_bone, "abdomen")
+
     def test_refusals(self):
         add = bpy.ops.motus.walker_add
         self.assertRefused("no object Nobody", add, object="Nobody")
@@ -95,7 +109,44 @@ class Add(cases.WalkerTestCase):
         self.assertRefused("no chain of Inverse Kinematics", add, object=bare.name)
         other, _, _ = cases.cross("Other")
         add(object=body.name, feet=cases.names(feet))
-        self.assertRefused("a foot of Body already", add, object=other.name, feet=feet[0].name)
+        self.assertRefused("part of Body, which walks already", add, object=other.name, feet=feet[0].name)
+        self.assertRefused("part of Body, which walks already", add, object=feet[0].name, feet=other.name)
+
+    def test_what_walks_is_no_part_of_others(self):
+        body, _, feet = cases.cross()
+        other, shell, others = cases.cross("Other")
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
+        body.parent = other
+        refused = "Body walks itself, and can be no part of Other"
+        self.assertRefused(refused, bpy.ops.motus.walker_add, object=other.name, feet=cases.names([body, *others]))
+        self.assertRefused(refused, bpy.ops.motus.walker_add, object=other.name, feet=cases.names(others), body=body.name)
+        self.assertFalse(other.is_property_set("motus"))
+        # A file in which it is so already.
+        bpy.ops.motus.walker_add(object=other.name, feet=cases.names(others), body=shell.name)
+        other.motus.walker.legs[0].foot = body
+        bpy.ops.motus.walker_remove(object=other.name)
+        self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
+        bpy.ops.motus.walker_remove(object=body.name)
+        for obj in (body, other, shell, *feet, *others):
+            self.assertFalse(obj.constraints or obj.is_property_set("motus"), obj.name)
+
+    def test_a_foot_is_no_body(self):
+        body, shell, feet = cases.cross()
+        feet[0].parent = body
+        refused = "cannot be the body, and a foot too"
+        self.assertRefused(refused, bpy.ops.motus.walker_add, object=body.name, feet=cases.names(feet), body=feet[0].name)
+        self.assertFalse(body.is_property_set("motus"))
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name)
+        self.assertRefused(refused, bpy.ops.motus.walker_add, object=body.name, body=feet[0].name)
+        self.assertEqual(body.motus.walker.body, shell)
+        body.motus.walker.body = feet[0]
+        self.assertEqual([len(foot.constraints) for foot in feet], 4 * [len(feet[1].constraints)])
+        self.assertIn("left alone", self.sentence(body))
+        spider = cases.spider(ahead=0.0)
+        self.assertRefused(refused, bpy.ops.motus.walker_add, object=spider.name, body="foot 1.L")
+        bpy.ops.motus.walker_remove(object=spider.name)
+        self.assertRefused(refused, bpy.ops.motus.walker_add, object=spider.name, body="foot 1.L")
+        self.assertFalse(spider.motus.walker.is_active)
 
     def test_axes_along_each_other(self):
         spider = cases.spider(ahead=0.0, forward_axis='POS_Z')
@@ -128,6 +179,40 @@ class Remove(cases.WalkerTestCase):
             self.assertFalse(obj.constraints)
         bpy.data.objects.remove(land)
         self.assertEqual((len(bpy.data.objects), len([mesh for mesh in bpy.data.meshes if mesh.users])), counts)
+
+
+    def test_no_trace_on_a_body_that_was_exchanged_or_unparented(self):
+        for is_exchanged in (True, False):
+            with self.subTest(is_exchanged=is_exchanged):
+                support.empty_scene()
+                body, shell, feet = cases.cross()
+                other = cases.link("Other Shell", parent=body)
+                bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet), body=shell.name)
+                if is_exchanged:
+                    body.motus.walker.body = other
+                else:
+                    shell.parent = None
+                for _ in range(2):
+                    bpy.context.view_layer.update()
+                bpy.ops.motus.walker_remove(object=body.name)
+                for obj in (body, shell, other, *feet):
+                    self.assertFalse(obj.constraints or obj.is_property_set("motus"), obj.name)
+
+    def test_others_keep_their_settings(self):
+        body, _, feet = cases.cross()
+        other = cases.link("Other")
+        other.motus.walker.gait = 'WAVE'
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
+        bpy.ops.motus.walker_remove(object=body.name)
+        self.assertEqual(other.motus.walker.gait, 'WAVE')
+
+    def test_what_is_taken_amiss_leaves_the_walk_on(self):
+        body, _, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
+        setup = support.addon("walker.setup")
+        with mock.patch.object(setup.Leg, "place", side_effect=ReferenceError), self.assertRaises(ReferenceError):
+            setup.take_rests(bpy.context, body)
+        self.assertFalse(any(constraint.mute for foot in feet for constraint in foot.constraints))
 
 
 class Edits(cases.WalkerTestCase):

@@ -457,7 +457,7 @@ def forget(system, owner):
     if reference and reference.is_property_set("motus") and _is_set(reference.motus, system.name):
         # What is unset is the library's again when the file is loaded; what is set Blender saves.
         of_owner(system, owner).is_released = True
-    if not _says_anything(owner.motus):
+    if not says_anything(owner.motus):
         owner.property_unset("motus")
 
 
@@ -467,7 +467,7 @@ def drop_dead_copy(owner):
         owner.pop("motus", None)
 
 
-def _says_anything(settings):
+def says_anything(settings):
     """Whether a group of settings, or a group within it, differs from what an object without settings has."""
     names = set(settings.bl_rna.properties.keys()) - {"rna_type"}
     return any(_is_set(settings, name) for name in names)
@@ -480,7 +480,7 @@ def _is_set(settings, name):
         return False
     value = getattr(settings, name)
     if isinstance(value, bpy.types.PropertyGroup):
-        return _says_anything(value)
+        return says_anything(value)
     if prop.type in {'POINTER', 'COLLECTION'}:
         return bool(value)
     if getattr(prop, "is_array", False):

@@ -14,7 +14,7 @@ HAND = "hand.L"
 IN_HAND = (0.006, 0.066, -0.046)  # of the aeroplane's middle: along the palm, and before it
 CLIMB = math.radians(4.0)  # of the nose as it is let go
 SECONDS, EASE_IN, EASE_OUT = 6.4, 0.10, 0.22
-FASTER, EVEN = 16, 110  # frames after the throw, in which it slows down to its pace, and after which it no longer is ahead by that
+FASTER, EVEN = 16, 110  # frames after the throw: until it has slowed down to its pace, and until it is not ahead by that any more
 BANK_SMOOTHING, BANK_LIMIT = 1.4, math.radians(58.0)
 SETTLING = 14  # frames in which it turns from the hand's hold to the course
 KNOTS = (  # x, y, and m above the ground: to the left, across the picture before the camera, and back on the right
@@ -28,7 +28,7 @@ FLARE, TAIL_DOWN = math.radians(7.0), math.radians(21.0)  # its nose is up as it
 
 
 def build(scene, context, collection, rig, release):
-    """Course and aeroplane, which is let go at the frame `release`; gives (what flies the course, the frame of the landing)."""
+    """Course and aeroplane, which is let go at the frame `release`; gives what flies the course, with or without it."""
     hand, before = (_hand(scene, context, rig, frame) for frame in (release, release - 1))
     place = hand @ Vector(IN_HAND)
     thrown = place - before @ Vector(IN_HAND)
@@ -47,7 +47,7 @@ def build(scene, context, collection, rig, release):
     toy.scale, toy.rotation_mode = 3 * [SIZE], "QUATERNION"
     _hold(collection, rig, toy, release, hand, held)
     _key_pitch(scene, context, carrier, toy, held, release, end)
-    return carrier, end
+    return carrier
 
 
 def _heading(angle):
@@ -64,7 +64,7 @@ def _hand(scene, context, rig, frame):
 def _add_course(collection, held, speed):
     """(seconds from the start of the course to where the aeroplane is let go, its pace then in m/s, the course).
 
-    It starts behind the hand, so that the aeroplane leaves the hand as fast as the hand moves.
+    It starts behind the hand, so that the aeroplane flies already where it is let go.
     """
     ahead = held.col[1].xyz.normalized()
     let_go = held.translation
@@ -82,7 +82,7 @@ def _add_course(collection, held, speed):
     rest = flight.course_length(course) - 1.0
     top = 1.0 / (1.0 - 0.5 * EASE_IN - 0.5 * EASE_OUT)  # of the speed, by the mean one
     ramp = EASE_IN * SECONDS
-    before = 0.5
+    before = 0.5  # m: depends on the pace, which depends on the length, to which it belongs
     for _ in range(20):
         most = top * (rest + before) / SECONDS
         share = min(speed / most, 1.0)

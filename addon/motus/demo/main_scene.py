@@ -40,7 +40,7 @@ def build(context):
     main_lanterns.build(context, lanterns, covered)
     way = main_land.add_way(marks)
     pilot = main_pilot.build(context, figure, marks, way)
-    carrier, _ = main_flight.build(scene, context, air, pilot.rig, main_pilot.RELEASE)
+    carrier = main_flight.build(scene, context, air, pilot.rig, main_pilot.RELEASE)
     main_pilot.attend(pilot, carrier)
     main_spider.build(context, spider, ground)
     evening.add_snow(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)

@@ -35,7 +35,8 @@ def parts(settings, scene):
     still = seen.still(found, scene)
     fault = fault or (MOVING if len(still) < len(found) else None)
     placed = tuple(filter(None, (one.placed for one in still)))
-    return placed, fault or (NO_FACES if still and not placed else None)
+    is_named = ground is not None or pointed(settings, "grounds") is not None
+    return placed, fault or (NO_FACES if is_named and not placed else None)
 
 
 def made(placed, plane):

@@ -13,7 +13,7 @@ FEET, BODY = "feet", "body"
 """Names of the entries; the first one's group has no key."""
 PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
 
-_FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "fingerprint": int}
+_FORM = {"feet": [{"leg": int, "is_bone": bool}], "is_looped": bool, "lacks": int, "is_bodiless": bool, "fingerprint": int}
 
 
 def entries(owner):
@@ -23,7 +23,7 @@ def entries(owner):
         return []
     found = [Entry(FEET, ((owner, ""),), tuple(foot.driven for foot in feet))]
     body = legs.body(owner)
-    if body is not None:
+    if body is not None and not _is_foot(body, feet):
         found.append(Entry(BODY, ((owner, ""), *_above(owner, body)), (body if owner.pose is None else body.name,)))
     return found
 
@@ -33,14 +33,21 @@ def _above(owner, body):
     return [(owner, body.parent.name)] if owner.pose and body.parent else []
 
 
+def _is_foot(body, feet):
+    return any(foot.thing == body for foot in feet)
+
+
 def groups(owner):
     """One group for the feet, one for the body. What would wait for itself is left out."""
     levels = dependencies.levels(owner)
     feet, body = legs.feet(owner), legs.body(owner)
     looped = {name for name in (FEET, BODY) if levels.get(("walker", name), 0) is None}
+    if body is not None and _is_foot(body, feet):
+        looped.add(BODY)
     data = {PLAN: json.dumps({
         "feet": [{"leg": foot.index, "is_bone": foot.is_bone} for foot in feet if FEET not in looped], "is_looped": bool(looped),
-        "lacks": len(owner.motus.walker.legs) - len(feet), "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}
+        "lacks": len(owner.motus.walker.legs) - len(feet), "is_bodiless": body is None and legs.names_body(owner),
+        "fingerprint": rigs.fingerprint(owner) if owner.pose else 0})}
     found = [Group(
         members=tuple(Member(foot.thing, PLACE, 'POSE' if foot.is_bone else 'WORLD') for foot in feet if FEET not in looped),
         inputs=(Transform(owner),), data=data)]
@@ -58,8 +65,8 @@ def _channels(owner, body):
 
 @functools.lru_cache(maxsize=64)
 def parsed(text):
-    """What a group notes: {"feet": of the members, "is_looped", "lacks": how many legs have no foot, "fingerprint": of the rig}.
-    Raises Damaged."""
+    """What a group notes: {"feet": of the members, "is_looped", "lacks": how many legs have no foot, "is_bodiless": whether the body
+    that is named is not there, "fingerprint": of the rig}. Raises Damaged."""
     said = stored.parse(text, _FORM)
     order = [foot["leg"] for foot in said["feet"]]
     if order != sorted(set(order)):

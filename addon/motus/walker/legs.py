@@ -49,6 +49,11 @@ def _thing(owner, leg):
     return foot if libraries.is_free_or_of(foot, leader_of(registered["walker"], foot), owner) else None
 
 
+def names_body(owner):
+    """Whether the settings say what rises and leans, be it there or not."""
+    return bool(owner.motus.walker.body_bone if owner.pose else owner.motus.walker.body)
+
+
 def body(owner):
     """The Object or PoseBone that rises and leans; None without one."""
     settings = owner.motus.walker

@@ -41,8 +41,8 @@ class MOTUS_OT_walker_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Op
         name="Feet", description="Names of the feet with commas between: bones of the armature, or objects; empty takes the targets of "
         "its chains, or the other selected objects", options={'SKIP_SAVE'})
     body: bpy.props.StringProperty(
-        name="Body", description="Name of the bone, or of the child object, that rises and leans with the feet; empty takes the bone "
-        "that all chains hang on", options={'SKIP_SAVE'})
+        name="Body", description="Name of the bone, or of the child object, that rises and leans with the feet; empty leaves the one that is there, or takes "
+        "the bone that all chains hang on", options={'SKIP_SAVE'})
 
     modes = OBJECT_OR_POSE_MODE
     needs_native = True
@@ -61,14 +61,16 @@ class MOTUS_OT_walker_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Op
             setup.change(owner, changes | self._body(owner))
         else:
             found = targets.legs_for(context, owner, self.feet)
-            setup.attach(context, owner, found, targets.body_for(owner, self.body), changes)
+            body = targets.body_for(owner, self.body, [leg.bone or leg.foot for leg in found])
+            setup.attach(context, owner, found, body, changes)
         self.report({'INFO'}, tr("{object} walks on {count} legs").format(
             object=owner.name, count=len(owner.motus.walker.legs)))
         wiring.report_problems(self, context, setup.system(), [owner])
 
     def _body(self, owner):
         """What shall rise and lean of a walker that is there, if it was named."""
-        return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body)} if self.body else {}
+        feet = [leg.name or leg.foot for leg in owner.motus.walker.legs]
+        return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body, feet)} if self.body else {}
 
 
 class _OfAWalker(OfAnObject):

@@ -2,6 +2,7 @@
 
 import math
 
+from ..core import axes
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
 from ..core.system import Problem, is_owner, leader_of, registered
@@ -16,6 +17,8 @@ SECONDS = 4.0
 SIDES = 12
 SIZE = 0.12
 """Radius of a foothold, of the body's stride."""
+TINY = 1e-30
+"""Lets the rings of a body that is scaled to nothing be points."""
 
 
 def _batches(context, obj):
@@ -36,15 +39,21 @@ def _batches(context, obj):
         found += _of_steps(planned.walker, now, size, _is_left(owner))
     if shown.show_walker_rests:
         matrix = np.array(evaluated.matrix_world)
-        rests = np.array([tuple(leg.rest) for leg in owner.motus.walker.legs])
-        rings = _rings(rests @ matrix[:3, :3].T + matrix[:3, 3], 0.7 * size)
+        up = matrix[:3, :3] @ axes.vector(owner.motus.walker.up_axis)
+        rings = _rings(_rests(owner) @ matrix[:3, :3].T + matrix[:3, 3], up[None], 0.7 * size)
         found.append(Batch('LINES', rings.reshape(-1, 3).astype(np.float32), REST_COLOR))
     return found
 
 
+def _rests(owner):
+    return np.array([tuple(leg.rest) for leg in owner.motus.walker.legs])
+
+
 def _is_left(owner):
-    """Whether each leg is on the side of the body's -X, (n,)."""
-    return np.array([leg.rest[0] < 0.0 for leg in owner.motus.walker.legs])
+    """Whether each leg is on the left of the others, as the gaits see it, (n,)."""
+    settings = owner.motus.walker
+    across = _rests(owner) @ np.cross(axes.vector(settings.forward_axis), axes.vector(settings.up_axis))
+    return across < 0.5 * (across.min() + across.max())
 
 
 def _of_steps(walker, now, size, is_left):
@@ -52,24 +61,26 @@ def _of_steps(walker, now, size, is_left):
     near = np.flatnonzero((steps["touch"] > now - SECONDS) & (steps["lift"] < now + SECONDS))
     if len(near) == 0:
         return []
-    left = is_left[steps["leg"][near]]
+    legs = steps["leg"][near]
+    left, normals = is_left[legs], walker.normals(steps["touch"][near])[np.arange(len(near)), legs]
     found = []
     for which, color in ((left, LEFT_COLOR), (~left, RIGHT_COLOR)):
         rows = near[which]
         if len(rows) == 0:
             continue
-        rings = _rings(steps["end"][rows], size)
+        rings = _rings(steps["end"][rows], normals[which], size)
         ways = np.stack([steps["start"][rows], steps["apex"][rows], steps["apex"][rows], steps["end"][rows]], axis=1)
         found.append(Batch('LINES', rings.reshape(-1, 3).astype(np.float32), color, 2.0))
         found.append(Batch('LINES', ways.reshape(-1, 3).astype(np.float32), (*color[:3], FAINT * color[3])))
     return found
 
 
-def _rings(middles, radius):
-    """Ends of the lines of rings about places (n, 3): (n, 2 * SIDES, 3)."""
-    angles = np.arange(SIDES + 1) * 2.0 * math.pi / SIDES
-    ring = np.column_stack((radius * np.cos(angles), radius * np.sin(angles), np.zeros(SIDES + 1)))
-    return middles[:, None, :] + np.repeat(ring, 2, axis=0)[1:-1]
+def _rings(middles, normals, radius):
+    """Ends of the lines of rings about places (n, 3), across normals (n, 3) of any length: (n, 2 * SIDES, 3)."""
+    angles = np.repeat(np.arange(SIDES + 1) * 2.0 * math.pi / SIDES, 2)[1:-1, None]
+    aside = np.cross(normals, np.where(np.abs(normals).argmax(axis=1)[:, None] == 0, (0.0, 1.0, 0.0), (1.0, 0.0, 0.0)))
+    sides = [part / np.maximum(np.linalg.norm(part, axis=1, keepdims=True), TINY) for part in (aside, np.cross(normals, aside))]
+    return middles[:, None, :] + radius * (np.cos(angles) * sides[0][:, None, :] + np.sin(angles) * sides[1][:, None, :])
 
 
 overlay = Overlay(_batches, (

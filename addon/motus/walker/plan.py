@@ -28,11 +28,12 @@ SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
 NO_LEGS = Problem("There are no legs: add the walker again, and name its feet")
 NOT_FINITE = Problem("A setting, or the body's motion, is not a finite number")
 AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be across each other")
+TOO_MANY = Problem("The walk has more than 1,000,000 steps: a longer stride, a slower body or a lower cadence has fewer")
 OUT_OF_RANGE = Problem("The settings are outside of what a walk can be planned by")
 UNKNOWN = Problem("The body's motion is not known ahead, and its feet do not step: record it, or key it", blocking=False)
 UNKEYED = Problem("The body was moved away from its keys: its feet stand below it until it is keyed here", blocking=False)
 TOO_LONG = Problem("Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
-PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, OUT_OF_RANGE, UNKNOWN, UNKEYED, TOO_LONG, *ground.PROBLEMS)
+PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, TOO_MANY, OUT_OF_RANGE, UNKNOWN, UNKEYED, TOO_LONG, *ground.PROBLEMS)
 
 EVER = -math.inf, math.inf
 
@@ -213,8 +214,8 @@ def _made(numbers, poses, placed):
             poses.seconds, poses.matrices, rest, ground.made(placed, numbers.plane), phases=phases, duty=duty,
             cadence=numbers.value("cadence"), up=numbers.up, jump=jump or None, frequency=numbers.value("frequency"),
             damping=numbers.value("damping"), height=numbers.value("body_height"), tilt=numbers.value("body_tilt"), **given)
-    except ValueError:
-        return OUT_OF_RANGE
+    except ValueError as error:
+        return TOO_MANY if "more than 1,000,000 steps" in str(error) else OUT_OF_RANGE
     return walker, bool(walker.problems)
 
 

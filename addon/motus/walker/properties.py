@@ -4,6 +4,7 @@ import bpy
 
 from ..core.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
+from . import ground
 
 MOST_LEGS = 64
 
@@ -113,7 +114,7 @@ class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
         override=OVERRIDABLE)
     ground: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Ground", description="Mesh object that the feet stand on", update=rewire, override=OVERRIDABLE,
-        poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
+        poll=lambda _settings, obj: obj.type == 'MESH' and not ground.is_walking(obj))
     grounds: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Collection", description="Collection whose mesh objects the feet stand on", update=rewire,
         override=OVERRIDABLE)

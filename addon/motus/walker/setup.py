@@ -2,10 +2,11 @@
 
 from typing import Any, NamedTuple
 
+import bpy
 from mathutils import Vector
 
 from ..core import actions, entries, wiring
-from ..core.system import forget, registered
+from ..core.system import forget, has_settings, of_owner, registered, says_anything
 from . import legs
 
 PREFIX = "motus.walker."
@@ -37,7 +38,6 @@ def attach(context, owner, found, body, changes):
     The feet stand where they belong; of lengths that are not given those of a new walker suit the legs.
     """
     was_active = owner.motus.walker.is_active
-    before = _led(owner) if was_active else ()
     rests = _own_rests(context, owner, found)
     with entries.unwired(owner.motus.walker) as settings:
         settings.legs.clear()
@@ -49,19 +49,14 @@ def attach(context, owner, found, body, changes):
         else:
             settings.body = body
     change(owner, changes if was_active else lengths(rests) | changes)
-    _forget([obj for obj in before if obj not in _led(owner)])
+    _forget_others()
 
 
-def _led(owner):
-    """The objects that an owner drives beside itself."""
-    things = [*(foot.thing for foot in legs.feet(owner)), legs.body(owner)]
-    return [thing for thing in things if thing is not None and thing == thing.id_data]
-
-
-def _forget(objects):
-    """Let objects that nobody drives any more hold no settings."""
-    for obj in objects:
-        forget(system(), obj)
+def _forget_others():
+    """Let objects that were feet or bodies, and that nobody drives any more, hold no settings."""
+    for obj in bpy.data.objects:
+        if has_settings(system(), obj) and not (obj.library or says_anything(of_owner(system(), obj))):
+            forget(system(), obj)
 
 
 def change(owner, changes):
@@ -85,14 +80,15 @@ def _own_rests(context, owner, found):
     is_active = owner.motus.walker.is_active
     if is_active:
         wiring.set_muted(system(), owner, True)
-    context.view_layer.update()
-    depsgraph = context.view_layer.depsgraph
-    evaluated = owner.evaluated_get(depsgraph)
-    inverse = evaluated.matrix_world.inverted_safe()
-    rests = [inverse @ leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph)).place(evaluated) for leg in found]
-    if is_active:
-        wiring.set_muted(system(), owner, False)
-    return rests
+    try:
+        context.view_layer.update()
+        depsgraph = context.view_layer.depsgraph
+        evaluated = owner.evaluated_get(depsgraph)
+        inverse = evaluated.matrix_world.inverted_safe()
+        return [inverse @ leg._replace(foot=leg.foot and leg.foot.evaluated_get(depsgraph)).place(evaluated) for leg in found]
+    finally:
+        if is_active:
+            wiring.set_muted(system(), owner, False)
 
 
 def lengths(rests):
@@ -114,8 +110,7 @@ def take_rests(context, owner):
 
 def remove(owner):
     """Take the walker back: wiring, keys of its settings, and the settings themselves."""
-    led = _led(owner)
     wiring.detach(system(), owner)
-    _forget(led)
     actions.remove(owner, (PREFIX,))
     forget(system(), owner)
+    _forget_others()

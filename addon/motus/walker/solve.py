@@ -10,10 +10,11 @@ from . import groups, ground, leaning, legs, plan, shared
 
 LOOPED = Problem("The body or the ground moves with what the walker drives: what would wait for itself is left alone", blocking=False)
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
+BODILESS = Problem("The body that rises and leans is gone, or hangs on something else: choose it anew", blocking=False)
 UNREACHED = Problem("Some feet do not get to the ground where they should", blocking=False)
 BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
-PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, UNREACHED, BEYOND, BONES_CHANGED)
+PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, BEYOND, BONES_CHANGED)
 
 INPUTS = (Geometries("awaited", of=ground.objects),)
 
@@ -51,6 +52,8 @@ def _fault(found, wired, frame):
         return LOOPED
     if wired["lacks"]:
         return LACKING
+    if wired["is_bodiless"]:
+        return BODILESS
     if found.fault:
         return found.fault
     if not found.known[0] <= frame <= found.known[1]:
@@ -75,7 +78,7 @@ def _lean(context, walker, seconds):
     lift, turn = leaning.share(*walker.body(seconds), context.settings.influence)
     owner, body = context.owner, legs.body(context.owner)
     if body is None or len(context.locations) != 1:
-        return BONES_CHANGED
+        return BODILESS
     world = owner.matrix_world
     if owner.pose:
         try:

@@ -15,6 +15,7 @@ def owner_for(context, name):
     if found is None:
         raise Refused(tr("Select the body that shall walk"))
     check_editable(found)
+    _check_free(found, found)
     return found
 
 
@@ -107,20 +108,36 @@ def _upwards(owner, entry):
     return driven or found
 
 
-def body_for(owner, name):
-    """What rises and leans: a bone by name, or the one that all legs hang on; of other objects a child by name. None without."""
+def body_for(owner, name, feet):
+    """What rises and leans: a bone by name, or the one that all legs hang on; of other objects a child by name. None without.
+
+    A walker that is there keeps its own where none is named. feet: names of bones, and objects, that are no body.
+    """
+    found = _named_body(owner, name) if name else _usual_body(owner)
+    if found not in feet:
+        return found
+    if name:
+        raise Refused(tr("{object} cannot be the body, and a foot too").format(object=name))
+    return None
+
+
+def _named_body(owner, name):
     if owner.type == 'ARMATURE':
-        if name:
-            check_bone(owner, name)
-        return name or _common_bone(owner)
-    if not name:
-        return None
+        check_bone(owner, name)
+        return name
     found = named(name)
     if found.parent != owner or found.parent_type != 'OBJECT':
         raise Refused(tr("{object} is no child of {parent}: parent it, and move {parent}").format(
             object=found.name, parent=owner.name))
-    check_local(found)
+    _check_free(owner, found)
     return found
+
+
+def _usual_body(owner):
+    if is_owner(setup.system(), owner):
+        settings = owner.motus.walker
+        return settings.body_bone if owner.pose else settings.body
+    return _common_bone(owner) if owner.pose else None
 
 
 def _common_bone(owner):
@@ -140,16 +157,22 @@ def _check_feet(owner, found):
             if bone.bone.use_connect and bone.parent:
                 raise Refused(tr("{bone} is connected to its parent, and cannot be a foot").format(bone=leg.bone))
             continue
-        foot = leg.foot
-        check_local(foot)
-        if foot == owner:
+        if leg.foot == owner:
             raise Refused(tr("{object} cannot be its own foot").format(object=owner.name))
-        leader = leader_of(setup.system(), foot)
-        if leader not in {None, owner}:
-            raise Refused(tr("{object} is a foot of {leader} already").format(object=foot.name, leader=leader.name))
+        _check_free(owner, leg.foot)
     names = [leg.bone or leg.foot.name for leg in found]
     if len(set(names)) < len(names):
         raise Refused(tr("A foot is named twice"))
+
+
+def _check_free(owner, obj):
+    """Refuse an object that an owner cannot drive, or where it is the owner itself, that others drive."""
+    check_local(obj)
+    if obj != owner and is_owner(setup.system(), obj):
+        raise Refused(tr("{object} walks itself, and can be no part of {owner}").format(object=obj.name, owner=owner.name))
+    leader = leader_of(setup.system(), obj)
+    if leader not in {None, owner}:
+        raise Refused(tr("{object} is part of {leader}, which walks already").format(object=obj.name, leader=leader.name))
 
 
 def ground_for(name, owner):

@@ -4,7 +4,7 @@ import math
 
 from ..core.system import Problem
 from ..core.translations import tr
-from . import legs, plan, solve
+from . import ground, legs, plan, solve
 
 
 def found(context, owner):
@@ -20,6 +20,9 @@ def sentence(context, owner, problem):
         troubles = [] if isinstance(planned, Problem) else planned.walker.problems
         if troubles:
             return _unreached(context, owner, *min(troubles, key=lambda one: one[1]), len(troubles) - 1)
+    settings = owner.motus.walker
+    if problem == ground.GONE and settings.ground and ground.is_walking(settings.ground):
+        return tr("{object} walks itself, and is no ground").format(object=settings.ground.name)
     return tr(problem.sentence)
 
 
@@ -31,7 +34,7 @@ def _unreached(context, owner, leg, first, last, reason, more):
             "no_length": lambda: tr("The leg of {foot} has no length")}[reason]()
     entry = owner.motus.walker.legs[leg]
     told = said.format(foot=legs.label(entry), first=frames[0], last=frames[1])
-    return told if more == 0 else tr("{sentence}, and {count} more times").format(sentence=told, count=more)
+    return told if more == 0 else tr("{sentence}, and {count} more footholds").format(sentence=told, count=more)
 
 
 def _frame(number):

@@ -1,7 +1,10 @@
 """Walkers as an artist sees them: a spider from the Add menu, its panel, an edit while the scene plays, feet that find no ground, the overlay."""
 
+from unittest import mock
+
 import bpy
 import numpy as np
+import support
 from mathutils import Vector
 from walker import walker_cases as cases
 from window import window_support
@@ -74,9 +77,17 @@ def test_feet_that_find_no_ground_are_told():
     spider.motus.walker.ground = land
     cases.key_places(spider, {1: (0.0, 0.0, 0.0), 60: (0.0, 1.2, 0.0)})
     bpy.context.scene.frame_set(60)
-    drawn = yield from window_support.open_tab("Motus")
-    yield from window_support.picture("walker_unreached")
-    assert "MOTUS_PT_walker" in drawn, drawn
+    told, shown = support.addon("walker.told"), []
+    sentence = told.sentence
+
+    def noting(*arguments):
+        shown.append(sentence(*arguments))
+        return shown[-1]
+
+    with mock.patch.object(told, "sentence", noting):
+        yield from window_support.open_tab("Motus")
+        yield from window_support.picture("walker_unreached")
+    assert shown and all("finds no ground within reach on frames" in one for one in shown), shown
 
 
 def test_footholds_are_drawn():
@@ -103,12 +114,16 @@ def test_footholds_are_drawn():
 def test_object_properties():
     clear()
     add()
+    panels = [panel for panel in support.addon("walker.panel").classes if panel.__name__.startswith("MOTUS_PT_walker_constraint")]
     window_support.area('VIEW_3D').type = 'PROPERTIES'
     yield
     editors = [area for area in window_support.window().screen.areas if area.type == 'PROPERTIES']
-    for area in editors:
-        area.spaces.active.context = 'CONSTRAINT'
-    yield
-    yield from window_support.picture("walker_properties")
+    with window_support.drawn_settings(panels) as drawn:
+        for area in editors:
+            area.spaces.active.context = 'CONSTRAINT'
+        yield
+        yield from window_support.picture("walker_properties")
+    assert {"gait", "stride", "cadence"} <= drawn["MOTUS_PT_walker_constraint"], drawn
+    assert {"ground", "grounds", "use_plane"} <= drawn["MOTUS_PT_walker_constraint_ground"], drawn
     max(editors, key=lambda area: area.width * area.height).type = 'VIEW_3D'
     yield

@@ -9,6 +9,8 @@ INTERFACE = {
     "The body or the ground moves with what the walker drives: what would wait for itself is left alone":
         "El cuerpo o el suelo se mueve con lo que impulsa el caminante: se deja en paz lo que se esperaría a sí mismo",
     "Some legs have no foot any more: add the walker again": "Algunas patas ya no tienen pie: vuelve a añadir el caminante",
+    "The body that rises and leans is gone, or hangs on something else: choose it anew":
+        "El cuerpo que sube y se inclina ya no está, o cuelga de otra cosa: vuelve a elegirlo",
     "Some feet do not get to the ground where they should": "Algunos pies no llegan al suelo donde deberían",
     "The walk is planned for the frames of the scene: here the feet stand":
         "La marcha está planeada para los fotogramas de la escena: aquí los pies están quietos",
@@ -24,7 +26,9 @@ INTERFACE = {
     "Name the objects that are the feet of {object}, or select them too":
         "Nombra los objetos que son los pies de {object}, o selecciónalos también",
     "{object} cannot be its own foot": "{object} no puede ser su propio pie",
-    "{object} is a foot of {leader} already": "{object} ya es un pie de {leader}",
+    "{object} cannot be the body, and a foot too": "{object} no puede ser el cuerpo y a la vez un pie",
+    "{object} walks itself, and can be no part of {owner}": "{object} camina por su cuenta, y no puede ser parte de {owner}",
+    "{object} is part of {leader}, which walks already": "{object} es parte de {leader}, que ya camina",
     "{bone} is connected to its parent, and cannot be a foot": "{bone} está conectado a su padre, y no puede ser un pie",
     "Spider": "Araña",
     "Eight legs in two groups, a body that hangs calmly between them":
@@ -120,13 +124,15 @@ INTERFACE = {
     "Collection whose mesh objects the feet stand on": "Colección sobre cuyos objetos de malla apoyan los pies",
     "Steps": "Pasos",
     "At Rest From": "En reposo desde",
-    "{sentence}, and {count} more times": "{sentence}, y {count} veces más",
+    "{sentence}, and {count} more footholds": "{sentence}, y {count} apoyos más",
     "{foot} finds no ground within reach on frames {first}-{last}":
         "{foot} no encuentra suelo a su alcance en los fotogramas {first}-{last}",
     "{foot} is too far from its leg on frames {first}-{last}": "{foot} está demasiado lejos de su pata en los fotogramas {first}-{last}",
     "The leg of {foot} has no length": "La pata de {foot} no tiene longitud",
     "There are no legs: add the walker again, and name its feet": "No hay patas: vuelve a añadir el caminante y nombra sus pies",
     "A setting, or the body's motion, is not a finite number": "Un ajuste, o el movimiento del cuerpo, no es un número finito",
+    "The walk has more than 1,000,000 steps: a longer stride, a slower body or a lower cadence has fewer":
+        "La marcha tiene más de 1.000.000 de pasos: una zancada más larga, un cuerpo más lento o una cadencia menor da menos",
     "The settings are outside of what a walk can be planned by": "Con estos ajustes no se puede planear ninguna marcha",
     "The body's motion is not known ahead, and its feet do not step: record it, or key it":
         "El movimiento del cuerpo no se conoce de antemano, y sus pies no pisan: grábalo, o ponle claves",
@@ -160,8 +166,10 @@ INTERFACE = {
     "selected objects":
         "Nombres de los pies separados por comas: huesos del esqueleto, u objetos; vacío toma los objetivos de sus cadenas, o los demás "
         "objetos seleccionados",
-    "Name of the bone, or of the child object, that rises and leans with the feet; empty takes the bone that all chains hang on":
-        "Nombre del hueso, o del objeto hijo, que sube y se inclina con los pies; vacío toma el hueso del que cuelgan todas las cadenas",
+    "Name of the bone, or of the child object, that rises and leans with the feet; empty leaves the one that is there, or takes the bone that all chains "
+    "hang on":
+        "Nombre del hueso, o del objeto hijo, que sube y se inclina con los pies; vacío deja el que ya hay, o toma el hueso del que cuelgan "
+        "todas las cadenas",
     "{object} walks on {count} legs": "{object} camina con {count} patas",
     "{count} feet belong where they were placed": "El sitio de {count} pies es donde se colocaron",
     "Make a spider that walks wherever its armature is moved: key it, or let it follow a path":
