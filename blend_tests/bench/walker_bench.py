@@ -32,8 +32,8 @@ def new_spiders(count):
         land = walker_cases.grid("Land", walker_cases.waves, half=3.0)
         spider = walker_cases.spider(ahead=0.0, location=(0.0, 0.0, 0.0))
         bpy.ops.motus.walker_remove(object=spider.name)
-        walker_cases.key_places(spider, {1: (0.0, -2.0, 0.0), FRAMES: (0.0, 2.0, 0.0)})
-        spider.location.x = land.location.x = 8.0 * index
+        x = land.location.x = 8.0 * index
+        walker_cases.key_places(spider, {1: (x, -2.0, 0.0), FRAMES: (x, 2.0, 0.0)})
         found.append((spider, land))
     return found
 
