@@ -308,7 +308,7 @@ class Triggered(SwitchTestCase):
         switch = bpy.ops.motus.ik_switch_target
         known = {"object": "Rig", "bone": "Bone 1", "target": "B", "trigger_object": "Aeroplane"}
         self.assertRefused("no output height", switch, trigger_output="height", **known)
-        self.assertRefused("no system walker", switch, trigger_system="walker", **known)
+        self.assertRefused("no system nonsense", switch, trigger_system="nonsense", **known)
         self.assertRefused("is no number", switch, trigger_data_path="location", **known)
         self.assertRefused("is no number", switch, trigger_data_path="nothing.there", **known)
         self.assertRefused("have to be different", switch, trigger_start=1.0, trigger_end=1.0, **known)
