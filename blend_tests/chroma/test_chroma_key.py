@@ -14,6 +14,7 @@ class Keyed(support.SceneTestCase):
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         cls.subject = cases.subject()
 
     def key(self, path, **keywords):

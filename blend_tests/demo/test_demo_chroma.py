@@ -4,6 +4,7 @@ import bpy
 from chroma import chroma_cases
 import numpy as np
 import support
+from demo import demo_cases
 
 compositor = support.addon("chroma.compositor")
 green_screen = support.addon("demo.green_screen")
@@ -12,7 +13,7 @@ SIZE = (160, 90)
 
 class DemoChroma(support.SceneTestCase):
     def test_the_pilot_is_keyed(self):
-        self.assertEqual(bpy.ops.motus.demo_scene(system='CHROMA'), {'FINISHED'})
+        self.assertEqual(demo_cases.build('CHROMA'), {'FINISHED'})
         scene = bpy.context.window.scene
         studio = bpy.data.scenes[green_screen.SCENE_NAME]
         np.testing.assert_allclose(self.color(scene), green_screen.GREEN, atol=0.02)

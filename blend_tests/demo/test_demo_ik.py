@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import bpy
 import support
+from demo import demo_cases
 from mathutils import Vector
 
 MODULES = (
@@ -65,7 +66,7 @@ class ReachingPilot(unittest.TestCase):
         cls.own.collection.objects.link(bpy.data.objects.new("Own", None))
         cls.own.frame_set(7)
         cls.before = cls.state_of_own()
-        cls.result = bpy.ops.motus.demo_scene(system='IK')
+        cls.result = demo_cases.build('IK')
         cls.scene = bpy.context.window.scene
         cls.motion = support.addon("demo.reaching_motion")
         cls.rig = next(thing for thing in cls.scene.objects if thing.type == 'ARMATURE')

@@ -6,6 +6,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 import support
+from demo import demo_cases
 
 MODULES = ("pulling", "pull_face", "pull_face_motion", "pull_land", "pull_studio", "keying")
 SEA = 0.11  # height of the sea over the grid, m
@@ -29,7 +30,7 @@ class PulledFromClay(unittest.TestCase):
         cls.own.collection.objects.link(bpy.data.objects.new("Own", None))
         cls.own.frame_set(7)
         cls.before = cls.state_of_own()
-        cls.result = bpy.ops.motus.demo_scene(system='PULL')
+        cls.result = demo_cases.build('PULL')
         cls.scene = bpy.context.window.scene
         cls.land, cls.head = cls.scene.objects["Land"], cls.scene.objects["Suzanne"]
         cls.seen = {frame: cls.moment(frame) for frame in SOME_FRAMES}

@@ -2,12 +2,13 @@
 
 import bpy
 import support
+from demo import demo_cases
 
 
 @support.in_one_blender
 class DemoStereo(support.SceneTestCase):
     def test_the_gaze_follows_and_the_check_finds_nothing(self):
-        self.assertEqual(bpy.ops.motus.demo_scene(system='STEREO'), {'FINISHED'})
+        self.assertEqual(demo_cases.build('STEREO'), {'FINISHED'})
         scene = bpy.context.window.scene
         camera, plane = scene.camera, scene.objects["Aeroplane"]
         depths = []

@@ -46,6 +46,7 @@ class RigTestCase(support.SceneTestCase):
 class TestRigify(RigTestCase):
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         samples.enable_rigify()
         cls.addClassCleanup(samples.disable_rigify)
 

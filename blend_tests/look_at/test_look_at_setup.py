@@ -122,6 +122,7 @@ class Add(LookAtTestCase):
 class Rigify(LookAtTestCase):
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         rig_samples.enable_rigify()
         cls.addClassCleanup(rig_samples.disable_rigify)
 

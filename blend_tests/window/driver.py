@@ -81,8 +81,9 @@ def stepper(steps):
 def main(picture_folder, *patterns):
     support.enable()
     preferences = bpy.context.preferences
-    # Drawn in software, eight samples of each pixel would take most of the time.
+    # Drawn in software, smooth edges would take most of the time.
     preferences.system.viewport_aa = 'OFF'
+    preferences.system.use_overlay_smooth_wire = preferences.system.use_edit_mode_smooth_wire = False
     preferences.view.smooth_view = 0
     preferences.inputs.mouse_double_click_time = 1  # milliseconds: two presses of a test are no double click
     window_support.picture_folder = Path(picture_folder)

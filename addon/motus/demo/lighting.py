@@ -27,6 +27,8 @@ VIEWS = (
     ("Filmic", "High Contrast", 0.05),
     ("Filmic", "Filmic - High Contrast", 0.05),
 )
+# Pixels across the map by which Cycles finds the bright parts: by itself it takes 2048 for the smooth sky, and three seconds a frame.
+SKY_MAP = 256
 HAZE_DISTANCE = 3400.0  # metres in which the haze takes 63 % of the view
 HAZE_LIMIT = 0.93
 
@@ -77,17 +79,26 @@ def build_haze_group(sky):
 
 def build_world(sky):
     """The world: the sky and a veil of high clouds drawn on a flat layer."""
-    world = bpy.data.worlds.new("Motus Sky")
+    def color(shader, direction):
+        clear = shader.group(sky, {"Direction": direction}).outputs[0]
+        return shader.mix(_cloud_cover(shader, direction), clear, CLOUD_COLOR)
+    return _add_world("Motus Sky", color)
+
+
+def _add_world(name, color, strength=1.0):
+    """A world. color(shader, direction): the socket with the sky's colour in a direction."""
+    world = bpy.data.worlds.new(name)
     if not world.use_nodes:
         world.use_nodes = True
     world.node_tree.nodes.clear()
     shader = materials.Shader(world.node_tree)
     direction = shader.add("ShaderNodeTexCoord").outputs["Generated"]
-    color = shader.group(sky, {"Direction": direction}).outputs[0]
-    clouds = _cloud_cover(shader, direction)
-    background = shader.add("ShaderNodeBackground", {"Color": shader.mix(clouds, color, CLOUD_COLOR)})
+    background = shader.add("ShaderNodeBackground", {"Color": color(shader, direction), "Strength": strength})
     output = shader.add("ShaderNodeOutputWorld")
     shader.feed(output.inputs["Surface"], background.outputs[0])
+    cycles = getattr(world, "cycles", None)  # its add-on can be off
+    if cycles:
+        cycles.sampling_method, cycles.sample_map_resolution = 'MANUAL', SKY_MAP
     return world
 
 
@@ -130,15 +141,7 @@ def set_color_management(scene, views=VIEWS):
 
 def build_gradient_world(name, stops, strength, of_height):
     """A sky that is a gradient. of_height(shader, height): the place on it, where height is the sine of the elevation."""
-    world = bpy.data.worlds.new(name)
-    if not world.use_nodes:
-        world.use_nodes = True
-    world.node_tree.nodes.clear()
-    shader = materials.Shader(world.node_tree)
-    direction = shader.add("ShaderNodeTexCoord").outputs["Generated"]
-    height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
-    color = shader.ramp(of_height(shader, height), stops)
-    background = shader.add("ShaderNodeBackground", {"Color": color, "Strength": strength})
-    output = shader.add("ShaderNodeOutputWorld")
-    shader.feed(output.inputs["Surface"], background.outputs[0])
-    return world
+    def color(shader, direction):
+        height = shader.add("ShaderNodeSeparateXYZ", {0: direction}).outputs[2]
+        return shader.ramp(of_height(shader, height), stops)
+    return _add_world(name, color, strength)

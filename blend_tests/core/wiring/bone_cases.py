@@ -97,6 +97,7 @@ class BoneTestCase(WiringTestCase):
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         toy_bone_system.register()
         cls.addClassCleanup(toy_bone_system.unregister)
 

@@ -106,6 +106,7 @@ class ObjectTestCase(WiringTestCase):
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         support.register_systems(SYSTEM)
         cls.addClassCleanup(support.unregister_systems, SYSTEM)
 

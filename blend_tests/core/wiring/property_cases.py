@@ -78,6 +78,7 @@ class PropertyTestCase(WiringTestCase):
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         support.register_systems(SYSTEM)
         cls.addClassCleanup(support.unregister_systems, SYSTEM)
 

@@ -91,6 +91,7 @@ class PointsTestCase(support.SceneTestCase):
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         support.register_systems(*cls.SYSTEMS)
         cls.addClassCleanup(support.unregister_systems, *cls.SYSTEMS)
 

@@ -65,6 +65,7 @@ class WiringTestCase(support.SceneTestCase):
 
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         toy_system.register()
         cls.addClassCleanup(toy_system.unregister)
 

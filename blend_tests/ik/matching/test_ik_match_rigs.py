@@ -13,6 +13,7 @@ TOLERANCE = 1e-5  # m: joints
 class TestMatching(support.SceneTestCase):
     @classmethod
     def setUpClass(cls):
+        super().setUpClass()
         samples.enable_rigify()
         cls.addClassCleanup(samples.disable_rigify)
 
