@@ -1,5 +1,6 @@
 """What the tests inside Blender share: the installed add-on, empty scenes, and fresh Blender processes."""
 
+import functools
 import importlib
 import os
 import shutil
@@ -72,17 +73,22 @@ def empty_scene():
     bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
 
 
+@functools.cache
+def _empty_file():
+    """(path of a file without objects, what deletes it at the end)."""
+    folder = tempfile.TemporaryDirectory(prefix="motus-test-")
+    path = str(Path(folder.name, "empty.blend"))
+    empty_scene()
+    bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
+    return path, folder
+
+
 def forget_notifiers():
     """Without a window Blender handles none of its notifiers, and looks through all of them for each datablock that it frees.
 
     The thousands of a long run made each new file five times as slow. Opening a file with its windows, not the start-up file, drops them.
     """
-    with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
-        path = str(Path(folder, "empty.blend"))
-        empty_scene()
-        bpy.ops.wm.save_as_mainfile(filepath=path, copy=True)
-        bpy.ops.wm.open_mainfile(filepath=path, load_ui=True)
-    empty_scene()
+    bpy.ops.wm.open_mainfile(filepath=_empty_file()[0], load_ui=True)
 
 
 class SceneTestCase(unittest.TestCase):
