@@ -22,6 +22,10 @@ import run  # noqa: E402  (found by the line above)
 
 def main(*names):
     """Do the steps of these pages, or of all; the exit status."""
+    known = sorted(path.name.removesuffix("_steps.py") for path in (HERE / "scripts" / "steps").glob("*_steps.py"))
+    if unknown := [name for name in names if name not in known]:
+        print(f"motus: no page has the steps {', '.join(unknown)}; there are: {', '.join(known)}", file=sys.stderr)
+        return 2
     motus = str(CLONE / "motus")
     if subprocess.run([motus, "has_blender", VERSION], check=False).returncode:
         return SKIPPED

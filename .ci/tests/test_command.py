@@ -15,6 +15,15 @@ print('RAN', os.getcwd(), hasattr(bpy.types.Object, 'motus'), sys.argv[-1], flus
 print('SHADERS', os.environ.get('MESA_SHADER_CACHE_DIR', ''), flush=True)
 sys.exit(7)
 """
+FAKE = """#!/bin/sh
+case "$*" in
+    --version) echo "Blender 4.9.0" ;;
+    *ik_bench.py*) echo "| a row"; echo "what went wrong"; exit 1 ;;
+    *layers_bench.py*) echo "no row" ;;
+    *walker_bench.py*) echo "| another row"; echo "what an operator reports" ;;
+esac
+"""
+"""A Blender in which one benchmark breaks, one prints nothing that can be told from Blender's own lines, and one runs."""
 PLACES = """
 import addon_utils
 for module in addon_utils.modules():
@@ -102,6 +111,33 @@ class Command(unittest.TestCase):
         done = motus("blender", "--version", "2.7", "-b")
         self.assertEqual(done.returncode, 1)
         self.assertIn("no Blender 2.7", done.stdout)
+
+    def test_arguments_that_mean_nothing_are_refused(self):
+        """Before anything is made, installed or removed."""
+        environment = dict(os.environ, MOTUS_BUILD=str(self.folder / "build"), MOTUS_DIST=str(self.folder / "dist"))
+        for arguments in (("install", "there"), ("install", "--blender"), ("package", "x"), ("clean", "all"), ("docs", "y"),
+                          ("docs", "steps", "y"), ("bench", "--blenders")):
+            with self.subTest(arguments=arguments):
+                done = motus(*arguments, env=environment)
+                self.assertIn(done.returncode, (1, 2), done.stdout)
+                self.assertRegex(done.stdout, rf"^motus: .*{arguments[-1]}.*\n$")
+                self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_a_benchmark_that_breaks_is_told_and_the_others_run(self):
+        blender = self.folder / "blender"
+        blender.write_text(FAKE, encoding="utf-8")
+        blender.chmod(0o755)
+        environment = dict(os.environ, BLENDER=str(blender), MOTUS_PREPARED="1", MOTUS_PROFILE=str(self.folder / "profile"))
+        done = motus("bench", "--blenders", "4.9", "ik_bench in", "layers_bench in", "walker_bench in", env=environment)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        for line in ("== ik_bench in Blender 4.9", "| a row", "what went wrong", "== layers_bench in Blender 4.9", "no row", "| another row"):
+            self.assertIn(f"{line}\n", done.stdout)
+        self.assertNotIn("what an operator reports", done.stdout)
+        self.assertTrue(done.stdout.endswith("broke, see above: ik_bench in Blender 4.9; layers_bench in Blender 4.9;\n"), done.stdout)
+
+        done = motus("bench", "--blenders", "4.9", "no such benchmark", env=environment)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn("no benchmark was run", done.stdout)
 
     def test_help_names_every_command(self):
         shown = motus("help").stdout

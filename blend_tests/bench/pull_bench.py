@@ -88,8 +88,7 @@ def numpy_dab(radius):
 
 
 def session_of(obj, radius, **changes):
-    package = support.addon("pull").__name__
-    dab, brush = sys.modules[f"{package}.dab"], sys.modules[f"{package}.brush"]
+    dab, brush = support.addon("pull.session.dab"), support.addon("pull.brush")
     return dab.Session(bpy.context, obj, brush.Brush(radius=radius, strength=0.001, direction='Z', **changes))
 
 
