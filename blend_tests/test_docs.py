@@ -277,6 +277,11 @@ OF_BLENDER = {
     "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",
     "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer", "Render", "Output", "Placeholders", "Overwrite",
     "Realize Instances", "Material Preview", "Viewer", "Image Sequence"}
+ROWS = (
+    ("path", "path", "path"), ("layers", "layers", "layers"), ("ik", "ik", "ik"), ("look_at", "look_at", "look_at"), ("pull", "pull", "pull"),
+    ("dynamics", "dynamics", "dynamics"), ("pendulums", "pendulum", "pendulum"), ("pendulums", "pendulum", "pendulum_trail"),
+    ("snow", "snow", "snow"), ("snow", "snow.cover", "snow_cover"), ("stereo", "stereo", "stereo"), ("walker", "walker", "walker"))
+"""Page, folder in the add-on, and settings of a system whose panels have rows."""
 NAMES = {"Motus Green Screen", "Motus Trail", "Motus Flake", "Motus Spark"}
 """What is no label: datablocks that are made."""
 
@@ -297,6 +302,41 @@ class LabelsTest(support.SceneTestCase):
         unknown = [f"{name}: {label}" for name in SYSTEMS for label in italics_of(DOCS / f"{name}.md")
                    if label not in self.shown | OF_BLENDER | NAMES]
         self.assertEqual(unknown, [])
+
+    @support.in_one_blender
+    def test_what_the_panels_show_is_on_the_pages(self):
+        """A row of a panel is a label in a table of its system's page, or stands there in italics."""
+        missing = []
+        for name, folder, settings in ROWS:
+            explained = {*labels_of(DOCS / f"{name}.md"), *italics_of(DOCS / f"{name}.md")}
+            missing += [f"{name}.md: {label}" for label in sorted(labels_shown(folder, settings) - explained)]
+        self.assertEqual(missing, [])
+
+
+def labels_shown(folder, settings):
+    """What the rows of a system's panels call the settings below bpy.types.Object.motus; what is an operator's alone is left out."""
+    core, rows, groups = support.addon("core.rows"), [], {}
+
+    def gather_rows(thing):
+        if isinstance(thing, tuple):
+            for part in thing:
+                gather_rows(part)
+        elif isinstance(thing, core.Rows):
+            gather_rows(tuple(core.Row(part) if isinstance(part, str) else part for part in thing.rows))
+        elif isinstance(thing, core.Row):
+            rows.append(thing)
+
+    def gather_groups(rna):
+        if rna.identifier.startswith("MOTUS_PG_") and rna.identifier not in groups:
+            groups[rna.identifier] = rna.properties
+            for prop in rna.properties:
+                if prop.type in {'POINTER', 'COLLECTION'}:
+                    gather_groups(prop.fixed_type)
+
+    gather_rows(tuple(vars(support.addon(f"{folder}.rows")).values()))
+    gather_groups(bpy.types.Object.bl_rna.properties["motus"].fixed_type.properties[settings].fixed_type)
+    texts = {row.name: row.text for row in rows if row.text}
+    return {texts.get(row.name, properties[row.name].name) for row in rows for properties in groups.values() if row.name in properties}
 
 
 def labels_of(page):

@@ -53,7 +53,7 @@ class DriverKeywords:
     gravity: bpy.props.FloatProperty(
         name="Gravity", description="What pulls the bobs down", unit='ACCELERATION', default=9.81, min=0.0)
     damping: bpy.props.FloatProperty(
-        name="Damping", description="Share of the velocity that is lost in a second", default=0.0, min=0.0, soft_max=5.0)
+        name="Damping", description="Rate at which velocity is lost, in 1/s; 0 swings for ever", default=0.0, min=0.0, soft_max=5.0)
     speed: bpy.props.FloatProperty(
         name="Speed", description="Of time; of noise about how often it goes up and down in a second", default=1.0,
         soft_min=0.0, soft_max=10.0)

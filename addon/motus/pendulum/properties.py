@@ -69,7 +69,7 @@ class PendulumKeywords:
         "Gravity", "Acceleration along the pivot's -Z axis", 9.81, soft_min=0.0,
         soft_max=30.0, unit='ACCELERATION')
     damping: _number(
-        "Damping", "Share of the velocity that is lost in a second", 0.0,
+        "Damping", "Rate at which velocity is lost, in 1/s; 0 swings for ever", 0.0,
         soft_min=0.0, soft_max=2.0)
     use_limits: _switch("Limits", "Keep velocities and accelerations below limits that no real pendulum has", False)
     most_velocity: _number(

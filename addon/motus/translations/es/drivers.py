@@ -95,7 +95,7 @@ INTERFACE = {
     "Of the lower rod": "De la varilla inferior",
     "What pulls the bobs down": "Lo que tira de los pesos hacia abajo",
     "Damping": "Amortiguación",
-    "Share of the velocity that is lost in a second": "Parte de la velocidad que se pierde en un segundo",
+    "Rate at which velocity is lost, in 1/s; 0 swings for ever": "Ritmo al que se pierde la velocidad, en 1/s; con 0 oscila para siempre",
     "Of time; of noise about how often it goes up and down in a second":
         "Del tiempo; en el ruido, más o menos cuántas veces sube y baja en un segundo",
     "Frame with the value 0": "Fotograma con el valor 0",

@@ -140,8 +140,8 @@ INTERFACE = {
         "Selecciona las lentejas, y el pivote como objeto activo",
     "Select the object that shall be the pivot": "Selecciona el objeto que será el pivote",
     "Selected Objects": "Objetos seleccionados",
-    "Share of the velocity that is lost in a second. No keys: the whole motion follows from it":
-        "Parte de la velocidad que se pierde en un segundo. Sin claves: todo el movimiento depende de ella",
+    "Rate at which velocity is lost, in 1/s; 0 swings for ever. No keys: the whole motion follows from it":
+        "Ritmo al que se pierde la velocidad, en 1/s; con 0 oscila para siempre. Sin claves: todo el movimiento depende de ella",
     "Single": "Simple",
     "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest, and replaces the earlier one":
         "Lleva a otro lugar la lenteja del extremo de un péndulo en pausa; el movimiento parte de ahí, en reposo, y sustituye al anterior",
