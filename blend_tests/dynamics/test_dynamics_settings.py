@@ -68,7 +68,7 @@ class DynamicsSettingsTest(support.SceneTestCase):
     def test_two_ways_at_once(self):
         ball = cases.moved()
         for keywords in ({"overshoot": 0.2, "mass": 1.0}, {"frequency": 2.0, "settling": 1.0}, {"damping": 0.3, "stiffness": 9.0},
-                         {"response": 1.0, "mass": 1.0}):
+                         {"response": 1.0, "mass": 1.0}, {"style": 'JELLY', "overshoot": 0.2}):
             with self.subTest(**keywords), self.assertRaisesRegex(RuntimeError, "in two ways"):
                 cases.add(ball, **keywords)
         self.assertFalse(ball.is_property_set("motus"))

@@ -50,8 +50,8 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
     object: object_keyword("Name of the object; empty takes the selected ones, in Pose Mode the selected bones")
     bones: _bones("Names of bones of the object, with commas between")
     style: bpy.props.EnumProperty(
-        name="Style", description="Frequency, damping and response that go by a name", items=styles.ITEMS,
-        default=styles.CUSTOM)
+        name="Style", description="Frequency, damping and response that go by a name, in place of those that are given",
+        items=styles.ITEMS, default=styles.CUSTOM)
     whole_chains: bpy.props.BoolProperty(
         name="Whole Chains", description="Take all bones below along", default=False)
     chain_delay: bpy.props.FloatProperty(
@@ -109,6 +109,9 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
         given = [next(filter(self.is_given, names)) for names in WAYS if any(map(self.is_given, names))]
         if any(map(self.is_given, OF_SPRING)) and self.is_given("response"):
             given.append("response")
+        # Beside a style the redo panel hides frequency, damping and response, which it was given before: they count for nothing.
+        if any(map(self.is_given, (*OF_OVERSHOOT, *OF_SPRING))) and self.style != styles.CUSTOM:
+            given.append("style")
         if len(given) > 1:
             first, second = map(self._label, given[:2])
             raise Refused(tr("{first} and {second} say the same in two ways: give one of them").format(

@@ -55,6 +55,8 @@ INTERFACE = {
         "Lo que cuelga de un muelle, en lugar de frecuencia, amortiguación y respuesta",
     "Style": "Estilo",
     "Frequency, damping and response that go by a name": "Frecuencia, amortiguación y respuesta con un nombre",
+    "Frequency, damping and response that go by a name, in place of those that are given":
+        "Frecuencia, amortiguación y respuesta con un nombre, en lugar de las que se dan",
     "Custom": "Personalizado",
     "Numbers of one's own": "Números propios",
     "Critical": "Crítico",
