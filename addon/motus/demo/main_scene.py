@@ -1,4 +1,4 @@
-"""The scene "Motus Main": all systems at once, on a winter evening.
+"""The scene "Motus Main": eight systems at once, on a winter evening.
 
 A pilot walks through the snow with an aeroplane in his hand, throws it and steers it, and a spider goes to meet it; two
 lanterns swing in the wind, and a stereo camera looks after it all.

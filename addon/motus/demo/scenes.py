@@ -96,7 +96,7 @@ SCENES = (
     ),
     DemoScene(
         name="main", identifier="MAIN", module="main_scene", label="Winter Flight",
-        description="All systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing "
+        description="Eight systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing "
                     "and a spider comes to see",
         stills=(("Main Camera", 4.7), ("Main Camera", 10.8), ("Main Camera", 4.7)),
         film=(0.0, 11.0),

@@ -60,8 +60,8 @@ INTERFACE = {
         "No se pueden seguir splines NURBS de orden superior a 6: reduce el orden",
     "Native module {found}": "Módulo nativo {found}",
     "Winter Flight": "Vuelo de invierno",
-    "All systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing and a spider comes to see":
-        "Todos los sistemas a la vez: un piloto camina por la nieve, lanza un avión y lo dirige, mientras oscilan unos "
+    "Eight systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing and a spider comes to see":
+        "Ocho sistemas a la vez: un piloto camina por la nieve, lanza un avión y lo dirige, mientras oscilan unos "
         "faroles y una araña viene a ver",
     "The demo scene could not be finished: {error}": "No se pudo terminar la escena de demostración: {error}",
     "Built {scene}": "Se creó {scene}",
