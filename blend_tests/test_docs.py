@@ -250,12 +250,12 @@ class PagesTest(support.SceneTestCase):
         import operator_page
         page = (DOCS / "operators.md").read_text(encoding="utf-8")
         for identifier in operator_page.identifiers():
-            self.assertIn(f"## `{identifier}`", page)
+            self.assertTrue(f"## `{identifier}`\n" in page, f"run ./motus docs operators: {identifier} is missing")
             rna = getattr(bpy.ops.motus, identifier.partition(".")[2]).get_rna_type()
             section = page.partition(f"## `{identifier}`")[2].partition("\n## ")[0]
             for prop in rna.properties:
                 if prop.identifier != "rna_type" and not prop.is_hidden:
-                    self.assertIn(f"| `{prop.identifier}` |", section, f"run ./motus docs: {identifier}")
+                    self.assertIn(f"| `{prop.identifier}` |", section, f"run ./motus docs operators: {identifier}")
 
     @support.in_one_blender
     def test_links_and_pictures_exist(self):

@@ -1,4 +1,5 @@
-"""Makes the generated parts of the manual: the operator page and the pictures. `./motus docs` runs it inside Blender.
+"""Makes the generated parts of the manual: the operator page and the pictures. `./motus docs` runs it inside Blender, `./motus docs operators`
+for the page alone.
 
 What is seen in a window is made by `./motus docs steps`, also the insets in the pictures of the demo scenes: steps.py.
 """
@@ -28,6 +29,8 @@ import walker_pictures  # noqa: E402
 support.enable()
 (HERE / "operators.md").write_text(operator_page.text(), encoding="utf-8")
 print("docs/operators.md")
+if "operators" in sys.argv[sys.argv.index("--") + 1:]:
+    sys.exit()
 pictures = HERE / "pictures"
 for render in (
         path_pictures.render_all, layers_pictures.render_all, walker_pictures.render_all, ik_pictures.render_all, look_at_pictures.render_all, pull_pictures.render_all,
