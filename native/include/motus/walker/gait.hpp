@@ -1,4 +1,6 @@
-// In which order legs step.
+// In which order legs step: a phase for each leg and one duty factor, as in McGhee, "Some finite state
+// aspects of legged locomotion" (1968). On one side insects step from the back to the front: Wilson, "Insect
+// walking" (1966).
 #pragma once
 #include <cstddef>
 #include <glm/vec3.hpp>

@@ -26,7 +26,8 @@ struct Step {
     }
 };
 
-/// How far along a foot is, u of its swing, [0, 1]: starts and ends without speed and acceleration.
+/// How far along a foot is, u of its swing, [0, 1]: starts and ends without speed and acceleration, with the
+/// least jerk between (Flash, Hogan, "The coordination of arm movements" (1985)).
 [[nodiscard]] constexpr double along(double u) {
     return u * u * u * (u * (6.0 * u - 15.0) + 10.0);
 }
