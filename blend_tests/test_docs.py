@@ -282,6 +282,8 @@ ROWS = (
     ("dynamics", "dynamics", "dynamics"), ("pendulums", "pendulum", "pendulum"), ("pendulums", "pendulum", "pendulum_trail"),
     ("snow", "snow", "snow"), ("snow", "snow.cover", "snow_cover"), ("stereo", "stereo", "stereo"), ("walker", "walker", "walker"))
 """Page, folder in the add-on, and settings of a system whose panels have rows."""
+OTHER_PAGES = {"pendulum": "pendulums", "snow_cover": "snow"}
+"""Of systems whose page has another name."""
 NAMES = {"Motus Green Screen", "Motus Trail", "Motus Flake", "Motus Spark"}
 """What is no label: datablocks that are made."""
 
@@ -310,6 +312,17 @@ class LabelsTest(support.SceneTestCase):
         for name, folder, settings in ROWS:
             explained = {*labels_of(DOCS / f"{name}.md"), *italics_of(DOCS / f"{name}.md")}
             missing += [f"{name}.md: {label}" for label in sorted(labels_shown(folder, settings) - explained)]
+        self.assertEqual(missing, [])
+
+    @support.in_one_blender
+    def test_presets_are_on_the_pages(self):
+        missing = []
+        for operator in (name for name in dir(bpy.ops.motus) if name.endswith("_preset_use")):
+            name = operator.removesuffix("_preset_use")
+            page = DOCS / f"{OTHER_PAGES.get(name, name)}.md"
+            text = page.read_text(encoding="utf-8")
+            presets = getattr(bpy.ops.motus, operator).get_rna_type().properties["preset"].enum_items
+            missing += [f"{page.name}: {preset.name}" for preset in presets if preset.name not in text]
         self.assertEqual(missing, [])
 
 
