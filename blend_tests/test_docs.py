@@ -264,6 +264,14 @@ class PagesTest(support.SceneTestCase):
                 if "://" not in link:
                     self.assertTrue((page.parent / link).exists(), f"{page.name}: {link}")
 
+    @support.in_one_blender
+    def test_the_programmers_pages_name_every_module(self):
+        core = support.CLONE / "addon" / "motus" / "core"
+        for page, folder in (("architecture.md", core), ("wiring.md", core / "wiring")):
+            words = set(re.findall(r"\w+", (DOCS / page).read_text(encoding="utf-8")))
+            missing = {path.stem for path in folder.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()} - words - {"__init__"}
+            self.assertEqual(sorted(missing), [], page)
+
 
 LABELLED = {"slider", "setting", "option", "mode", "falloff", "preset", "style"}
 """What the first column of a table is called whose cells are labels of the interface."""
@@ -276,7 +284,7 @@ SYSTEMS = ("path", "layers", "ik", "look_at", "pull", "lattice", "drivers", "dyn
 OF_BLENDER = {
     "Add", "Object", "Pose", "Motus", "OK", "Auto Run Python Scripts", "Use Self", "Keying", "Standard", "Sensor Fit", "Vertical",
     "Views Format", "Multi-View", "Convergence Distance", "Attribute", "Instancer", "Render", "Output", "Placeholders", "Overwrite",
-    "Realize Instances", "Material Preview", "Viewer", "Image Sequence"}
+    "Realize Instances", "Material Preview", "Viewer", "Image Sequence", "Field of View"}
 ROWS = (
     ("path", "path", "path"), ("layers", "layers", "layers"), ("ik", "ik", "ik"), ("look_at", "look_at", "look_at"), ("pull", "pull", "pull"),
     ("dynamics", "dynamics", "dynamics"), ("pendulums", "pendulum", "pendulum"), ("pendulums", "pendulum", "pendulum_trail"),
