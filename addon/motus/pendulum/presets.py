@@ -10,7 +10,7 @@ from .properties import KEYWORDS
 OF_THE_SHOT = {"start_frame", "is_playing", "influence"}
 
 BROUGHT = (
-    Preset('WILD', "Wild", "Tumbles over itself, and never the same way twice", {}),
+    Preset('WILD', "Wild", "Tumbles over itself, and no two swings are alike", {}),
     Preset('CLOCK', "Clock", "Beats a second to each side", {
         "length1": 0.994, "length2": 0.1, "mass2": 0.01, "angle1": math.radians(5.0), "angle2": math.radians(5.0)}),
     Preset('LAMP', "Hanging Lamp", "Swings out and comes to rest", {

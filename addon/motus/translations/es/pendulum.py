@@ -3,7 +3,7 @@
 INTERFACE = {
     "Lower": "Inferior",
     "Wild": "Salvaje",
-    "Tumbles over itself, and never the same way twice": "Da vueltas sobre sí mismo y nunca dos veces igual",
+    "Tumbles over itself, and no two swings are alike": "Da vueltas sobre sí mismo y no hay dos oscilaciones iguales",
     "Clock": "Reloj",
     "Beats a second to each side": "Un segundo a cada lado",
     "Hanging Lamp": "Lámpara colgante",
