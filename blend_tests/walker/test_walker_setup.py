@@ -5,6 +5,7 @@ from unittest import mock
 import bpy
 import numpy as np
 import support
+from core.test_habits import Layout
 from look_at.test_look_at_setup import state
 from walker import walker_cases as cases
 
@@ -66,6 +67,33 @@ class Add(cases.WalkerTestCase):
         self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
         np.testing.assert_allclose([tuple(leg.rest) for leg in body.motus.walker.legs], [tuple(foot.location) for foot in feet], atol=1e-6)
 
+    def test_selected_children_are_the_feet(self):
+        """But where others are selected too: then a child is the body that leans."""
+        body, shell, feet = cases.cross()
+        for chosen in ((shell, *feet), feet):
+            for foot in feet:
+                foot.parent = body if shell not in chosen else None
+            for obj in self.scene.objects:
+                obj.select_set(obj in chosen or obj == body)
+            bpy.context.view_layer.objects.active = body
+            self.assertEqual(bpy.ops.motus.walker_add(), {'FINISHED'})
+            self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
+            self.assertWell(body)
+            bpy.ops.motus.walker_remove(object=body.name)
+
+    def test_a_bone_and_an_object_of_one_name(self):
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.walker_remove(object=spider.name)
+        foot = cases.link("foot 1.R", place=spider.data.bones["foot 1.L"].head_local)
+        entry = spider.motus.ik.entries["lower 1.L"]
+        entry.target, entry.target_bone = foot, ""
+        self.assertEqual(bpy.ops.motus.walker_add(object=spider.name), {'FINISHED'})
+        self.assertEqual(len(spider.motus.walker.legs), 8)
+        entry = spider.motus.ik.entries["lower 2.L"]
+        entry.target_bone = "foot 2.R"
+        bpy.ops.motus.walker_remove(object=spider.name)
+        self.assertRefused("foot 2.R would be the foot of two legs", bpy.ops.motus.walker_add, object=spider.name)
+
     def test_again_changes_what_is_given(self):
         spider = cases.spider(stride=0.3)
         rests = [tuple(leg.rest) for leg in spider.motus.walker.legs]
@@ -95,7 +123,7 @@ class Add(cases.WalkerTestCase):
             obj.select_set(False)
         self.assertRefused("Name the objects that are the feet", add, object=body.name)
         self.assertRefused("its own foot", add, object=body.name, feet=body.name)
-        self.assertRefused("named twice", add, object=body.name, feet=f"{feet[0].name},{feet[0].name}")
+        self.assertRefused("Foot 0 would be the foot of two legs", add, object=body.name, feet=f"{feet[0].name},{feet[0].name}")
         self.assertRefused("no child of Body", add, object=body.name, feet=cases.names(feet), body=feet[0].name)
         self.assertRefused("no mesh", add, object=body.name, feet=cases.names(feet), ground=shell.name)
         self.assertRefused("no collection Nowhere", add, object=body.name, feet=cases.names(feet), grounds="Nowhere")
@@ -308,3 +336,29 @@ class Edits(cases.WalkerTestCase):
                     found = getattr(spider.motus.walker, name)
                     self.assertTrue(found == value or abs(found - value) < 1e-6, name)
                 self.assertWell(spider)
+
+
+class Panel(cases.WalkerTestCase):
+    def labels(self, owner):
+        """What the panel's main part says."""
+        bpy.context.view_layer.objects.active = owner
+        bpy.context.view_layer.update()
+        layout = Layout()
+        support.addon("walker.panel").draw_main(layout, bpy.context)
+        return " ".join(layout.named("label"))
+
+    def test_how_the_motion_is_known(self):
+        still, moving = cases.spider(ahead=0.0), cases.spider()
+        unknown = cases.spider(ahead=0.0)
+        unknown.constraints.new('COPY_LOCATION').target = still
+        self.assertNotIn("Exact", self.labels(still))
+        self.assertIn("Exact at any frame", self.labels(moving))
+        self.assertIn("Needs recording", self.labels(unknown))
+
+    def test_keys_are_not_gone_through_at_each_redraw(self):
+        spider = cases.spider()
+        self.labels(spider)
+        keys = support.addon("core.tracks.keys")
+        with mock.patch.object(keys, "extent", wraps=keys.extent) as asked:
+            self.assertIn("Exact at any frame", self.labels(spider))
+        self.assertEqual(asked.call_count, 0)

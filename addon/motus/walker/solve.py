@@ -12,9 +12,8 @@ LOOPED = Problem("The body or the ground moves with what the walker drives: what
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
 BODILESS = Problem("The body that rises and leans is gone, or hangs on something else: choose it anew", blocking=False)
 UNREACHED = Problem("Some feet do not get to the ground where they should", blocking=False)
-BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
-PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, BEYOND, BONES_CHANGED)
+PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, BONES_CHANGED)
 
 INPUTS = (Geometries("awaited", of=ground.objects),)
 
@@ -44,10 +43,10 @@ def solve(context, awaited):
     if context.group == groups.BODY:
         return _lean(context, found.walker, seconds)
     _stand(context, found.walker.feet(seconds), wired["feet"])
-    return _fault(found, wired, context.frame)
+    return _fault(found, wired)
 
 
-def _fault(found, wired, frame):
+def _fault(found, wired):
     if wired["is_looped"]:
         return LOOPED
     if wired["lacks"]:
@@ -56,8 +55,6 @@ def _fault(found, wired, frame):
         return BODILESS
     if found.fault:
         return found.fault
-    if not found.known[0] <= frame <= found.known[1]:
-        return BEYOND
     return UNREACHED if found.has_problems else None
 
 

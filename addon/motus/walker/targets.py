@@ -64,8 +64,9 @@ def legs_for(context, owner, names):
 
 
 def _selected_feet(context, owner):
-    chosen = [obj for obj in context.selected_objects if obj != owner and obj.parent != owner]
-    return sorted(chosen, key=lambda obj: obj.name) if context.object == owner else []
+    chosen = [obj for obj in context.selected_objects if obj != owner] if context.object == owner else []
+    # A child that is selected too is the body that shall rise and lean, unless all of them are children.
+    return sorted([obj for obj in chosen if obj.parent != owner] or chosen, key=lambda obj: obj.name)
 
 
 def _named_foot(owner, name):
@@ -160,9 +161,10 @@ def _check_feet(owner, found):
         if leg.foot == owner:
             raise Refused(tr("{object} cannot be its own foot").format(object=owner.name))
         _check_free(owner, leg.foot)
-    names = [leg.bone or leg.foot.name for leg in found]
-    if len(set(names)) < len(names):
-        raise Refused(tr("A foot is named twice"))
+    feet = [leg.bone or leg.foot for leg in found]
+    twice = next((foot for foot in feet if feet.count(foot) > 1), None)
+    if twice is not None:
+        raise Refused(tr("{foot} would be the foot of two legs").format(foot=getattr(twice, "name", twice)))
 
 
 def _check_free(owner, obj):
