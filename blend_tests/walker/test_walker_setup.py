@@ -115,6 +115,42 @@ class Add(cases.WalkerTestCase):
         bpy.ops.motus.walker_add(object=spider.name, feet="foot 1.L,foot 1.R,foot 4.L,foot 4.R")
         self.assertEqual(spider.motus.walker.body_bone, "abdomen")
 
+    def test_again_with_other_feet_selected(self):
+        body, shell, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet[:3]), body=shell.name, gait='OWN')
+        body.motus.walker.legs[1].phase = 0.25
+        add = bpy.ops.motus.walker_add
+        for chosen, wanted in (((shell,), feet[:3]), (feet, feet), (feet[1:], feet[1:])):
+            for obj in self.scene.objects:
+                obj.select_set(obj in chosen or obj == body)
+            bpy.context.view_layer.objects.active = body
+            self.assertEqual(add(object=body.name), {'FINISHED'})  # a script says what it means
+            before = [leg.foot for leg in body.motus.walker.legs]
+            self.assertEqual(add(), {'FINISHED'})
+            self.assertEqual([leg.foot for leg in body.motus.walker.legs], wanted)
+            self.assertEqual({leg.foot: leg.phase for leg in body.motus.walker.legs}[feet[1]], 0.25)
+            self.assertEqual(body.motus.walker.body, shell)
+            self.assertWell(body)
+        self.assertEqual(before, feet)
+        self.assertFalse(feet[0].constraints or feet[0].is_property_set("motus"))
+
+    def test_again_when_a_foot_is_gone(self):
+        body, _, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
+        bpy.data.objects.remove(feet[1])
+        bpy.context.view_layer.update()
+        bpy.ops.motus.walker_add(object=body.name)
+        self.assertEqual([leg.foot for leg in body.motus.walker.legs], [feet[0], *feet[2:]])
+        self.assertWell(body)
+        spider = cases.spider(ahead=0.0)
+        length = spider.motus.walker.legs[2].length
+        spider.motus.walker.legs[3].name = "nothing"
+        self.assertIn("add the walker again", self.sentence(spider))
+        bpy.ops.motus.walker_add(object=spider.name)
+        self.assertEqual(len(spider.motus.walker.legs), 7)
+        self.assertAlmostEqual(spider.motus.walker.legs[2].length, length)
+        self.assertWell(spider)
+
     def test_refusals(self):
         add = bpy.ops.motus.walker_add
         self.assertRefused("no object Nobody", add, object="Nobody")

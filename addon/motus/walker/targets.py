@@ -5,7 +5,7 @@ from mathutils import Vector
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named, named_mesh
 from ..core.system import is_owner, leader_of, of_owner, registered
 from ..core.translations import tr
-from . import ground, setup
+from . import ground, legs, setup
 from .properties import MOST_LEGS
 
 
@@ -55,7 +55,33 @@ def legs_for(context, owner, names):
         chosen = [named(name) for name in listed] or _selected_feet(context, owner)
         if not chosen:
             raise Refused(tr("Name the objects that are the feet of {object}, or select them too").format(object=owner.name))
-        found = [setup.Leg("", obj, Vector(), 0.0) for obj in chosen]
+        found = _legs_of_objects(chosen)
+    return _checked(owner, found)
+
+
+def legs_again(context, owner, is_named):
+    """The same of one that walks already, where no feet are named; None where its legs stay as they are.
+
+    Feet that are selected beside it are its feet from now on, unless a script names the object; else legs without a foot go.
+    """
+    settings, present = owner.motus.walker, legs.feet(owner)
+    if not present:
+        return legs_for(context, owner, "")
+    if not (owner.pose or is_named):
+        chosen = [obj for obj in _selected_feet(context, owner) if obj != settings.body]
+        if chosen and set(chosen) != {foot.thing for foot in present}:
+            return _checked(owner, _legs_of_objects(chosen))
+    if len(present) == len(settings.legs):
+        return None
+    kept = [settings.legs[foot.index] for foot in present]
+    return [setup.Leg(leg.name, leg.foot, leg.hip.copy(), leg.length) for leg in kept]
+
+
+def _legs_of_objects(feet):
+    return [setup.Leg("", obj, Vector(), 0.0) for obj in feet]
+
+
+def _checked(owner, found):
     if len(found) > MOST_LEGS:
         raise Refused(tr("{object} would have {count} legs; there can be {most}").format(
             object=owner.name, count=len(found), most=MOST_LEGS))
