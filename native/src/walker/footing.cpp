@@ -109,10 +109,15 @@ std::optional<Contact> footing_around_edge(const Ground& ground, const Search& s
 double obstacle(const Ground& ground, const glm::dvec3& start, const glm::dvec3& end, const glm::dvec3& up,
                 double reach) {
     double highest = 0.0;
+    const auto below = [&](const glm::dvec3& place, double room) {
+        return ground.ray(place + room * up, -up, room);
+    };
     for (const double fraction : fractions) {
         const glm::dvec3 place = start + (end - start) * along(fraction);
+        // Roofs are looked for where anything is met at all, which is quicker.
+        if (!below(place, reach)) continue;
         const double room = room_above(ground, place, up, reach);
-        const std::optional<Contact> met = ground.ray(place + room * up, -up, room);
+        const std::optional<Contact> met = below(place, room);
         if (met) highest = std::max(highest, (room - met->distance) / above(fraction));
     }
     return highest;

@@ -27,8 +27,8 @@ struct Contact {
     bool leaves = false;
 };
 
-/// Triangles, a plane, or both, from either side; they stand still. World space, metres. Immutable; any
-/// number of threads may ask.
+/// Triangles, counter-clockwise seen from outside, a plane, or both, met from either side; they stand still.
+/// World space, metres. Immutable; any number of threads may ask.
 class Ground {
   public:
     /// Throws std::invalid_argument, naming the argument, where a triangle names a vertex that there is not,
