@@ -60,9 +60,7 @@ class Add(cases.WalkerTestCase):
 
     def test_selected_objects_are_the_feet(self):
         body, _, feet = cases.cross()
-        for obj in self.scene.objects:
-            obj.select_set(obj in feet or obj == body)
-        bpy.context.view_layer.objects.active = body
+        cases.select(body, feet)
         self.assertEqual(bpy.ops.motus.walker_add(), {'FINISHED'})
         self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
         np.testing.assert_allclose([tuple(leg.rest) for leg in body.motus.walker.legs], [tuple(foot.location) for foot in feet], atol=1e-6)
@@ -73,9 +71,7 @@ class Add(cases.WalkerTestCase):
         for chosen in ((shell, *feet), feet):
             for foot in feet:
                 foot.parent = body if shell not in chosen else None
-            for obj in self.scene.objects:
-                obj.select_set(obj in chosen or obj == body)
-            bpy.context.view_layer.objects.active = body
+            cases.select(body, chosen)
             self.assertEqual(bpy.ops.motus.walker_add(), {'FINISHED'})
             self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
             self.assertWell(body)
@@ -121,9 +117,7 @@ class Add(cases.WalkerTestCase):
         body.motus.walker.legs[1].phase = 0.25
         add = bpy.ops.motus.walker_add
         for chosen, wanted in (((shell,), feet[:3]), (feet, feet), (feet[1:], feet[1:])):
-            for obj in self.scene.objects:
-                obj.select_set(obj in chosen or obj == body)
-            bpy.context.view_layer.objects.active = body
+            cases.select(body, chosen)
             self.assertEqual(add(object=body.name), {'FINISHED'})  # a script says what it means
             before = [leg.foot for leg in body.motus.walker.legs]
             self.assertEqual(add(), {'FINISHED'})
