@@ -34,12 +34,17 @@ class Add(cases.WalkerTestCase):
             self.assertAlmostEqual(leg.length, upper.length + upper.children[0].length, places=5)
             np.testing.assert_allclose(leg.hip, upper.head_local, atol=1e-6)
 
-    def test_chains_that_reach_for_objects(self):
+    def reaching(self, name):
+        """A spider that does not walk, and the object of this name that its first leg reaches for."""
         spider = cases.spider(ahead=0.0)
         bpy.ops.motus.walker_remove(object=spider.name)
-        foot = cases.link("Foot", place=spider.data.bones["foot 1.L"].head_local)
+        foot = cases.link(name, place=spider.data.bones["foot 1.L"].head_local)
         entry = spider.motus.ik.entries["lower 1.L"]
         entry.target, entry.target_bone = foot, ""
+        return spider, foot
+
+    def test_chains_that_reach_for_objects(self):
+        spider, foot = self.reaching("Foot")
         bpy.ops.motus.walker_add(object=spider.name)
         legs = {leg.foot: leg.name for leg in spider.motus.walker.legs}
         self.assertIn(foot, legs)
@@ -78,11 +83,7 @@ class Add(cases.WalkerTestCase):
             bpy.ops.motus.walker_remove(object=body.name)
 
     def test_a_bone_and_an_object_of_one_name(self):
-        spider = cases.spider(ahead=0.0)
-        bpy.ops.motus.walker_remove(object=spider.name)
-        foot = cases.link("foot 1.R", place=spider.data.bones["foot 1.L"].head_local)
-        entry = spider.motus.ik.entries["lower 1.L"]
-        entry.target, entry.target_bone = foot, ""
+        spider, _ = self.reaching("foot 1.R")
         self.assertEqual(bpy.ops.motus.walker_add(object=spider.name), {'FINISHED'})
         self.assertEqual(len(spider.motus.walker.legs), 8)
         entry = spider.motus.ik.entries["lower 2.L"]
