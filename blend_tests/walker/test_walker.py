@@ -166,6 +166,23 @@ class Ground(cases.WalkerTestCase):
         np.testing.assert_allclose(found[swings == 0.0][:, 0], 0.0, atol=1e-5)
         self.assertGreater(np.abs(found[swings > 0.0][:, 0]).max(), 0.02)
 
+    def test_below_a_table(self):
+        """Feet stay on the ground, of a table that is mirrored too."""
+        land = cases.grid("Land", lambda x, y: 0.0 * x, count=3)
+        bpy.ops.mesh.primitive_cube_add(size=1.0, location=(0.0, 1.0, 0.35))
+        table, scenery = bpy.context.object, bpy.data.collections.new("Scenery")
+        for obj in (land, table):
+            scenery.objects.link(obj)
+        spider = cases.spider(grounds="Scenery")
+        self.assertGreater(spider.motus.walker.reach_up, 0.38)
+        for side in (1.0, -1.0):
+            table.scale = (3.0 * side, 1.0, 0.1)
+            bpy.context.view_layer.update()
+            walker = cases.plan_of(spider).walker
+            np.testing.assert_allclose(walker.steps["end"][:, 2], 0.0, atol=1e-6)
+            self.assertLess(walker.steps["apex"][:, 2].max(), 0.1)
+        self.assertWell(spider)
+
     def test_the_body_rises_and_leans(self):
         land = cases.grid("Land", lambda x, y: 0.3 * y + 0.1)
         spider = cases.spider(ahead=0.0, ground=land.name, body_tilt=1.0)

@@ -152,24 +152,43 @@ class Bodies(cases.WalkerTestCase):
         curve.keyframe_points[1].co.y = math.nan
         curve.update()
         cases.go_to(50)
-        self.assertIn("not a finite number", self.sentence(spider))
+        self.assertEqual(self.sentence(spider), "The body's motion is not a finite number")
 
     def test_axes_that_there_are_not(self):
         """As a file has them that somebody has changed: '' to Blender."""
         spider = cases.spider()
-        for name in ("forward_axis", "up_axis"):
+        for name, label in (("forward_axis", "Forward"), ("up_axis", "Up"), ("gait", "Gait")):
             with self.subTest(name):
                 kept = getattr(spider.motus.walker, name)
                 cases.set_raw(spider, name, 99)
                 bpy.context.view_layer.update()
-                self.assertIn("outside of what", self.sentence(spider))
+                self.assertEqual(self.sentence(spider), f"{label} is outside of what a walk can be planned by")
                 setattr(spider.motus.walker, name, kept)
 
-    def test_settings_that_are_no_numbers(self):
+    def test_a_setting_that_is_wrong_is_named(self):
         spider = cases.spider()
-        spider.motus.walker.plane_height = math.nan
+        settings = spider.motus.walker
+        leg = settings.legs[3]
+        outside, infinite = "is outside of what a walk can be planned by", "is not a finite number"
+        for place, name, number, said in (
+                (settings, "plane_height", math.nan, f"Height {infinite}"), (leg, "length", math.inf, f"Length {infinite}"),
+                (leg, "rest", (0.0, math.nan, 0.0), f"Rest {infinite}"), (settings, "stride", 1e30, f"Stride {outside}"),
+                (settings, "reach_up", 1e30, f"Reach Up {outside}"), (leg, "hip", (1e30, 0.0, 0.0), f"Hip {outside}"),
+                (leg, "length", 1e30, f"Length {outside}"), (leg, "rest", (0.0, 1e30, 0.0), f"Rest {outside}")):
+            with self.subTest(name=name, number=number):
+                kept = getattr(place, name)
+                kept = tuple(kept) if hasattr(kept, "__len__") else kept
+                setattr(place, name, number)
+                bpy.context.view_layer.update()
+                self.assertEqual(self.sentence(spider), said)
+                setattr(place, name, kept)
         bpy.context.view_layer.update()
-        self.assertIn("not a finite number", self.sentence(spider))
+        self.assertWell(spider)
+
+    def test_a_body_that_goes_too_far(self):
+        spider = cases.spider(ahead=1e20)
+        cases.go_to(50)
+        self.assertIn("goes too far away", self.sentence(spider))
 
     def walked(self, scale):
         """Where the feet of a scaled spider are, on a way that is scaled too, at whose speed its stride counts."""

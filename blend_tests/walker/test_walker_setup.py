@@ -5,6 +5,7 @@ from unittest import mock
 import bpy
 import numpy as np
 import support
+from core.test_habits import Layout
 from look_at.test_look_at_setup import state
 from walker import walker_cases as cases
 
@@ -33,12 +34,17 @@ class Add(cases.WalkerTestCase):
             self.assertAlmostEqual(leg.length, upper.length + upper.children[0].length, places=5)
             np.testing.assert_allclose(leg.hip, upper.head_local, atol=1e-6)
 
-    def test_chains_that_reach_for_objects(self):
+    def reaching(self, name):
+        """A spider that does not walk, and the object of this name that its first leg reaches for."""
         spider = cases.spider(ahead=0.0)
         bpy.ops.motus.walker_remove(object=spider.name)
-        foot = cases.link("Foot", place=spider.data.bones["foot 1.L"].head_local)
+        foot = cases.link(name, place=spider.data.bones["foot 1.L"].head_local)
         entry = spider.motus.ik.entries["lower 1.L"]
         entry.target, entry.target_bone = foot, ""
+        return spider, foot
+
+    def test_chains_that_reach_for_objects(self):
+        spider, foot = self.reaching("Foot")
         bpy.ops.motus.walker_add(object=spider.name)
         legs = {leg.foot: leg.name for leg in spider.motus.walker.legs}
         self.assertIn(foot, legs)
@@ -59,12 +65,31 @@ class Add(cases.WalkerTestCase):
 
     def test_selected_objects_are_the_feet(self):
         body, _, feet = cases.cross()
-        for obj in self.scene.objects:
-            obj.select_set(obj in feet or obj == body)
-        bpy.context.view_layer.objects.active = body
+        cases.select(body, feet)
         self.assertEqual(bpy.ops.motus.walker_add(), {'FINISHED'})
         self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
         np.testing.assert_allclose([tuple(leg.rest) for leg in body.motus.walker.legs], [tuple(foot.location) for foot in feet], atol=1e-6)
+
+    def test_selected_children_are_the_feet(self):
+        """But where others are selected too: then a child is the body that leans."""
+        body, shell, feet = cases.cross()
+        for chosen in ((shell, *feet), feet):
+            for foot in feet:
+                foot.parent = body if shell not in chosen else None
+            cases.select(body, chosen)
+            self.assertEqual(bpy.ops.motus.walker_add(), {'FINISHED'})
+            self.assertEqual([leg.foot for leg in body.motus.walker.legs], feet)
+            self.assertWell(body)
+            bpy.ops.motus.walker_remove(object=body.name)
+
+    def test_a_bone_and_an_object_of_one_name(self):
+        spider, _ = self.reaching("foot 1.R")
+        self.assertEqual(bpy.ops.motus.walker_add(object=spider.name), {'FINISHED'})
+        self.assertEqual(len(spider.motus.walker.legs), 8)
+        entry = spider.motus.ik.entries["lower 2.L"]
+        entry.target_bone = "foot 2.R"
+        bpy.ops.motus.walker_remove(object=spider.name)
+        self.assertRefused("foot 2.R would be the foot of two legs", bpy.ops.motus.walker_add, object=spider.name)
 
     def test_again_changes_what_is_given(self):
         spider = cases.spider(stride=0.3)
@@ -87,6 +112,40 @@ class Add(cases.WalkerTestCase):
         bpy.ops.motus.walker_add(object=spider.name, feet="foot 1.L,foot 1.R,foot 4.L,foot 4.R")
         self.assertEqual(spider.motus.walker.body_bone, "abdomen")
 
+    def test_again_with_other_feet_selected(self):
+        body, shell, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet[:3]), body=shell.name, gait='OWN')
+        body.motus.walker.legs[1].phase = 0.25
+        add = bpy.ops.motus.walker_add
+        for chosen, wanted in (((shell,), feet[:3]), (feet, feet), (feet[1:], feet[1:])):
+            cases.select(body, chosen)
+            self.assertEqual(add(object=body.name), {'FINISHED'})  # a script says what it means
+            before = [leg.foot for leg in body.motus.walker.legs]
+            self.assertEqual(add(), {'FINISHED'})
+            self.assertEqual([leg.foot for leg in body.motus.walker.legs], wanted)
+            self.assertEqual({leg.foot: leg.phase for leg in body.motus.walker.legs}[feet[1]], 0.25)
+            self.assertEqual(body.motus.walker.body, shell)
+            self.assertWell(body)
+        self.assertEqual(before, feet)
+        self.assertFalse(feet[0].constraints or feet[0].is_property_set("motus"))
+
+    def test_again_when_a_foot_is_gone(self):
+        body, _, feet = cases.cross()
+        bpy.ops.motus.walker_add(object=body.name, feet=cases.names(feet))
+        bpy.data.objects.remove(feet[1])
+        bpy.context.view_layer.update()
+        bpy.ops.motus.walker_add(object=body.name)
+        self.assertEqual([leg.foot for leg in body.motus.walker.legs], [feet[0], *feet[2:]])
+        self.assertWell(body)
+        spider = cases.spider(ahead=0.0)
+        length = spider.motus.walker.legs[2].length
+        spider.motus.walker.legs[3].name = "nothing"
+        self.assertIn("add the walker again", self.sentence(spider))
+        bpy.ops.motus.walker_add(object=spider.name)
+        self.assertEqual(len(spider.motus.walker.legs), 7)
+        self.assertAlmostEqual(spider.motus.walker.legs[2].length, length)
+        self.assertWell(spider)
+
     def test_refusals(self):
         add = bpy.ops.motus.walker_add
         self.assertRefused("no object Nobody", add, object="Nobody")
@@ -95,7 +154,7 @@ class Add(cases.WalkerTestCase):
             obj.select_set(False)
         self.assertRefused("Name the objects that are the feet", add, object=body.name)
         self.assertRefused("its own foot", add, object=body.name, feet=body.name)
-        self.assertRefused("named twice", add, object=body.name, feet=f"{feet[0].name},{feet[0].name}")
+        self.assertRefused("Foot 0 would be the foot of two legs", add, object=body.name, feet=f"{feet[0].name},{feet[0].name}")
         self.assertRefused("no child of Body", add, object=body.name, feet=cases.names(feet), body=feet[0].name)
         self.assertRefused("no mesh", add, object=body.name, feet=cases.names(feet), ground=shell.name)
         self.assertRefused("no collection Nowhere", add, object=body.name, feet=cases.names(feet), grounds="Nowhere")
@@ -308,3 +367,29 @@ class Edits(cases.WalkerTestCase):
                     found = getattr(spider.motus.walker, name)
                     self.assertTrue(found == value or abs(found - value) < 1e-6, name)
                 self.assertWell(spider)
+
+
+class Panel(cases.WalkerTestCase):
+    def labels(self, owner):
+        """What the panel's main part says."""
+        bpy.context.view_layer.objects.active = owner
+        bpy.context.view_layer.update()
+        layout = Layout()
+        support.addon("walker.panel").draw_main(layout, bpy.context)
+        return " ".join(layout.named("label"))
+
+    def test_how_the_motion_is_known(self):
+        still, moving = cases.spider(ahead=0.0), cases.spider()
+        unknown = cases.spider(ahead=0.0)
+        unknown.constraints.new('COPY_LOCATION').target = still
+        self.assertNotIn("Exact", self.labels(still))
+        self.assertIn("Exact at any frame", self.labels(moving))
+        self.assertIn("Needs recording", self.labels(unknown))
+
+    def test_keys_are_not_gone_through_at_each_redraw(self):
+        spider = cases.spider()
+        self.labels(spider)
+        keys = support.addon("core.tracks.keys")
+        with mock.patch.object(keys, "extent", wraps=keys.extent) as asked:
+            self.assertIn("Exact at any frame", self.labels(spider))
+        self.assertEqual(asked.call_count, 0)

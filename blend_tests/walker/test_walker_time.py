@@ -23,8 +23,17 @@ class Motions(cases.WalkerTestCase):
         bpy.context.view_layer.update()
         self.assertStands(spider, list(range(1, 121, 2)), 2e-6)
         self.assertWell(spider)
-        cases.go_to(400)
-        self.assertIn("planned for the frames of the scene", self.sentence(spider))
+        for frame in (-50, 400):  # where it rests at the beginning and at the end of the curve
+            cases.go_to(frame)
+            self.assertWell(spider)
+
+    def test_beyond_what_is_planned_a_body_that_goes_on_is_told(self):
+        curve = self.path()
+        spider = cases.spider(ahead=0.0)
+        bpy.ops.motus.path_follow_add(object=spider.name, curve=curve.name, extend='LOOP', duration=4.0)
+        for frame in (400, 433):
+            cases.go_to(frame)
+            self.assertIn("planned for the frames of the scene", self.sentence(spider))
         self.scene.frame_end = 500
         cases.go_to(401)
         self.assertWell(spider)
@@ -129,6 +138,18 @@ class Motions(cases.WalkerTestCase):
         self.assertEqual(bpy.ops.motus.track_record(datablock=spider.name, frame_start=1, frame_end=120), {'FINISHED'})
         self.assertStands(spider, list(range(1, 121, 3)))
         self.assertWell(spider)
+
+    def test_what_was_recorded_and_goes_on_is_recorded_again(self):
+        spider = cases.spider(ahead=0.0)
+        carrier = cases.link("Carrier")
+        cases.key_places(carrier, {1: (0.0, 0.0, 0.0), 200: (0.0, 4.0, 0.0)})
+        spider.constraints.new('COPY_LOCATION').target = carrier
+        bpy.ops.motus.track_record(datablock=spider.name, frame_start=1, frame_end=100)
+        cases.go_to(90)
+        self.assertWell(spider)
+        cases.go_to(150)
+        self.assertIn("not where it was recorded", self.sentence(spider))
+        np.testing.assert_allclose(cases.places(spider), cases.rests(spider), atol=1e-5)
 
 
 class OverTime(solved_cases.Solved, cases.WalkerTestCase):

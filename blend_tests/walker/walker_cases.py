@@ -76,6 +76,13 @@ def cross(name="Body", legs=4):
     return body, shell, feet
 
 
+def select(owner, others):
+    """Select these alone, the owner as the active one."""
+    for obj in bpy.context.scene.objects:
+        obj.select_set(obj in others or obj == owner)
+    bpy.context.view_layer.objects.active = owner
+
+
 def names(feet):
     return ",".join(foot.name for foot in feet)
 

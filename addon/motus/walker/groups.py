@@ -2,13 +2,15 @@
 
 import functools
 import json
+from typing import Any, NamedTuple
 
 from ..core import dependencies, rigs, stored
+from ..core.lazy import numpy as np
 from ..core.system import BonesOwn, Entry, Group, Member, Transform
 from . import legs
 
 PLAN = "plan"
-"""Key of a group's data: a JSON object, see parsed()."""
+"""Key of a group's data: a JSON object, see _FORM and parsed(). The fingerprint of the rig is there so that the data changes with it."""
 FEET, BODY = "feet", "body"
 """Names of the entries; the first one's group has no key."""
 PLACE, LEANING, TURN = frozenset({"location"}), frozenset({"location", "rotation"}), frozenset({"rotation"})
@@ -63,15 +65,26 @@ def _channels(owner, body):
     return TURN if owner.pose and body.bone.use_connect and body.parent else LEANING
 
 
+class Noted(NamedTuple):
+    """What a group notes. legs: those of the members, rising. bones: rows of the members that are bones. lacks: how many legs have no
+    foot. is_bodiless: whether the body that is named is not there."""
+
+    legs: Any
+    bones: Any
+    is_looped: bool
+    lacks: int
+    is_bodiless: bool
+
+
 @functools.lru_cache(maxsize=64)
 def parsed(text):
-    """What a group notes: {"feet": of the members, "is_looped", "lacks": how many legs have no foot, "is_bodiless": whether the body
-    that is named is not there, "fingerprint": of the rig}. Raises Damaged."""
+    """The Noted of a group's data. Raises Damaged."""
     said = stored.parse(text, _FORM)
-    order = [foot["leg"] for foot in said["feet"]]
-    if order != sorted(set(order)):
+    legs_of = [foot["leg"] for foot in said["feet"]]
+    if legs_of != sorted(set(legs_of)):
         raise stored.Damaged("feet in another order")
-    return said
+    bones = [row for row, foot in enumerate(said["feet"]) if foot["is_bone"]]
+    return Noted(np.array(legs_of, int), np.array(bones, int), said["is_looped"], said["lacks"], said["is_bodiless"])
 
 
 def bone_renamed(owner, rig, old, new):

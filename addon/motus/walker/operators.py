@@ -57,10 +57,11 @@ class MOTUS_OT_walker_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Op
         check_finite(self, KEYWORDS)
         owner = targets.owner_for(context, self.object)
         changes = self.given(KEYWORDS) | ground_of(self, owner)
-        if is_owner(setup.system(), owner) and not self.feet:
+        is_there = is_owner(setup.system(), owner) and not self.feet
+        found = targets.legs_again(context, owner, bool(self.object)) if is_there else targets.legs_for(context, owner, self.feet)
+        if found is None:
             setup.change(owner, changes | self._body(owner))
         else:
-            found = targets.legs_for(context, owner, self.feet)
             body = targets.body_for(owner, self.body, [leg.bone or leg.foot for leg in found])
             setup.attach(context, owner, found, body, changes)
         self.report({'INFO'}, tr("{object} walks on {count} legs").format(

@@ -30,7 +30,7 @@ def draw_main(layout, context):
         box.operator("motus.walker_select", icon='RESTRICT_SELECT_OFF')
     problem = ui.draw_problem(layout, context, system(), owner, lambda one: told.sentence(context, owner, one))
     track = plan.body_track(owner, context.scene)
-    if not track.is_known or track.extent is not None or problem == plan.UNKNOWN:
+    if not track.is_known or problem == plan.UNKNOWN or told.is_moved(context, owner):
         tracks.draw(layout, track, datablock=owner.name)
     rows.GAIT.draw(ui.split(layout), owner.motus.walker)
 

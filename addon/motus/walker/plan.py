@@ -1,7 +1,9 @@
 """The steps of a whole shot, planned by the native library from the body's motion, the legs and the ground."""
 
 import hashlib
+import itertools
 import math
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 from ..core import axes, native, tracks
@@ -18,22 +20,30 @@ MOST_FRAMES = 9_000
 """That are planned: fewer than keys.MOST, as each has to be a sample. *Jump* counts from one to the next."""
 LEAST_STRIDE = 1e-4
 """m: a body that is scaled to nothing has steps too."""
-BEYOND = 250.0
+MARGIN = 250.0
 """Frames after the scene's last one, to which a foot that is lifted by then may be on its way."""
 EVERYWHERE = 1e6
 """m: length of a leg of which nobody knows how long it is."""
 SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
 """Lengths before the body's scale, under the library's names."""
+SETTINGS = {"height": "body_height", "tilt": "body_tilt", "up": "up_axis", "forward": "forward_axis", "hips": "hip", "lengths": "length",
+            "phases": "phase"}
+"""Arguments of the library that settings, also of legs, give under another name."""
 
 NO_LEGS = Problem("There are no legs: add the walker again, and name its feet")
-NOT_FINITE = Problem("A setting, or the body's motion, is not a finite number")
+NOT_FINITE = Problem("A setting is not a finite number")
+MOTION_NOT_FINITE = Problem("The body's motion is not a finite number")
+TOO_FAR = Problem("The body goes too far away for its steps to be planned")
 AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be across each other")
 TOO_MANY = Problem("The walk has more than 1,000,000 steps: a longer stride, a slower body or a lower cadence has fewer")
-OUT_OF_RANGE = Problem("The settings are outside of what a walk can be planned by")
+OUT_OF_RANGE = Problem("A setting is outside of what a walk can be planned by")
 UNKNOWN = Problem("The body's motion is not known ahead, and its feet do not step: record it, or key it", blocking=False)
 UNKEYED = Problem("The body was moved away from its keys: its feet stand below it until it is keyed here", blocking=False)
+UNRECORDED = Problem("The body is not where it was recorded, and its feet stand below it: record it again, here too", blocking=False)
+BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
 TOO_LONG = Problem("Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand", blocking=False)
-PROBLEMS = (NO_LEGS, NOT_FINITE, AXES_NOT_ACROSS, TOO_MANY, OUT_OF_RANGE, UNKNOWN, UNKEYED, TOO_LONG, *ground.PROBLEMS)
+PROBLEMS = (NO_LEGS, NOT_FINITE, MOTION_NOT_FINITE, TOO_FAR, AXES_NOT_ACROSS, TOO_MANY, OUT_OF_RANGE, UNKNOWN, UNKEYED, UNRECORDED,
+            TOO_LONG, BEYOND, *ground.PROBLEMS)
 
 EVER = -math.inf, math.inf
 
@@ -85,35 +95,43 @@ def of(owner, scene, numbers, frame=None):
     """
     if isinstance(numbers, Problem):
         return numbers
-    fps = scene.render.fps / scene.render.fps_base
+    fps = _fps(scene)
     poses, fault = body(owner, scene, fps)
-    if poses is not None and frame is not None and _is_elsewhere(owner, poses, frame / fps):
-        poses, fault = _standing(owner), UNKEYED
+    beyond = None
+    if poses is not None and frame is not None:
+        if not poses.known[0] <= frame <= poses.known[1]:
+            # A body that rests where the samples begin or end, such as one that has arrived, is as it is planned.
+            beyond = BEYOND if _differs(owner, poses.matrices[0 if frame < poses.known[0] else -1]) else None
+        elif _is_elsewhere(owner, poses, frame / fps):
+            poses, fault = _standing(owner), UNRECORDED if body_track(owner, scene).reason else UNKEYED
     if poses is None:
-        return NOT_FINITE
+        return MOTION_NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
     stamp = numbers, poses.digest, tuple(one.stamp for one in placed)
     made = tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed))
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
-    return Plan(walker, fault or unsure, poses.known, stamp, has_problems)
+    return Plan(walker, fault or unsure or beyond, poses.known, stamp, has_problems)
 
 
 def read(settings):
-    """Numbers of the settings, or what is wrong with them."""
+    """Numbers of the settings, or what is wrong with them: Problem.about names the setting then, of a leg too."""
     if not settings.legs:
         return NO_LEGS
-    if not {settings.forward_axis, settings.up_axis} <= axes.IDENTIFIERS:
-        return OUT_OF_RANGE  # of a file that somebody has changed
+    for name in ("forward_axis", "up_axis"):
+        if getattr(settings, name) not in axes.IDENTIFIERS:  # in a file that somebody has changed
+            return replace(OUT_OF_RANGE, about=name)
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
     rest, hips = ([tuple(getattr(leg, name)) for leg in settings.legs] for name in ("rest", "hip"))
     lengths, phases = ([getattr(leg, name) for leg in settings.legs] for name in ("length", "phase"))
     values = tuple(getattr(settings, name) for name in NUMBERS)
-    if not all(abs(number) < INFINITE for number in (
-            *values, *lengths, *phases, *(part for place in (*rest, *hips) for part in place))):
-        return NOT_FINITE
+    found = dict(zip(NUMBERS, ((number,) for number in values)))
+    found |= {"length": lengths, "phase": phases, "rest": itertools.chain(*rest), "hip": itertools.chain(*hips)}
+    for name, numbers in found.items():
+        if not all(abs(number) < INFINITE for number in numbers):
+            return replace(NOT_FINITE, about=name)
     return Numbers(
         settings.gait, settings.duty if settings.use_duty or settings.gait == 'OWN' else 0.0, values,
         axes.vector(settings.forward_axis), axes.vector(settings.up_axis),
@@ -145,6 +163,16 @@ def body(owner, scene, fps):
     return samples and Poses(*samples, known), fault
 
 
+def is_moved(owner, scene):
+    """Whether an evaluated owner is known to move."""
+    poses, fault = body(owner, scene, _fps(scene))
+    return fault != UNKNOWN and (poses is None or len(poses.seconds) > 1)
+
+
+def _fps(scene):
+    return scene.render.fps / scene.render.fps_base
+
+
 def _is_elsewhere(owner, poses, seconds):
     """Whether an evaluated owner stands where its Poses do not have it; it can be told on whole frames, and where it rests."""
     times = poses.seconds
@@ -152,9 +180,11 @@ def _is_elsewhere(owner, poses, seconds):
         return False
     row = min(np.searchsorted(times, seconds), len(times) - 1)
     rests = seconds > times[-1] and poses.known[1] == EVER[1] or seconds < times[0] and poses.known[0] == EVER[0]
-    if times[row] != seconds and not rests:
-        return False
-    known = poses.matrices[row]
+    return (times[row] == seconds or rests) and _differs(owner, poses.matrices[row])
+
+
+def _differs(owner, known):
+    """Whether an evaluated owner stands elsewhere than this matrix says."""
     return np.abs(np.array(owner.matrix_world, float) - known).max() > UNLIKE * max(1.0, np.abs(known).max())
 
 
@@ -180,7 +210,7 @@ def span(extent, scene):
     the shot is rendered.
     """
     start, end = extent
-    last = end if math.isfinite(end) else scene.frame_end + BEYOND
+    last = end if math.isfinite(end) else scene.frame_end + MARGIN
     first = start if math.isfinite(start) else min(scene.frame_start, 1.0, end + 1.0)
     if math.isinf(start) and last - first >= MOST_FRAMES:
         first = scene.frame_start  # then there is not room for all
@@ -215,8 +245,16 @@ def _made(numbers, poses, placed):
             cadence=numbers.value("cadence"), up=numbers.up, jump=jump or None, frequency=numbers.value("frequency"),
             damping=numbers.value("damping"), height=numbers.value("body_height"), tilt=numbers.value("body_tilt"), **given)
     except ValueError as error:
-        return TOO_MANY if "more than 1,000,000 steps" in str(error) else OUT_OF_RANGE
+        return _refusal(str(error))
     return walker, bool(walker.problems)
+
+
+def _refusal(sentence):
+    """The Problem for a sentence of the library, which begins with the name of an argument."""
+    if "more than 1,000,000 steps" in sentence:
+        return TOO_MANY
+    name = sentence.split()[0].rstrip(":")
+    return TOO_FAR if name == "poses" else replace(OUT_OF_RANGE, about=SETTINGS.get(name, name))
 
 
 def _reach(numbers, scale):

@@ -35,15 +35,18 @@ def system():
 def attach(context, owner, found, body, changes):
     """Let an owner walk. found: Legs. body: name of a bone, or an Object, or None. changes: settings by name.
 
-    The feet stand where they belong; of lengths that are not given those of a new walker suit the legs.
+    The feet stand where they belong; of lengths that are not given those of a new walker suit the legs. Feet that it has already
+    keep their phases.
     """
     was_active = owner.motus.walker.is_active
+    phases = {(leg.name, leg.foot): leg.phase for leg in owner.motus.walker.legs}
     rests = _own_rests(context, owner, found)
     with entries.unwired(owner.motus.walker) as settings:
         settings.legs.clear()
         for leg, rest in zip(found, rests):
             entry = settings.legs.add()
             entry.name, entry.foot, entry.rest, entry.hip, entry.length = leg.bone, leg.foot, rest, leg.hip, leg.length
+            entry.phase = phases.get((leg.bone, leg.foot), 0.0)
         if owner.pose:
             settings.body_bone = body or ""
         else:

@@ -12,9 +12,8 @@ LOOPED = Problem("The body or the ground moves with what the walker drives: what
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
 BODILESS = Problem("The body that rises and leans is gone, or hangs on something else: choose it anew", blocking=False)
 UNREACHED = Problem("Some feet do not get to the ground where they should", blocking=False)
-BEYOND = Problem("The walk is planned for the frames of the scene: here the feet stand", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
-PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, BEYOND, BONES_CHANGED)
+PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, BONES_CHANGED)
 
 INPUTS = (Geometries("awaited", of=ground.objects),)
 
@@ -34,7 +33,7 @@ def solve(context, awaited):
     """
     del awaited
     owner, scene = context.owner, context.depsgraph.scene
-    wired = groups.parsed(context.data.get(groups.PLAN))
+    noted = groups.parsed(context.data.get(groups.PLAN))
     found = shared.found(context, lambda: plan.of(
         owner, scene, context.kept("numbers", None, lambda: plan.read(context.settings)),
         context.frame if context.depsgraph.mode == 'VIEWPORT' else None))
@@ -43,33 +42,29 @@ def solve(context, awaited):
     seconds = context.frame / context.fps
     if context.group == groups.BODY:
         return _lean(context, found.walker, seconds)
-    _stand(context, found.walker.feet(seconds), wired["feet"])
-    return _fault(found, wired, context.frame)
+    _stand(context, found.walker.feet(seconds), noted)
+    return _fault(found, noted)
 
 
-def _fault(found, wired, frame):
-    if wired["is_looped"]:
+def _fault(found, noted):
+    if noted.is_looped:
         return LOOPED
-    if wired["lacks"]:
+    if noted.lacks:
         return LACKING
-    if wired["is_bodiless"]:
+    if noted.is_bodiless:
         return BODILESS
     if found.fault:
         return found.fault
-    if not found.known[0] <= frame <= found.known[1]:
-        return BEYOND
     return UNREACHED if found.has_problems else None
 
 
-def _stand(context, places, feet):
-    """Put the feet where they stand. feet: of the members, as groups.parsed() has them."""
-    if len(feet) != len(context.locations) or feet and feet[-1]["leg"] >= len(places):
+def _stand(context, places, noted):
+    """Put the feet where they stand."""
+    legs_of, bones = noted.legs, noted.bones
+    if len(legs_of) != len(context.locations) or len(legs_of) and legs_of[-1] >= len(places):
         raise Damaged("another number of feet")
-    if not feet:
-        return
-    context.locations[:] = places[[foot["leg"] for foot in feet]]
-    bones = [row for row, foot in enumerate(feet) if foot["is_bone"]]
-    if bones:
+    context.locations[:] = places[legs_of]
+    if len(bones):
         inverse = np.array(context.owner.matrix_world.inverted_safe(), float)
         context.locations[bones] = context.locations[bones] @ inverse[:3, :3].T + inverse[:3, 3]
 

@@ -5,7 +5,7 @@ from mathutils import Vector
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named, named_mesh
 from ..core.system import is_owner, leader_of, of_owner, registered
 from ..core.translations import tr
-from . import ground, setup
+from . import ground, legs, setup
 from .properties import MOST_LEGS
 
 
@@ -55,7 +55,33 @@ def legs_for(context, owner, names):
         chosen = [named(name) for name in listed] or _selected_feet(context, owner)
         if not chosen:
             raise Refused(tr("Name the objects that are the feet of {object}, or select them too").format(object=owner.name))
-        found = [setup.Leg("", obj, Vector(), 0.0) for obj in chosen]
+        found = _legs_of_objects(chosen)
+    return _checked(owner, found)
+
+
+def legs_again(context, owner, is_named):
+    """The same of one that walks already, where no feet are named; None where its legs stay as they are.
+
+    Feet that are selected beside it are its feet from now on, unless a script names the object; else legs without a foot go.
+    """
+    settings, present = owner.motus.walker, legs.feet(owner)
+    if not present:
+        return legs_for(context, owner, "")
+    if not (owner.pose or is_named):
+        chosen = [obj for obj in _selected_feet(context, owner) if obj != settings.body]
+        if chosen and set(chosen) != {foot.thing for foot in present}:
+            return _checked(owner, _legs_of_objects(chosen))
+    if len(present) == len(settings.legs):
+        return None
+    kept = [settings.legs[foot.index] for foot in present]
+    return [setup.Leg(leg.name, leg.foot, leg.hip.copy(), leg.length) for leg in kept]
+
+
+def _legs_of_objects(feet):
+    return [setup.Leg("", obj, Vector(), 0.0) for obj in feet]
+
+
+def _checked(owner, found):
     if len(found) > MOST_LEGS:
         raise Refused(tr("{object} would have {count} legs; there can be {most}").format(
             object=owner.name, count=len(found), most=MOST_LEGS))
@@ -64,8 +90,9 @@ def legs_for(context, owner, names):
 
 
 def _selected_feet(context, owner):
-    chosen = [obj for obj in context.selected_objects if obj != owner and obj.parent != owner]
-    return sorted(chosen, key=lambda obj: obj.name) if context.object == owner else []
+    chosen = [obj for obj in context.selected_objects if obj != owner] if context.object == owner else []
+    # A child that is selected too is the body that shall rise and lean, unless all of them are children.
+    return sorted([obj for obj in chosen if obj.parent != owner] or chosen, key=lambda obj: obj.name)
 
 
 def _named_foot(owner, name):
@@ -160,9 +187,10 @@ def _check_feet(owner, found):
         if leg.foot == owner:
             raise Refused(tr("{object} cannot be its own foot").format(object=owner.name))
         _check_free(owner, leg.foot)
-    names = [leg.bone or leg.foot.name for leg in found]
-    if len(set(names)) < len(names):
-        raise Refused(tr("A foot is named twice"))
+    feet = [leg.bone or leg.foot for leg in found]
+    twice = next((foot for foot in feet if feet.count(foot) > 1), None)
+    if twice is not None:
+        raise Refused(tr("{foot} would be the foot of two legs").format(foot=getattr(twice, "name", twice)))
 
 
 def _check_free(owner, obj):

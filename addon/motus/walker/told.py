@@ -2,6 +2,8 @@
 
 import math
 
+import bpy
+
 from ..core.system import Problem
 from ..core.translations import tr
 from . import ground, legs, plan, solve
@@ -9,8 +11,17 @@ from . import ground, legs, plan, solve
 
 def found(context, owner):
     """The Plan of an original owner as it is evaluated now, or the Problem that keeps it from walking."""
-    evaluated = owner.evaluated_get(context.evaluated_depsgraph_get())
+    evaluated = _evaluated(context, owner)
     return plan.of(evaluated, context.scene, plan.read(evaluated.motus.walker))
+
+
+def is_moved(context, owner):
+    """Whether an original owner's body is known to move: of the evaluated one that is kept."""
+    return plan.is_moved(_evaluated(context, owner), context.scene)
+
+
+def _evaluated(context, owner):
+    return owner.evaluated_get(context.evaluated_depsgraph_get())
 
 
 def sentence(context, owner, problem):
@@ -21,9 +32,22 @@ def sentence(context, owner, problem):
         if troubles:
             return _unreached(context, owner, *min(troubles, key=lambda one: one[1]), len(troubles) - 1)
     settings = owner.motus.walker
+    if problem in {plan.NOT_FINITE, plan.OUT_OF_RANGE}:
+        return _about_setting(settings, problem, found(context, owner))
     if problem == ground.GONE and settings.ground and ground.is_walking(settings.ground):
         return tr("{object} walks itself, and is no ground").format(object=settings.ground.name)
     return tr(problem.sentence)
+
+
+def _about_setting(settings, problem, planned):
+    """With the setting's name, where it is the same problem still."""
+    of_legs = settings.bl_rna.properties["legs"].fixed_type.properties
+    declared = planned == problem and (settings.bl_rna.properties.get(planned.about) or of_legs.get(planned.about))
+    if not declared:
+        return tr(problem.sentence)
+    said = {plan.NOT_FINITE: lambda: tr("{setting} is not a finite number"),
+            plan.OUT_OF_RANGE: lambda: tr("{setting} is outside of what a walk can be planned by")}[problem]()
+    return said.format(setting=bpy.app.translations.pgettext_iface(declared.name))
 
 
 def _unreached(context, owner, leg, first, last, reason, more):

@@ -295,7 +295,8 @@ Raises ValueError or TypeError that names the argument.)");
     py::class_<Ground, std::shared_ptr<Ground>>(m, "WalkerGround", py::module_local(), R"(
 What feet stand on, from either side; it stands still. Immutable: made once, for any number of Walkers.
 
-positions (v, 3), world space, of which those that are not finite are never met.  triangles (t, 3): indices of vertices.
+positions (v, 3), world space, of which those that are not finite are never met.  triangles (t, 3): indices of vertices,
+counter-clockwise seen from outside: below a face that looks down on air, a roof, feet stay below it.
 plane (2, 3): a point of an endless plane and its normal. All may be None.
 Raises ValueError or TypeError that names the argument.)")
         .def(py::init(&ground_of), "positions"_a = py::none(), "triangles"_a = py::none(),

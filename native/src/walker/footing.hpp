@@ -21,7 +21,8 @@ struct Reach {
 };
 
 /// The ground at a rest place: what is met first on a way from above the hip, level to above the rest place,
-/// so that a foot stands on a wall before it and not behind, and down to below the rest place.
+/// so that a foot stands on a wall before it and not behind, and down to below the rest place. Below a roof,
+/// over the rest place or over the hip, all that from below the roof.
 [[nodiscard]] std::optional<Contact> footing(const Ground& ground, const Search& search, const Reach& reach);
 
 /// The ground beside a rest place under which there is none: what is met from below it, level back to below
@@ -30,7 +31,7 @@ struct Reach {
                                                          const Reach& reach);
 
 /// How far a foot has to rise half-way so that its swing does not go through the ground, which is looked for
-/// up to `reach` above the straight line from start to end; 0 where nothing of it is above that.
+/// up to `reach` above the straight line from start to end, and below roofs; 0 where nothing is above that.
 [[nodiscard]] double obstacle(const Ground& ground, const glm::dvec3& start, const glm::dvec3& end,
                               const glm::dvec3& up, double reach);
 

@@ -59,7 +59,7 @@ std::optional<Contact> Ground::on_plane(const glm::dvec3& origin, const glm::dve
     if (rate == 0.0) return std::nullopt;
     const double distance = glm::dot(plane_->point - origin, plane_->normal) / rate;
     if (!(distance >= 0.0 && distance <= farthest)) return std::nullopt;
-    return Contact{origin + distance * direction, facing(plane_->normal, direction), distance};
+    return Contact{origin + distance * direction, facing(plane_->normal, direction), distance, rate > 0.0};
 }
 
 std::optional<Contact> Ground::ray(const glm::dvec3& origin, const glm::dvec3& direction,
@@ -72,7 +72,7 @@ std::optional<Contact> Ground::ray(const glm::dvec3& origin, const glm::dvec3& d
     const glm::dvec3 a(positions[hit->corners[0]]), b(positions[hit->corners[1]]),
         c(positions[hit->corners[2]]);
     const glm::dvec3 normal = unit_vector(glm::cross(b - a, c - a));
-    return Contact{hit->point, facing(normal, direction), hit->distance};
+    return Contact{hit->point, facing(normal, direction), hit->distance, glm::dot(normal, direction) > 0.0};
 }
 
 }  // namespace motus::walker

@@ -7,6 +7,7 @@
 #include <limits>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 #include "footing.hpp"
@@ -86,6 +87,59 @@ TEST_CASE("a foot stands on a wall before it, not behind it", "[footing]") {
     CHECK(place->point.x == Approx(0.8));
     CHECK(place->normal.x == Approx(-1.0));
     CHECK(place->point.z == Approx(0.5));
+}
+
+TEST_CASE("a ray tells whether it leaves what it meets", "[ground]") {
+    const Land cube = box({-1.0f, -1.0f, 0.0f}, {1.0f, 1.0f, 1.0f});
+    const Ground ground(cube.positions, cube.triangles, Plane{{0.0, 0.0, -1.0}, up});
+    for (const glm::dvec3& direction : {up, -up, glm::dvec3(1.0, 0.0, 0.0), glm::dvec3(0.0, -1.0, 0.0)}) {
+        const glm::dvec3 inside(0.1, 0.2, 0.4);
+        CHECK(ground.ray(inside, direction, infinity)->leaves);
+        CHECK_FALSE(ground.ray(inside - 1.3 * direction, direction, infinity)->leaves);
+    }
+    CHECK_FALSE(ground.ray({5.0, 0.0, 0.0}, -up, infinity)->leaves);
+    CHECK(ground.ray({5.0, 0.0, -2.0}, up, infinity)->leaves);
+}
+
+TEST_CASE("below a roof a foot stands on what is below it", "[footing]") {
+    const Land floor = land(4.0, 8, [](double, double) { return 0.0; });
+    const Land table = box({-1.0f, -1.0f, 0.3f}, {1.0f, 1.0f, 0.4f});
+    const Land stone = box({0.2f, -0.3f, -0.1f}, {0.6f, 0.3f, 0.12f});
+    const Land more = box({0.3f, -0.2f, 0.05f}, {0.5f, 0.2f, 0.16f});
+    const Ground ground = ground_of(joined(joined(floor, table), joined(stone, more)));
+    const Reach reach{0.5, 0.5};
+    const auto height = [&](const glm::dvec3& rest, const glm::dvec3& hip) {
+        const auto place = footing(ground, {rest, hip, up}, reach);
+        return place ? place->point.z : infinity;
+    };
+    for (const double z : {-0.05, -1e-9, 0.0, 1e-9, 0.02}) {
+        CHECK(height({-0.5, 0.1, z}, {0.0, 0.0, 0.2}) == Approx(0.0).margin(1e-6));
+        CHECK(height({0.25, 0.1, z}, {0.0, 0.0, 0.2}) == Approx(0.12));
+        CHECK(height({0.4, 0.1, z}, {0.0, 0.0, 0.2}) == Approx(0.16));
+        // One of the two is not below it.
+        CHECK(height({-1.3, 0.1, z}, {-0.8, 0.0, 0.2}) == Approx(0.0).margin(1e-6));
+        CHECK(height({-0.8, 0.1, z}, {-1.3, 0.0, 0.2}) == Approx(0.0).margin(1e-6));
+    }
+    // On the roof, and over hills that the hip is within.
+    CHECK(height({0.4, 0.1, 0.38}, {0.0, 0.0, 0.6}) == Approx(0.4));
+    CHECK(footing(plane(0.4), {{0.5, 0.0, 0.0}, {0.0, 0.0, 0.2}, up}, reach)->point.z == Approx(0.4));
+    // Stones that stand on each other with a crack between, a roof without an upper side, a room.
+    const Land crack = box({-3.0f, -3.0f, 0.13f}, {3.0f, 3.0f, 0.2f});
+    const Ground stones = ground_of(joined(box({-3.0f, -3.0f, -0.1f}, {3.0f, 3.0f, 0.12f}), crack));
+    CHECK(footing(stones, {{0.5, 0.0, 0.0}, {0.0, 0.0, 0.3}, up}, reach)->point.z == Approx(0.2));
+    Land room = box({-3.0f, -3.0f, 0.0f}, {3.0f, 3.0f, 0.4f});
+    for (glm::ivec3& corners : room.triangles) std::swap(corners.x, corners.y);
+    CHECK(footing(ground_of(room), {{0.5, 0.0, 0.1}, {0.0, 0.0, 0.2}, up}, reach)->point.z ==
+          Approx(0.0).margin(1e-6));
+}
+
+TEST_CASE("a swing below a roof stays below it", "[footing]") {
+    const Land floor = land(4.0, 8, [](double, double) { return 0.0; });
+    const Land stone = box({-0.1f, -1.0f, 0.0f}, {0.1f, 1.0f, 0.15f});
+    const Ground ground =
+        ground_of(joined(joined(floor, stone), box({-2.0f, -1.0f, 0.4f}, {2.0f, 1.0f, 0.5f})));
+    const double rise = obstacle(ground, {-0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}, up, 0.8);
+    CHECK(rise == Approx(0.15));
 }
 
 TEST_CASE("where the ground ends a foot finds its side", "[footing]") {

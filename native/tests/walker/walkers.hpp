@@ -92,14 +92,14 @@ struct Land {
     return {{}, {}, Plane{{0.0, 0.0, height}, {0.0, 0.0, 1.0}}};
 }
 
-/// A box from low to high, open nowhere.
+/// A box from low to high, open nowhere; its faces look outwards.
 [[nodiscard]] inline Land box(const glm::vec3& low, const glm::vec3& high) {
     Land box;
     for (int corner = 0; corner < 8; ++corner)
         box.positions.emplace_back((corner & 1) != 0 ? high.x : low.x, (corner & 2) != 0 ? high.y : low.y,
                                    (corner & 4) != 0 ? high.z : low.z);
-    box.triangles = {{0, 1, 3}, {0, 3, 2}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
-                     {2, 3, 7}, {2, 7, 6}, {0, 2, 6}, {0, 6, 4}, {1, 3, 7}, {1, 7, 5}};
+    box.triangles = {{0, 3, 1}, {0, 2, 3}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                     {2, 7, 3}, {2, 6, 7}, {0, 6, 2}, {0, 4, 6}, {1, 3, 7}, {1, 7, 5}};
     return box;
 }
 

@@ -114,11 +114,13 @@ def placed(obj, matrix):
 
 
 def joined(parts):
-    """(positions (v, 3) in the world, float32; triangles (t, 3), int32) of several that are Placed."""
+    """(positions (v, 3) in the world, float32; triangles (t, 3), int32) of several that are Placed. The corners of what is mirrored turn
+    as those of the others do, counter-clockwise seen from outside."""
     positions, triangles, count = [], [], 0
     for part in parts:
         rows = np.array(part.matrix, float)
         positions.append((part.faces.positions @ rows[:3, :3].T + rows[:3, 3]).astype(np.float32))
-        triangles.append(part.faces.triangles + np.int32(count))
+        corners = part.faces.triangles[:, ::-1] if part.matrix.is_negative else part.faces.triangles
+        triangles.append(corners + np.int32(count))
         count += len(positions[-1])
     return np.concatenate(positions), np.concatenate(triangles)

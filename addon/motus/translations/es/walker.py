@@ -16,7 +16,7 @@ INTERFACE = {
         "La marcha está planeada para los fotogramas de la escena: aquí los pies están quietos",
     "Select the body that shall walk": "Selecciona el cuerpo que debe caminar",
     "Nothing here walks": "Aquí nada camina",
-    "A foot is named twice": "Un pie se nombra dos veces",
+    "{foot} would be the foot of two legs": "{foot} sería el pie de dos patas",
     "{object} would have {count} legs; there can be {most}": "{object} tendría {count} patas; puede haber {most}",
     "{object} is no child of {parent}: parent it, and move {parent}":
         "{object} no es hijo de {parent}: emparéntalo y mueve {parent}",
@@ -130,14 +130,20 @@ INTERFACE = {
     "{foot} is too far from its leg on frames {first}-{last}": "{foot} está demasiado lejos de su pata en los fotogramas {first}-{last}",
     "The leg of {foot} has no length": "La pata de {foot} no tiene longitud",
     "There are no legs: add the walker again, and name its feet": "No hay patas: vuelve a añadir el caminante y nombra sus pies",
-    "A setting, or the body's motion, is not a finite number": "Un ajuste, o el movimiento del cuerpo, no es un número finito",
+    "A setting is not a finite number": "Un ajuste no es un número finito",
+    "{setting} is not a finite number": "{setting} no es un número finito",
+    "The body's motion is not a finite number": "El movimiento del cuerpo no es un número finito",
+    "The body goes too far away for its steps to be planned": "El cuerpo se va demasiado lejos para planear sus pasos",
     "The walk has more than 1,000,000 steps: a longer stride, a slower body or a lower cadence has fewer":
         "La marcha tiene más de 1.000.000 de pasos: una zancada más larga, un cuerpo más lento o una cadencia menor da menos",
-    "The settings are outside of what a walk can be planned by": "Con estos ajustes no se puede planear ninguna marcha",
+    "A setting is outside of what a walk can be planned by": "Un ajuste está fuera de lo que permite planear una marcha",
+    "{setting} is outside of what a walk can be planned by": "{setting} está fuera de lo que permite planear una marcha",
     "The body's motion is not known ahead, and its feet do not step: record it, or key it":
         "El movimiento del cuerpo no se conoce de antemano, y sus pies no pisan: grábalo, o ponle claves",
     "The body was moved away from its keys: its feet stand below it until it is keyed here":
         "El cuerpo se ha apartado de sus claves: sus pies están debajo de él hasta que se pongan claves aquí",
+    "The body is not where it was recorded, and its feet stand below it: record it again, here too":
+        "El cuerpo no está donde se grabó, y sus pies están debajo de él: vuelve a grabarlo, también aquí",
     "Only the first 9,000 frames of the body's motion are walked: beyond, the feet stand":
         "Solo se caminan los primeros 9.000 fotogramas del movimiento del cuerpo: más allá, los pies están quietos",
     "The ground is gone: choose another one": "El suelo ya no está: elige otro",

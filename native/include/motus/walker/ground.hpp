@@ -23,10 +23,12 @@ struct Contact {
     glm::dvec3 point{0.0};
     glm::dvec3 normal{0.0, 0.0, 1.0};  ///< unit, towards where the ray comes from
     double distance = 0.0;             ///< m, >= 0
+    /// Whether the ray comes out of what is met: its corners turn clockwise, or its own normal points along.
+    bool leaves = false;
 };
 
-/// Triangles, a plane, or both, from either side; they stand still. World space, metres. Immutable; any
-/// number of threads may ask.
+/// Triangles, counter-clockwise seen from outside, a plane, or both, met from either side; they stand still.
+/// World space, metres. Immutable; any number of threads may ask.
 class Ground {
   public:
     /// Throws std::invalid_argument, naming the argument, where a triangle names a vertex that there is not,
