@@ -3,11 +3,11 @@
 import bpy
 
 from . import (
-    bake, deleted, handlers, menus, overlay, panels, preferences, settings, system, teardown, tracks, translations, ui, viewports, wiring)
+    bake, deleted, handlers, menus, overlay, panels, preferences, read_keys, settings, system, teardown, tracks, translations, ui, viewports, wiring)
 from .scenery import meshes
 
 _undo = []
-_FORGETTING = handlers.Forgetting(tracks.forget), handlers.Forgetting(meshes.forget)
+_FORGETTING = handlers.Forgetting(tracks.forget), handlers.Forgetting(read_keys.forget), handlers.Forgetting(meshes.forget)
 
 
 def register(systems, extra_classes=(), extra_add_menu=()):
@@ -37,6 +37,7 @@ def _register(systems, extra_classes, extra_add_menu):
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
+    _call(read_keys.register, read_keys.unregister)
     _call(tracks.register, tracks.unregister)
     for one in _FORGETTING:
         _call(one.register, one.unregister)

@@ -314,7 +314,7 @@ class System(Feature):
     influence then. same_bits: the members have the same matrices in every Blender, to the last bit, by sinks that all Blenders
     have. lays_pose: its members, bones of the owner, are posed by their own transforms alone, as keys pose them: its sinks come
     before all other constraints, and all other systems start from what it makes of the bones, which solve() tells rigs.lay().
-    reads_keys: its solver reads keys of other frames, and is called again when any are edited. owner_of: called with an object
+    reads_keys: its solver reads keys of other frames, and is called again when these are edited (core/read_keys.py). owner_of: called with an object
     that may belong to an owner without being driven; gives that owner or None.
     """
 

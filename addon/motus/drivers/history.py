@@ -1,6 +1,6 @@
 """The keys of a property, followed by second-order dynamics."""
 
-from ..core import native, tracks
+from ..core import native, read_keys, tracks
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -38,19 +38,23 @@ def followed(owner, data_path, index, frame, scene, numbers):
     pieces = 1
     while first + pieces * PIECE < frame and pieces * PIECE < MOST:
         pieces *= 2
+    with read_keys.reading_of(owner.id_data):
+        made = _kept(owner, data_path, index, (numbers, first, pieces, length))
+    if not made:
+        return track_of(owner, data_path, index).present()[0]
+    return made.value((frame - first) * length)
 
-    what = numbers, first, pieces, length
+
+def _kept(owner, data_path, index, what):
+    """What _made() gives, kept until the keys change."""
     id_data = owner.id_data
     stamp = tracks.keys_stamp(id_data) if id_data.is_evaluated else None
     if stamp is None:
         track = track_of(owner, data_path, index)
-        made = tracks.kept(track, ("second_order", what), lambda: _made(track, *what))
-    else:  # without a Track, which takes longer than all the rest
-        made = tracks.kept_by(
-            stamp, ("second_order", data_path, index, what), lambda: _made(track_of(owner, data_path, index), *what))
-    if not made:
-        return track_of(owner, data_path, index).present()[0]
-    return made.value((frame - first) * length)
+        return tracks.kept(track, ("second_order", what), lambda: _made(track, *what))
+    # Without a Track, which takes longer than all the rest.
+    return tracks.kept_by(
+        stamp, ("second_order", data_path, index, what), lambda: _made(track_of(owner, data_path, index), *what))
 
 
 def _made(track, *what):

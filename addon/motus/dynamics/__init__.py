@@ -10,6 +10,7 @@ SYSTEM = System(
     classes=(*properties.classes, *operators.classes, *presets.classes, *panel.classes),
     solve=solve.solve,
     problems=solve.PROBLEMS,
+    reads_keys=True,
     groups=groups.groups,
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,

@@ -15,6 +15,7 @@ SYSTEM = System(
     ),
     solve=solve.solve,
     problems=solve.PROBLEMS,
+    reads_keys=True,
     lays_pose=True,
     members=groups.members,
     groups=groups.groups,

@@ -1,6 +1,6 @@
 """Where bones under layers are at any times, for systems that need their past: the layers are laid for each time."""
 
-from ..core import copies, entry_keys, rigs
+from ..core import entry_keys, read_keys, rigs
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
@@ -37,7 +37,7 @@ class OverTime(SolvedBone):
     def stamp(self):
         """As Channel.stamp."""
         playing = [entry.action for entry in self._layers if entry.action]
-        return together((self._bone.name, self._inputs.stamp, *map(copies.number_of_action, playing)))
+        return together((self._bone.name, self._inputs.stamp, *map(read_keys.number_of, playing)))
 
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""

@@ -17,6 +17,7 @@ SYSTEM = System(
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,
+    reads_keys=True,
     outputs=solve.OUTPUTS,
     channels=members.channels,
     members=members.members,

@@ -16,6 +16,7 @@ SYSTEM = System(
     inputs=solve.INPUTS,
     solve=solve.solve,
     problems=solve.PROBLEMS,
+    reads_keys=True,
     makes_points=solve.POINTS,
     dress=look.dress,
     settle=landings.settle,

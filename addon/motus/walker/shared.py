@@ -1,9 +1,9 @@
 """What the first of a walker's two solvers finds is there for the second one of the same evaluation."""
 
-from ..core import copies, wiring
+from ..core import copies, read_keys, wiring
 
 KEY = "walker shared"
-"""Of Copy.found: (moment, group, what was found)."""
+"""Of Copy.found: (moment, group, what was found, which keys were read)."""
 
 
 def found(context, make):
@@ -15,7 +15,8 @@ def found(context, make):
     # Taken by one alone: who is solved again by itself may be so because the rest has changed.
     waiting = copy.found.pop(KEY, None)
     if waiting is not None and waiting[0] == moment and waiting[1] != context.group:
+        read_keys.note(waiting[3])
         return waiting[2]
     made = make()
-    copy.found[KEY] = moment, context.group, made
+    copy.found[KEY] = moment, context.group, made, read_keys.noted()
     return made

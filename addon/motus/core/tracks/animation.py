@@ -146,7 +146,7 @@ def number(id_data, data_path, index=-1):
 
 def acting_curve(id_data, data_path, index=0):
     """The F-curve of the active action that animates a number, or None. `id_data` may be evaluated."""
-    return strips.acting(actions.fcurves(id_data), data_path, index)
+    return strips.acting(strips.read(id_data.animation_data), data_path, index)
 
 
 def is_driven(id_data, data_path, index=0):

@@ -2,7 +2,7 @@
 
 import math
 
-from .. import actions, copies
+from .. import actions, read_keys
 from ..lazy import numpy as np
 from . import keys
 from .reason import Reason
@@ -33,7 +33,14 @@ def animates(strip, data_path, index):
 
 
 def _curve(strip, data_path, index):
-    return acting(actions.curves_of(strip), data_path, index)
+    return acting(read(strip), data_path, index)
+
+
+def read(player):
+    """actions.curves_of(), whose keys are read."""
+    if player and player.action:
+        read_keys.number_of(player.action)
+    return actions.curves_of(player)
 
 
 class Stack:
@@ -93,7 +100,7 @@ def together(stamps):
 def stamp_of_action(player):
     """Which action an evaluated player plays (actions.curves_of), and which slot of it; None of an original."""
     # A property of what plays actions since these have slots.
-    return together((copies.number_of_action(player.action), getattr(player, "action_slot_handle", 0)))
+    return together((read_keys.number_of(player.action), getattr(player, "action_slot_handle", 0)))
 
 
 def stamp_of(animation):

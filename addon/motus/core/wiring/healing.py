@@ -49,8 +49,6 @@ _rows = {}
 """(system, hub that owners share) -> its rows."""
 _unsettled = set()
 """(system, owner) that have asked to settle."""
-_keyed = set()
-"""Names of hubs that read keys: of properties that they drive, or of actions."""
 _resting = set()
 """(system, name and library of a hub's mesh) whose drivers of properties are at rest."""
 _given_up = set()
@@ -72,14 +70,8 @@ def note_state(place, state):
 
 def note_properties(hub):
     """Called by the solver with an evaluated hub's mesh that drives properties."""
-    note_keys(hub)
     if property_sink.is_resting(hub):
         _resting.add(_key(hub))
-
-
-def note_keys(hub):
-    """Called by the solver with an evaluated hub's mesh that reads keys: it is solved again when some are edited."""
-    _keyed.add(_key(hub))
 
 
 def watch_rows(system, name, found):
@@ -133,9 +125,6 @@ def _heal(_scene=None, depsgraph=None, is_edit=True):
 def _heal_all(depsgraph, is_edit):
     while _resting:
         _wake(_mesh(_resting.pop()))
-    if is_edit and depsgraph is not None and depsgraph.id_type_updated('ACTION'):
-        for mesh in filter(None, map(_mesh, _keyed)):
-            mesh.update_tag()
     if depsgraph is not None:
         _check_rows(depsgraph)
     _heal_asked()
@@ -354,7 +343,6 @@ def _forget(*_):
     _gathering.clear()
     _rows.clear()
     _unsettled.clear()
-    _keyed.clear()
     _resting.clear()
     _given_up.clear()
     overrides.forget()

@@ -7,7 +7,7 @@ evaluated datablocks are kept too: they are good for as long as these lie where 
 
 import logging
 
-from .. import copies, native, stored
+from .. import copies, native, read_keys, stored
 from ..lazy import numpy as np
 from ..stored import Damaged
 from ..system import Context, Setting, groups_of, of_owner, registered
@@ -49,6 +49,7 @@ class Solver:
         self._outlet = outputs.outlet(system, owner)
         self._poses = _Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
+        self._reading = read_keys.reading_of(carrier) if system.reads_keys or self._drives_properties else None
         # Whether settings are animated counts for outlets and driven properties alone.
         self._counts = bool(system.outputs) or self._drives_properties
         self._place = None if owner.library else (system.name, owner.name)
@@ -70,6 +71,13 @@ class Solver:
 
     def solve(self, frame, depsgraph, values):
         """Solve into the carrier; returns the status. values: of the inputs, as the driver gives them."""
+        if self._reading is None:
+            return self._solve(frame, depsgraph, values)
+        self._reading.numbers.clear()
+        with self._reading:
+            return self._solve(frame, depsgraph, values)
+
+    def _solve(self, frame, depsgraph, values):
         system, carrier, owner, box = self._system, self._carrier, self._owner, self._slots
         healing.note_use()
         if native.module is None:
@@ -138,8 +146,6 @@ class Solver:
     def _tell_healing(self, moves):
         if self._drives_properties:
             healing.note_properties(self._carrier)
-        if self._system.lays_pose or self._system.reads_keys:
-            healing.note_keys(self._carrier)
         if self._place is None:
             return
         if self._reads_mesh:

@@ -17,6 +17,7 @@ SYSTEM = System(
     groups=build.groups,
     solve=solve.solve,
     problems=solve.PROBLEMS,
+    reads_keys=True,
     makes_points=solve.POINTS,
     dress=look.dress,
     settle=build.settle,
