@@ -17,9 +17,7 @@ FRAMES = (1, 13, 25.5, 40)
 def build():
     """A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo camera, walkers; and users' drivers."""
     target = _link("Target", place=(0.6, 0.3, 1.4))
-    for frame, place in ((1, (0.6, 0.3, 1.4)), (40, (0.2, 0.7, 1.2))):
-        target.location = place
-        target.keyframe_insert("location", frame=frame)
+    _key_places(target, {1: (0.6, 0.3, 1.4), 40: (0.2, 0.7, 1.2)})
     _paths()
     _rigs()
     _dynamics()
@@ -29,6 +27,9 @@ def build():
     _stereo()
     _walkers()
     bpy.ops.motus.driver_add(datablock=_link("Swing").name, data_path="location", index=2, function='PENDULUM')
+    sprung = _link("Sprung", place=(0.0, -2.0, 0.0))
+    _key_places(sprung, {1: (0.0, -2.0, 0.0), 10: (1.0, -2.0, 0.0), 40: (0.0, -2.0, 1.0)})
+    bpy.ops.motus.driver_add(datablock=sprung.name, data_path="location", index=0, function='SECOND_ORDER')
     bpy.context.view_layer.update()
 
 
@@ -46,6 +47,11 @@ def _paths():
         keyed.keyframe_insert("motus.path.distance_factor", frame=frame)
     bpy.ops.motus.path_follow_add(object="Driven", curve="Course", timing='MANUAL')
     _drive(bpy.data.objects["Driven"], "motus.path.distance_factor", "v", bpy.data.objects["Target"], "location.x")
+    racer = _link("Racer")
+    bpy.ops.motus.path_follow_add(object="Racer", curve="Course", timing='SPEED')
+    for frame, speed in ((1, 0.1), (20, 0.4), (40, 0.9)):
+        racer.motus.path.speed = speed
+        racer.keyframe_insert("motus.path.speed", frame=frame)
     bpy.ops.motus.path_train_add(objects="Engine,Wagon 1,Wagon 2", curve="Course", gap=0.7, speed=0.5)
     # What users' own drivers read of Motus: an output, and a setting.
     _drive(_link("Gauge"), "location", "v", bpy.data.objects["Car"], '["motus_path_out"][3]', 0)
@@ -103,6 +109,12 @@ def _meshes():
     lattice.keyframe_insert("location", frame=40)
 
 
+def _key_places(obj, places):
+    for frame, place in places.items():
+        obj.location = place
+        obj.keyframe_insert("location", frame=frame)
+
+
 def _link(name, data=None, place=(0.0, 0.0, 0.0)):
     obj = bpy.data.objects.new(name, data)
     obj.location = place
@@ -113,8 +125,12 @@ def _link(name, data=None, place=(0.0, 0.0, 0.0)):
 def _pendulums():
     hook = _link("Hook", place=(0.0, -5.0, 3.0))
     bpy.ops.motus.pendulum_add(object=hook.name, kind='DOUBLE')
-    hook.motus.pendulum.speed = 0.5
-    hook.keyframe_insert("motus.pendulum.speed", frame=1)
+    for frame, speed in ((1, 0.5), (40, 0.8)):
+        hook.motus.pendulum.speed = speed
+        hook.keyframe_insert("motus.pendulum.speed", frame=frame)
+    crane = _link("Crane", place=(5.0, -5.0, 3.0))
+    bpy.ops.motus.pendulum_add(object=crane.name, kind='SINGLE', use_pivot_motion=True)
+    _key_places(crane, {1: (5.0, -5.0, 3.0), 20: (6.0, -5.0, 3.0), 40: (8.0, -5.0, 3.5)})
     bpy.ops.motus.pendulum_add(kind='FAN', count=3, use_trails=True, location=(0.0, -8.0, 3.0))
     bpy.context.object.select_set(False)
 
@@ -125,6 +141,9 @@ def _snow():
     for frame, place in ((1, -1.0), (40, 1.0)):
         cloud.location.x = place
         cloud.keyframe_insert("location", frame=frame)
+    for frame, wind in ((1, (0.0, 0.0, 0.0)), (40, (1.0, 2.0, 0.0))):
+        cloud.motus.snow.wind = wind
+        cloud.keyframe_insert("motus.snow.wind", frame=frame)
     cloud.select_set(False)
     meadow = _link("Meadow", bpy.data.meshes.new("Meadow"), (0.0, 8.0, 4.0))
     meadow.data.from_pydata([(-1, -1, 0), (1, -1, 0), (1, 1, 0), (-1, 1, 0)], [], [(0, 1, 2, 3)])
@@ -166,13 +185,18 @@ def _drive(obj, path, expression, source, source_path, index=-1):
 
 
 def states(frames=FRAMES):
-    """Frame -> (object, bone or "mesh") -> numbers: the evaluated transforms and shapes of all that shows."""
-    return {frame: _state(frame) for frame in frames}
+    """Frame -> state() on it."""
+    return {frame: _state_on(frame) for frame in frames}
 
 
-def _state(frame):
+def _state_on(frame):
     whole = int(frame // 1)
     bpy.context.scene.frame_set(whole, subframe=frame - whole)
+    return state()
+
+
+def state():
+    """(object, bone or "mesh") -> numbers: the evaluated transforms and shapes of all that shows, as they are now."""
     depsgraph = bpy.context.evaluated_depsgraph_get()
     found = {}
     for obj in bpy.context.view_layer.objects:

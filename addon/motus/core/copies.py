@@ -7,13 +7,13 @@ where the original has none, tells a fresh copy from one that was read before: a
 
 import itertools
 import random
+import threading
 from typing import NamedTuple
 
 import bpy
 from bpy.app.handlers import persistent
 
 from . import actions, stored
-from .latest import Latest
 
 KEY = "motus_copy"
 """Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
@@ -23,7 +23,56 @@ _numbers = itertools.count(_first)
 _latest = [_first - 1]
 
 
-_copies, _actions, _found = Latest(), Latest(), Latest()
+class _Latest:
+    """What is known of evaluated datablocks, of each of them for as long as it is there and was not copied anew.
+
+    Blender copies a datablock anew to where it lay before.
+    """
+
+    FEW = 64
+    """Up to so many are kept without a look at which of them are gone."""
+
+    def __init__(self):
+        self.known = {}  # number -> what is known of the copy that has it
+        self._places = {}  # where a datablock lies -> (it, the number)
+        self._most = self.FEW
+        self._changing = threading.Lock()
+
+    def add(self, evaluated, number, found):
+        """Let this be known of a copy, in the place of what was known of the one before; gives it."""
+        place = evaluated.as_pointer()
+        with self._changing:
+            self._forget(place)
+            self._places[place] = evaluated, number
+            self.known[number] = found
+            if len(self._places) > self._most:
+                for gone in [place for place, (datablock, _) in self._places.items() if _is_gone(datablock)]:
+                    self._forget(gone)
+                self._most = 2 * max(len(self._places), self.FEW)
+        return found
+
+    def _forget(self, place):
+        _, number = self._places.pop(place, (None, 0))
+        self.known.pop(number, None)
+
+    def clear(self):
+        """Let nothing be known."""
+        with self._changing:
+            self._places.clear()
+            self.known.clear()
+            self._most = self.FEW
+
+
+def _is_gone(datablock):
+    """Whether Blender has freed an evaluated datablock."""
+    try:
+        datablock.as_pointer()
+    except ReferenceError:
+        return True
+    return False
+
+
+_copies, _actions, _found = _Latest(), _Latest(), _Latest()
 
 
 class Reach(NamedTuple):
@@ -171,11 +220,9 @@ def number_of_action(action):
     return number
 
 
-def found_of_action(action, number):
-    """What was read of an evaluated action, by name, for as long as Blender keeps that copy of it; of an original nothing is kept.
-
-    number: of its copy.
-    """
+def found_of_action(action):
+    """What was read of an evaluated action, by name, for as long as Blender keeps that copy of it; of an original nothing is kept."""
+    number = number_of_action(action)
     if number is None:
         return {}
     known = _found.known.get(number)

@@ -1,8 +1,11 @@
 """Which actions solvers and drivers read keys of, at other frames than the present one: when these are edited they are called again.
 
-Blender alone does not see to that. A key that is inserted or taken away by a script or by most operators has the action evaluated,
-but not what it animates, so that what an artist has moved and not keyed as yet stays; and of what hangs on keys of
-other frames Blender knows nothing.
+Blender alone does not see to that. When a script or an operator inserts or removes a key, Blender evaluates the action, but not
+what it animates, so that what an artist has moved and not keyed as yet stays. Of a datablock that reads keys of other frames
+Blender knows nothing.
+
+What is read is noted while somebody edits, not while frames go by, so that it costs playback nothing. Who was called on a frame
+that has only been gone to is called once more at the first edit of keys.
 """
 
 import threading
@@ -11,26 +14,35 @@ import bpy
 from bpy.app.handlers import persistent
 
 from . import copies, handlers
-from .latest import Latest, is_gone
 
-_readings = Latest()
-"""The Readings, by where their evaluated datablocks lie."""
+FEW = 64
+"""Up to so many Readings are kept without a look at which of them are of datablocks that Blender has freed."""
+
+_readings = {}
+"""(where an evaluated datablock lies, name, index) -> its Reading."""
+_most = [FEW]
 _at_work = {}
-"""Thread -> numbers of the Readings at work, the inmost last."""
+"""Thread -> {where an evaluated action lies: number of the copy of it that was read} of each Reading at work, the inmost last."""
 
 
 class Reading:
-    """What was read while an evaluated datablock's driver was called: as a context manager it notes what this thread reads.
-
-    numbers: of the copies of evaluated actions, by where these lie.
-    """
+    """What a solver or driver of an evaluated datablock has read. It is a context manager, which notes what its thread reads."""
 
     def __init__(self, datablock):
         self.datablock = datablock
-        self.numbers = {}
+        self._numbers = None  # nobody knows
+        self._frame = None
+
+    def is_edit(self, frame):
+        """Called with the frame before anything is read: whether to note what is."""
+        if frame == self._frame:
+            return True
+        self._frame, self._numbers = frame, None
+        return False
 
     def __enter__(self):
-        _at_work.setdefault(threading.get_ident(), []).append(self.numbers)
+        self._numbers = {}
+        _at_work.setdefault(threading.get_ident(), []).append(self._numbers)
 
     def __exit__(self, *_):
         thread = threading.get_ident()
@@ -40,29 +52,48 @@ class Reading:
             del _at_work[thread]
 
     def is_outdated(self, edited):
-        """Whether another copy was read of an action than it has now. edited: {where it lies: number of its copy}."""
-        return any(self.numbers.get(place, number) != number for place, number in edited.items())
+        """Whether it may have read other keys than there are now. edited: {where an evaluated action lies: number of its copy}."""
+        numbers = self._numbers
+        return numbers is None or any(numbers.get(place, number) != number for place, number in edited.items())
 
 
-def reading_of(datablock):
-    """The Reading of an evaluated datablock."""
-    place = datablock.as_pointer()
-    found = _readings.known.get(place)
-    if found is None or is_gone(found.datablock):
-        found = _readings.add(datablock, place, Reading(datablock))
+def reading_of(datablock, name, index=0):
+    """The Reading of a system's solver, by its name, or of a property's driver, on an evaluated datablock."""
+    place = datablock.as_pointer(), name, index
+    found = _readings.get(place)
+    if found is None or found.datablock is not datablock:
+        found = _readings[place] = Reading(datablock)
+        if len(_readings) > _most[0]:
+            for gone in [place for place, one in list(_readings.items()) if _is_gone(one.datablock)]:
+                _readings.pop(gone, None)
+            _most[0] = 2 * max(len(_readings), FEW)
     return found
+
+
+def _is_gone(datablock):
+    """Whether Blender has freed an evaluated datablock."""
+    try:
+        datablock.as_pointer()
+    except ReferenceError:
+        return True
+    return False
 
 
 def number_of(action):
     """copies.number_of_action() of an action whose keys are read."""
     number = copies.number_of_action(action)
-    if number is not None:
+    if _at_work and number is not None:
         note({action.as_pointer(): number})
     return number
 
 
+def is_noting():
+    """Whether anybody notes what is read, in this thread or another."""
+    return bool(_at_work)
+
+
 def noted():
-    """What this thread has read, for note() where somebody else is given what was made of it."""
+    """What this thread has read, for note(), where somebody else is given what was made of it."""
     waiting = _at_work.get(threading.get_ident())
     return dict(waiting[-1]) if waiting else {}
 
@@ -76,15 +107,17 @@ def note(numbers):
 
 @persistent
 def _call_again(_scene=None, depsgraph=None):
-    """After an edit: have those evaluated once more that have read keys as they were before."""
-    if not _readings.known or depsgraph is None or not depsgraph.id_type_updated('ACTION') or bpy.app.is_job_running('RENDER'):
+    """After an edit: have those evaluated once more that may have read keys as they were before."""
+    if not _readings or depsgraph is None or not depsgraph.id_type_updated('ACTION') or bpy.app.is_job_running('RENDER'):
         return
     edited = [update.id for update in depsgraph.updates if isinstance(update.id, bpy.types.Action)]
     numbers = {action.as_pointer(): copies.number_of_action(action) for action in edited}
-    for reading in list(_readings.known.values()):
-        if reading.is_outdated(numbers) and not is_gone(reading.datablock):
-            reading.numbers.clear()
-            reading.datablock.original.update_tag()
+    outdated = {reading.datablock for reading in list(_readings.values())
+                if not _is_gone(reading.datablock) and reading.is_outdated(numbers)}
+    for datablock in outdated:
+        original = datablock.original
+        if original.evaluated_get(depsgraph) == datablock:  # not of another scene, or of a render that has ended
+            original.update_tag()
 
 
 def _watched():
@@ -94,6 +127,7 @@ def _watched():
 def forget():
     """Let nothing count as read: another file is opened."""
     _readings.clear()
+    _most[0] = FEW
 
 
 def register():

@@ -38,23 +38,27 @@ def followed(owner, data_path, index, frame, scene, numbers):
     pieces = 1
     while first + pieces * PIECE < frame and pieces * PIECE < MOST:
         pieces *= 2
-    with read_keys.reading_of(owner.id_data):
-        made = _kept(owner, data_path, index, (numbers, first, pieces, length))
+    id_data, what = owner.id_data, (numbers, first, pieces, length)
+    reading = read_keys.reading_of(id_data, data_path, index)
+    if reading.is_edit(frame):
+        with reading:
+            made = _kept(id_data, data_path, index, what)
+    else:
+        made = _kept(id_data, data_path, index, what)
     if not made:
         return track_of(owner, data_path, index).present()[0]
     return made.value((frame - first) * length)
 
 
-def _kept(owner, data_path, index, what):
+def _kept(id_data, data_path, index, what):
     """What _made() gives, kept until the keys change."""
-    id_data = owner.id_data
-    stamp = tracks.keys_stamp(id_data) if id_data.is_evaluated else None
+    stamp = tracks.keys_stamp(id_data)
     if stamp is None:
-        track = track_of(owner, data_path, index)
+        track = track_of(id_data, data_path, index)
         return tracks.kept(track, ("second_order", what), lambda: _made(track, *what))
     # Without a Track, which takes longer than all the rest.
     return tracks.kept_by(
-        stamp, ("second_order", data_path, index, what), lambda: _made(track_of(owner, data_path, index), *what))
+        stamp, ("second_order", data_path, index, what), lambda: _made(track_of(id_data, data_path, index), *what))
 
 
 def _made(track, *what):

@@ -38,7 +38,7 @@ def _curve(strip, data_path, index):
 
 def read(player):
     """actions.curves_of(), whose keys are read."""
-    if player and player.action:
+    if read_keys.is_noting() and player and player.action:
         read_keys.number_of(player.action)
     return actions.curves_of(player)
 
@@ -98,9 +98,11 @@ def together(stamps):
 
 
 def stamp_of_action(player):
-    """Which action an evaluated player plays (actions.curves_of), and which slot of it; None of an original."""
-    # A property of what plays actions since these have slots.
-    return together((read_keys.number_of(player.action), getattr(player, "action_slot_handle", 0)))
+    """Which action an evaluated player plays (actions.curves_of), and which slot of it; None of an original, or without an action."""
+    action = player.action
+    number = action and read_keys.number_of(action)
+    # The handle is a property of what plays actions since these have slots.
+    return None if number is None else (number, getattr(player, "action_slot_handle", 0))
 
 
 def stamp_of(animation):
@@ -118,7 +120,7 @@ def stamp_of(animation):
 def keys_stamp(id_data):
     """What changes with any key of an evaluated datablock's action, where no NLA takes part; None without an action."""
     animation = id_data.animation_data
-    if animation is None or animation.action is None or animation.use_nla and animation.nla_tracks:
+    if animation is None or animation.use_nla and animation.nla_tracks:
         return None
     return stamp_of_action(animation)
 

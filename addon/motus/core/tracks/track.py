@@ -18,7 +18,7 @@ LARGEST_MEMORY = 1 << 30  # bytes of that
 
 
 class _Kept(OrderedDict):
-    """(what, bytes of it) by place, what was asked for least lately first; no more than the limits."""
+    """(what, bytes of it) by place, what was asked for least lately first where there are many; no more than the limits."""
 
     def __init__(self):
         self._memory = 0
@@ -26,10 +26,12 @@ class _Kept(OrderedDict):
 
     def find(self, place):
         """What is there; None without."""
-        with self._changing:
-            held = self.get(place)
-            if held is not None:
-                self.move_to_end(place)
+        held = self.get(place)
+        # As long as there is much room left nobody needs to know what was asked for lately, and to note it takes as long as to find it.
+        if held is not None and (2 * len(self) > LARGEST_CACHE or 2 * self._memory > LARGEST_MEMORY):
+            with self._changing:
+                if place in self:
+                    self.move_to_end(place)
         return held
 
     def empty(self):

@@ -49,7 +49,7 @@ class Solver:
         self._outlet = outputs.outlet(system, owner)
         self._poses = _Poses(layout.members)
         self._drives_properties = property_sink.KEY in carrier
-        self._reading = read_keys.reading_of(carrier) if system.reads_keys or self._drives_properties else None
+        self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
         # Whether settings are animated counts for outlets and driven properties alone.
         self._counts = bool(system.outputs) or self._drives_properties
         self._place = None if owner.library else (system.name, owner.name)
@@ -71,9 +71,8 @@ class Solver:
 
     def solve(self, frame, depsgraph, values):
         """Solve into the carrier; returns the status. values: of the inputs, as the driver gives them."""
-        if self._reading is None:
+        if self._reading is None or not self._reading.is_edit(frame):
             return self._solve(frame, depsgraph, values)
-        self._reading.numbers.clear()
         with self._reading:
             return self._solve(frame, depsgraph, values)
 
