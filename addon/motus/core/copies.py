@@ -46,7 +46,7 @@ class _Latest:
             self._places[place] = evaluated, number
             self.known[number] = found
             if len(self._places) > self._most:
-                for gone in [place for place, (datablock, _) in self._places.items() if _is_gone(datablock)]:
+                for gone in [place for place, (datablock, _) in self._places.items() if is_gone(datablock)]:
                     self._forget(gone)
                 self._most = 2 * max(len(self._places), self.FEW)
         return found
@@ -63,7 +63,7 @@ class _Latest:
             self._most = self.FEW
 
 
-def _is_gone(datablock):
+def is_gone(datablock):
     """Whether Blender has freed an evaluated datablock."""
     try:
         datablock.as_pointer()

@@ -64,19 +64,10 @@ def reading_of(datablock, name, index=0):
     if found is None or found.datablock is not datablock:
         found = _readings[place] = Reading(datablock)
         if len(_readings) > _most[0]:
-            for gone in [place for place, one in list(_readings.items()) if _is_gone(one.datablock)]:
+            for gone in [place for place, one in list(_readings.items()) if copies.is_gone(one.datablock)]:
                 _readings.pop(gone, None)
             _most[0] = 2 * max(len(_readings), FEW)
     return found
-
-
-def _is_gone(datablock):
-    """Whether Blender has freed an evaluated datablock."""
-    try:
-        datablock.as_pointer()
-    except ReferenceError:
-        return True
-    return False
 
 
 def number_of(action):
@@ -93,16 +84,17 @@ def is_noting():
 
 
 def noted():
-    """What this thread has read, for note(), where somebody else is given what was made of it."""
+    """What this thread has read, for note(), where somebody else is given what was made of it; None where it notes nothing."""
     waiting = _at_work.get(threading.get_ident())
-    return dict(waiting[-1]) if waiting else {}
+    return dict(waiting[-1]) if waiting else None
 
 
 def note(numbers):
-    """Let these count as read by this thread."""
+    """Let these count as read by this thread. Returns whether that is known, as far as it has to be: it is not where they are None."""
     waiting = _at_work.get(threading.get_ident())
-    if waiting:
+    if waiting and numbers is not None:
         waiting[-1].update(numbers)
+    return not waiting or numbers is not None
 
 
 @persistent
@@ -113,7 +105,7 @@ def _call_again(_scene=None, depsgraph=None):
     edited = [update.id for update in depsgraph.updates if isinstance(update.id, bpy.types.Action)]
     numbers = {action.as_pointer(): copies.number_of_action(action) for action in edited}
     outdated = {reading.datablock for reading in list(_readings.values())
-                if not _is_gone(reading.datablock) and reading.is_outdated(numbers)}
+                if not copies.is_gone(reading.datablock) and reading.is_outdated(numbers)}
     for datablock in outdated:
         original = datablock.original
         if original.evaluated_get(depsgraph) == datablock:  # not of another scene, or of a render that has ended

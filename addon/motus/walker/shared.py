@@ -14,8 +14,7 @@ def found(context, make):
     moment = wiring.evaluation(), context.frame
     # Taken by one alone: who is solved again by itself may be so because the rest has changed.
     waiting = copy.found.pop(KEY, None)
-    if waiting is not None and waiting[0] == moment and waiting[1] != context.group:
-        read_keys.note(waiting[3])
+    if waiting is not None and waiting[0] == moment and waiting[1] != context.group and read_keys.note(waiting[3]):
         return waiting[2]
     made = make()
     copy.found[KEY] = moment, context.group, made, read_keys.noted()
