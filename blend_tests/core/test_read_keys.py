@@ -8,6 +8,7 @@ import numpy as np
 import support
 
 actions = support.addon("core.actions")
+history = support.addon("drivers.history")
 solving = support.addon("core.wiring.solving")
 
 FRAME, AWAY = 25, 60
@@ -202,3 +203,12 @@ class CallsTest(support.SceneTestCase):
         self.assertIn("Pendant", found)
         self.assertIn("Racer", found)
         self.assertEqual(self.calls(delete, "Target", ["location"]), ["Pendant"])
+
+    def test_drivers_of_their_own_keys_alone(self):
+        """An object that is called again is evaluated whole, with its geometry."""
+        for name, wanted in (("Target", False), ("Sprung", True)):
+            bpy.context.scene.frame_set(bpy.context.scene.frame_current + 1)
+            with unittest.mock.patch.object(history, "_kept", side_effect=history._kept) as kept:
+                insert(name, ["location"])
+                bpy.context.view_layer.update()
+            self.assertEqual((name, kept.called), (name, wanted))

@@ -26,10 +26,13 @@ _at_work = {}
 
 
 class Reading:
-    """What a solver or driver of an evaluated datablock has read. It is a context manager, which notes what its thread reads."""
+    """What a solver or driver of an evaluated datablock has read. It is a context manager, which notes what its thread reads.
 
-    def __init__(self, datablock):
-        self.datablock = datablock
+    among: gives, of the datablock, the actions that it may read at all; None: any.
+    """
+
+    def __init__(self, datablock, among):
+        self.datablock, self._among = datablock, among
         self._numbers = None  # nobody knows
         self._frame = None
 
@@ -54,15 +57,17 @@ class Reading:
     def is_outdated(self, edited):
         """Whether it may have read other keys than there are now. edited: {where an evaluated action lies: number of its copy}."""
         numbers = self._numbers
-        return numbers is None or any(numbers.get(place, number) != number for place, number in edited.items())
+        if numbers is None:
+            return self._among is None or any(action.as_pointer() in edited for action in self._among(self.datablock))
+        return any(numbers.get(place, number) != number for place, number in edited.items())
 
 
-def reading_of(datablock, name, index=0):
-    """The Reading of a system's solver, by its name, or of a property's driver, on an evaluated datablock."""
+def reading_of(datablock, name, index=0, among=None):
+    """The Reading of a system's solver, by its name, or of a property's driver, on an evaluated datablock. among: as of Reading."""
     place = datablock.as_pointer(), name, index
     found = _readings.get(place)
     if found is None or found.datablock is not datablock:
-        found = _readings[place] = Reading(datablock)
+        found = _readings[place] = Reading(datablock, among)
         if len(_readings) > _most[0]:
             for gone in [place for place, one in list(_readings.items()) if copies.is_gone(one.datablock)]:
                 _readings.pop(gone, None)
@@ -113,11 +118,12 @@ def _call_again(_scene=None, depsgraph=None):
 
 
 def _watched():
-    return ((bpy.app.handlers.depsgraph_update_post, _call_again),)
+    found = bpy.app.handlers
+    return (found.load_pre, _forget), (found.depsgraph_update_post, _call_again)
 
 
-def forget():
-    """Let nothing count as read: another file is opened."""
+@persistent
+def _forget(*_):
     _readings.clear()
     _most[0] = FEW
 
@@ -130,4 +136,4 @@ def register():
 def unregister():
     """Stop watching."""
     handlers.remove(_watched())
-    forget()
+    _forget()

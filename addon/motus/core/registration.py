@@ -7,7 +7,7 @@ from . import (
 from .scenery import meshes
 
 _undo = []
-_FORGETTING = handlers.Forgetting(tracks.forget), handlers.Forgetting(read_keys.forget), handlers.Forgetting(meshes.forget)
+_FORGETTING = handlers.Forgetting(tracks.forget), handlers.Forgetting(meshes.forget)
 
 
 def register(systems, extra_classes=(), extra_add_menu=()):

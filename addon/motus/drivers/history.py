@@ -1,6 +1,6 @@
 """The keys of a property, followed by second-order dynamics."""
 
-from ..core import native, read_keys, tracks
+from ..core import actions, native, read_keys, tracks
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -39,7 +39,7 @@ def followed(owner, data_path, index, frame, scene, numbers):
     while first + pieces * PIECE < frame and pieces * PIECE < MOST:
         pieces *= 2
     id_data, what = owner.id_data, (numbers, first, pieces, length)
-    reading = read_keys.reading_of(id_data, data_path, index)
+    reading = read_keys.reading_of(id_data, data_path, index, _own_actions)
     if reading.is_edit(frame):
         with reading:
             made = _kept(id_data, data_path, index, what)
@@ -48,6 +48,10 @@ def followed(owner, data_path, index, frame, scene, numbers):
     if not made:
         return track_of(owner, data_path, index).present()[0]
     return made.value((frame - first) * length)
+
+
+def _own_actions(id_data):
+    return [player.action for player in actions.players(id_data) if player.action]
 
 
 def _kept(id_data, data_path, index, what):

@@ -66,7 +66,8 @@ class Clip:
 
 def clip_of(action, slot, names, modes):
     """The Clip of an evaluated action; kept until its keys are edited. modes: rotation modes of the bones."""
-    read_keys.number_of(action)
+    if read_keys.is_noting():
+        read_keys.number_of(action)
     kept, place = copies.found_of_action(action), ("layers", slot, names, modes)
     found = kept.get(place)
     if found is None:
