@@ -18,7 +18,7 @@ from . import copies, handlers
 FEW = 64
 """Up to so many Readings are kept without a look at which of them are of datablocks that Blender has freed."""
 
-_readings = {}
+readings = {}
 """(where an evaluated datablock lies, name, index) -> its Reading."""
 _most = [FEW]
 _at_work = {}
@@ -65,13 +65,13 @@ class Reading:
 def reading_of(datablock, name, index=0, among=None):
     """The Reading of a system's solver, by its name, or of a property's driver, on an evaluated datablock. among: as of Reading."""
     place = datablock.as_pointer(), name, index
-    found = _readings.get(place)
+    found = readings.get(place)
     if found is None or found.datablock is not datablock:
-        found = _readings[place] = Reading(datablock, among)
-        if len(_readings) > _most[0]:
-            for gone in [place for place, one in list(_readings.items()) if copies.is_gone(one.datablock)]:
-                _readings.pop(gone, None)
-            _most[0] = 2 * max(len(_readings), FEW)
+        found = readings[place] = Reading(datablock, among)
+        if len(readings) > _most[0]:
+            for gone in [place for place, one in list(readings.items()) if copies.is_gone(one.datablock)]:
+                readings.pop(gone, None)
+            _most[0] = 2 * max(len(readings), FEW)
     return found
 
 
@@ -102,14 +102,13 @@ def note(numbers):
     return not waiting or numbers is not None
 
 
-@persistent
-def _call_again(_scene=None, depsgraph=None):
+def call_again(depsgraph):
     """After an edit: have those evaluated once more that may have read keys as they were before."""
-    if not _readings or depsgraph is None or not depsgraph.id_type_updated('ACTION') or bpy.app.is_job_running('RENDER'):
+    if not depsgraph.id_type_updated('ACTION'):
         return
     edited = [update.id for update in depsgraph.updates if isinstance(update.id, bpy.types.Action)]
     numbers = {action.as_pointer(): copies.number_of_action(action) for action in edited}
-    outdated = {reading.datablock for reading in list(_readings.values())
+    outdated = {reading.datablock for reading in list(readings.values())
                 if not copies.is_gone(reading.datablock) and reading.is_outdated(numbers)}
     for datablock in outdated:
         original = datablock.original
@@ -118,18 +117,17 @@ def _call_again(_scene=None, depsgraph=None):
 
 
 def _watched():
-    found = bpy.app.handlers
-    return (found.load_pre, _forget), (found.depsgraph_update_post, _call_again)
+    return ((bpy.app.handlers.load_pre, _forget),)
 
 
 @persistent
 def _forget(*_):
-    _readings.clear()
+    readings.clear()
     _most[0] = FEW
 
 
 def register():
-    """Watch for edits of keys."""
+    """Know when another file is opened. Edits are told by core/wiring/healing.py."""
     handlers.add(_watched())
 
 

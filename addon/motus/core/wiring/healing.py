@@ -19,7 +19,7 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import copies, deleted, handlers, native
+from .. import copies, deleted, handlers, native, read_keys
 from ..system import has_settings, is_owner, leader_of, of_owner, registered, systems
 from . import attaching, carriers, geometry_sink, hub_lookup, order, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
@@ -361,8 +361,10 @@ def loaded(*_):
 @persistent
 def _updated(_scene=None, depsgraph=None):
     # Not after every change of the frame: neither what Blender keeps of an override nor what an object hangs on changes then.
-    if not (_in_use[0] or overrides.has_marks()) or bpy.app.is_job_running('RENDER'):
+    if not (_in_use[0] or read_keys.readings or overrides.has_marks()) or bpy.app.is_job_running('RENDER'):
         return
+    if read_keys.readings and depsgraph is not None:
+        _try(lambda: read_keys.call_again(depsgraph))
     if overrides.has_new_marks():
         _try(_heal_overrides)
     if _in_use[0] and depsgraph is not None and depsgraph.id_type_updated('OBJECT'):
