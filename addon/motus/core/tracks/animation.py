@@ -5,7 +5,6 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from .. import actions
 from ..lazy import numpy as np
 from ..refusals import Refused
 from ..translations import tr
