@@ -30,8 +30,8 @@ namespace {
 constexpr std::size_t most_faces = 64;
 
 /// How far up from a place ground is looked for, `most` at most: less below a roof, a face that looks down on
-/// air through which one can go. A place may be within the ground, or within stones that are within each
-/// other.
+/// air through which one can go, with a floor below. A place may be within the ground, or within stones that
+/// are within each other.
 [[nodiscard]] double room_above(const Ground& ground, const glm::dvec3& place, const glm::dvec3& up,
                                 double most) {
     struct Face {
@@ -57,12 +57,16 @@ constexpr std::size_t most_faces = 64;
         left += face.leaves ? 1 : -1;
         within = std::max(within, left);
     }
+    // Without one it is ground whose faces are turned over.
+    const auto has_floor = [&](double height) {
+        return height > 0.0 || ground.ray(place + skip * up, -up, std::numeric_limits<double>::infinity());
+    };
     double air = 0.0;  // from there on, while it is within nothing
     for (const Face& face : above) {
         if (face.leaves) {
             --within;
             air = face.height;
-        } else if (within == 0 && face.height - air > low * most) {
+        } else if (within == 0 && face.height - air > low * most && has_floor(air)) {
             return std::min(most, air + below_it * (face.height - air));
         } else {
             ++within;

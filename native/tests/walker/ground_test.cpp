@@ -142,6 +142,19 @@ TEST_CASE("a swing below a roof stays below it", "[footing]") {
     CHECK(rise == Approx(0.15));
 }
 
+TEST_CASE("ground whose faces are turned over is no roof", "[footing]") {
+    const auto hill = [](double x, double) { return 0.4 * std::max(0.0, 1.0 - 1.5 * std::abs(x)); };
+    Land turned = land(2.0, 200, hill);
+    for (glm::ivec3& corners : turned.triangles) std::swap(corners.x, corners.y);
+    const Ground ground = ground_of(turned), usual = ground_of(land(2.0, 200, hill));
+    for (const double x : {-0.9, -0.3, 0.0, 0.2, 0.5}) {
+        const Search search{{x, 0.1, -0.05}, {x - 0.2, 0.0, 0.2}, up};
+        CHECK(footing(ground, search, {0.6, 0.5})->point.z == Approx(hill(x, 0.1)).margin(0.01));
+    }
+    const glm::dvec3 start(-1.0, 0.0, 0.0), end(1.0, 0.0, 0.0);
+    CHECK(obstacle(ground, start, end, up, 1.0) == obstacle(usual, start, end, up, 1.0));
+}
+
 TEST_CASE("where the ground ends a foot finds its side", "[footing]") {
     const Ground block = ground_of(box({-1.0f, -1.0f, -3.0f}, {1.0f, 1.0f, 0.0f}));
     const Search beyond{{1.3, 0.2, 0.0}, {0.5, 0.2, 0.4}, up};
