@@ -3,7 +3,8 @@
 from contextlib import contextmanager
 
 from . import actions, entry_keys, wiring
-from .system import forget, of_owner
+from .forgetting import forget
+from .system import of_owner
 
 
 def wire(system, owner, name="entries"):

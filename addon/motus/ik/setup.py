@@ -1,7 +1,8 @@
 """Setting chains up and taking them back: plain functions behind the operators."""
 
 from ..core import dependencies, entries
-from ..core.system import forget, registered
+from ..core.forgetting import forget
+from ..core.system import registered
 
 
 def system():

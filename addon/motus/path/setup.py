@@ -1,7 +1,8 @@
 """Setting followers up and taking them back: plain functions behind the operators."""
 
 from ..core import actions, wiring
-from ..core.system import forget, registered
+from ..core.forgetting import forget
+from ..core.system import registered
 from . import members
 
 PREFIX = "motus.path."

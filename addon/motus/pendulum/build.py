@@ -8,7 +8,8 @@ import bpy
 from mathutils import Matrix
 
 from ..core import actions, datablocks, libraries, wiring
-from ..core.system import forget, registered
+from ..core.forgetting import forget
+from ..core.system import registered
 from . import parts, trail
 
 PREFIX = "motus.pendulum."

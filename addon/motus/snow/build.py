@@ -6,7 +6,8 @@ import bpy
 from mathutils import Euler
 
 from ..core import datablocks, wiring
-from ..core.system import forget, is_owner, registered
+from ..core.forgetting import forget
+from ..core.system import is_owner, registered
 from ..core.translations import tr
 from . import colliders, look
 

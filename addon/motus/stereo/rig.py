@@ -5,7 +5,8 @@ import math
 import bpy
 
 from ..core import actions, wiring
-from ..core.system import Group, Property, forget, registered
+from ..core.forgetting import forget
+from ..core.system import Group, Property, registered
 from ..core.translations import tr
 from . import around, lens, results
 

@@ -6,7 +6,8 @@ import bpy
 from mathutils import Vector
 
 from ..core import actions, entries, wiring
-from ..core.system import forget, has_settings, of_owner, registered, says_anything
+from ..core.forgetting import forget, says_anything
+from ..core.system import has_settings, of_owner, registered
 from . import legs
 
 PREFIX = "motus.walker."

@@ -3,7 +3,8 @@
 import bpy
 
 from .. import actions, copies
-from ..system import drop_dead_copy, groups_of, is_owner, of_owner, systems
+from ..forgetting import drop_dead_copy
+from ..system import groups_of, is_owner, of_owner, systems
 from . import (
     attribute_sink, carriers, drivers, geometry_sink, hub_lookup, order, outbox, outputs, override_drivers, overrides, property_sink,
     proxy_sink, readers, rows, solver_driver, transform_sink)

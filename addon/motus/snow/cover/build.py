@@ -3,7 +3,8 @@
 import bpy
 
 from ...core import datablocks, wiring
-from ...core.system import Group, Transform, forget, registered
+from ...core.forgetting import forget
+from ...core.system import Group, Transform, registered
 from ...core.translations import tr
 from . import look, sources
 
