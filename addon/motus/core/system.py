@@ -6,7 +6,6 @@ from typing import Any, Callable, Iterable, Optional
 import bpy
 
 
-
 @dataclass(frozen=True)
 class Problem:
     """A sentence for the artist. A blocking one leaves the driven objects at their own transforms.
