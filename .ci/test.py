@@ -74,6 +74,13 @@ def wording(passed, failed, skipped):
     return f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else "")
 
 
+def what_broke(output):
+    """The lines that name failed tests, and where Python stood when a signal ended the process: what CTest prints of all this is long."""
+    named = re.findall(r"^FAILED .*", output, re.MULTILINE)
+    stack = re.search(r"Fatal Python error.*(?:\n.*){,30}", output, re.MULTILINE)
+    return named + (stack[0].splitlines() if stack else [])
+
+
 def report(results):
     """Prints the lines of all groups; returns the sums of their counts."""
     total = [0, 0, 0]
@@ -85,6 +92,8 @@ def report(results):
         if counts[2]:
             lines = group.findtext("system-out", "").splitlines()
             print("\n".join(f"    {line}" for line in lines if "skipped" in line.lower() and "summary" not in line))
+        for line in what_broke(group.findtext("system-out", "")) if counts[1] else ():
+            print(f"    {line}")
         total = [one + other for one, other in zip(total, counts)]
     return total
 

@@ -17,6 +17,57 @@ READERS = {
     "Snow": "Snow Cover", "Spider": "Spider", "Sprung": "Sprung", "Target": "Pendant"}
 """What keys animate -> something that shows, and hangs on these at other frames too."""
 
+REMOVED = """
+import bpy
+import support
+
+def keyed(scene):
+    thing = bpy.data.objects.new("Thing", None)
+    scene.collection.objects.link(thing)
+    for frame in (1, 10):
+        thing.location.x = frame
+        thing.keyframe_insert("location", frame=frame)
+    return thing
+
+def fill(scene):
+    bpy.context.window.scene = scene
+    for _ in range(20):
+        thing = keyed(scene)
+        thing.select_set(True)
+        bpy.context.view_layer.objects.active = thing
+        bpy.ops.motus.dynamics_add()
+        thing.select_set(False)
+    scene.frame_set(5)
+
+def empty(*_):
+    bpy.data.batch_remove([one for one in (*bpy.data.objects, *bpy.data.meshes) if one != lamp])
+    for _ in range(200):  # some of them come to lie where those were
+        bpy.data.meshes.new("Other")
+
+def edit():
+    lamp.location.y += 1.0
+    lamp.keyframe_insert("location", frame=5)
+    bpy.context.view_layer.update()
+    print("ALIVE", flush=True)
+
+support.empty_scene()
+first, second = bpy.context.scene, bpy.data.scenes.new("Second")
+lamp = keyed(first)
+first.frame_set(5)
+fill(second)
+bpy.context.window.scene = first
+empty()
+edit()
+
+def empty_once(*_):
+    bpy.app.handlers.depsgraph_update_post.remove(empty_once)
+    empty()
+
+fill(first)
+bpy.app.handlers.depsgraph_update_post.insert(0, empty_once)
+edit()
+"""
+
 
 def animated():
     """Names of all objects that keys animate, with the paths of these."""
@@ -212,3 +263,8 @@ class CallsTest(support.SceneTestCase):
                 insert(name, ["location"])
                 bpy.context.view_layer.update()
             self.assertEqual((name, kept.called), (name, wanted))
+
+    def test_of_what_is_removed(self):
+        """In another scene, or by a handler that is called before: Blender's copies are still there, and point to freed memory."""
+        status, said = support.run_blender(REMOVED, arguments=("--factory-startup", "--debug-memory"))
+        self.assertEqual((status, said.count("ALIVE")), (0, 2), said)

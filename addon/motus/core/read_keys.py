@@ -33,11 +33,14 @@ class Reading:
 
     def __init__(self, datablock, among):
         self.datablock, self._among = datablock, among
+        self.original = None
         self._numbers = None  # nobody knows
         self._frame = None
 
     def is_edit(self, frame):
         """Called with the frame before anything is read: whether to note what is."""
+        # Not when it is wanted: once Blender has removed the original, what a copy points to in its place is freed memory.
+        self.original = self.datablock.original
         if frame == self._frame:
             return True
         self._frame, self._numbers = frame, None
@@ -53,6 +56,12 @@ class Reading:
         waiting.pop()
         if not waiting:
             del _at_work[thread]
+
+    def is_of(self, depsgraph):
+        """Whether the datablock is there, and this depsgraph's: not another scene's, nor of a render that has ended."""
+        if self.original is None or copies.is_gone(self.original) or copies.is_gone(self.datablock):
+            return False
+        return self.original.evaluated_get(depsgraph) == self.datablock
 
     def is_outdated(self, edited):
         """Whether it may have read other keys than there are now. edited: {where an evaluated action lies: number of its copy}."""
@@ -108,12 +117,9 @@ def call_again(depsgraph):
         return
     edited = [update.id for update in depsgraph.updates if isinstance(update.id, bpy.types.Action)]
     numbers = {action.as_pointer(): copies.number_of_action(action) for action in edited}
-    outdated = {reading.datablock for reading in list(readings.values())
-                if not copies.is_gone(reading.datablock) and reading.is_outdated(numbers)}
-    for datablock in outdated:
-        original = datablock.original
-        if original.evaluated_get(depsgraph) == datablock:  # not of another scene, or of a render that has ended
-            original.update_tag()
+    for original in {reading.original for reading in list(readings.values())
+                     if reading.is_of(depsgraph) and reading.is_outdated(numbers)}:
+        original.update_tag()
 
 
 def _watched():
