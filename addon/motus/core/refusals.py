@@ -83,7 +83,8 @@ def check_posed(rig, view_layer):
     """The same for a rig's bones, and refuse one that shows its rest pose."""
     check_evaluated(rig, view_layer)
     # Of a hidden rig Blender evaluates those bones that something visible needs, and lists it nowhere.
-    if not any(one.original == rig for one in view_layer.depsgraph.ids if isinstance(one, bpy.types.Object)):
+    evaluated = rig.evaluated_get(view_layer.depsgraph)
+    if all(one != evaluated for one in view_layer.depsgraph.ids):
         _refuse_hidden(rig)
     if rig.data.pose_position == 'REST':
         raise Refused(tr("{object} is in Rest Position: switch to Pose Position first").format(object=rig.name))
