@@ -41,6 +41,7 @@ def run_one(test):
     started = time.monotonic()
     support.enable()
     support.empty_scene()
+    window_support.draw_little()
     yield
     for step in test():
         if time.monotonic() - started > LIMIT:
