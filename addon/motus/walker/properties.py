@@ -66,7 +66,7 @@ class WalkerKeywords:
     reach_down: _length("Reach Down", "How far below the feet's rest places ground is looked for", 1.0)
     use_plane: _switch("Plane", "Walk on a level plane too, beside the meshes")
     plane_height: _number("Height", "Of the plane, along the world's Z axis", 0.0, subtype='DISTANCE')
-    body_height: _factor("Height", "How much the body rises and sinks with the feet that stand", 1.0)
+    body_height: _factor("Rise", "How much the body rises and sinks with the feet that stand", 1.0)
     body_tilt: _factor("Tilt", "How much the body leans with the feet that stand", 0.7)
     frequency: _number(
         "Frequency", "How quickly the body follows its feet, in Hz", 1.5, min=1e-3, max=1000.0, soft_min=0.2, soft_max=5.0)

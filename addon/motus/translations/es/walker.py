@@ -91,6 +91,7 @@ INTERFACE = {
     "Of the plane, along the world's Z axis" + _NO_KEYS: "Del plano, según el eje Z del mundo" + _NO_KEYS_F,
     "How much the body rises and sinks with the feet that stand" + _NO_KEYS:
         "Cuánto sube y baja el cuerpo con los pies que apoyan" + _NO_KEYS_M,
+    "Rise": "Elevación",
     "Tilt": "Inclinación",
     "How much the body leans with the feet that stand" + _NO_KEYS: "Cuánto se inclina el cuerpo con los pies que apoyan" + _NO_KEYS_M,
     "How quickly the body follows its feet, in Hz" + _NO_KEYS: "Con qué rapidez sigue el cuerpo a sus pies, en Hz" + _NO_KEYS_F,
