@@ -116,6 +116,13 @@ class Drag(PendulumTestCase):
             dragged.restore()
         self.assertFalse(dragged.has_new_start)
 
+    def test_a_script_removes_it_meanwhile(self):
+        pivot = self.add(kind='DOUBLE', location=(0.0, 0.0, 0.0))
+        dragged = support.addon("pendulum.drag").Held(bpy.context, pivot)
+        bpy.data.objects.remove(pivot)
+        self.assertRaises(ReferenceError, dragged.pull, Vector((1.0, 0.0, -1.0)))
+        self.assertRaises(ReferenceError, dragged.restore)
+
     def test_the_elbow_stays_on_its_side(self):
         for angle1, angle2 in ((0.5, -0.5), (-0.5, 0.5)):
             pivot = self.add(kind='DOUBLE', angle1=angle1, angle2=angle2, location=(0.0, 0.0, 0.0))

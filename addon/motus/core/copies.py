@@ -23,6 +23,16 @@ _numbers = itertools.count(_first)
 _latest = [_first - 1]
 
 
+def original_of(evaluated, originals, depsgraph):
+    """The original, among bpy.data.objects or the like, of what a depsgraph says was updated; None where another handler has removed it.
+
+    The copy is asked for its name alone: its `original` and `library` point to what Blender may have freed since the evaluation.
+    """
+    name = evaluated.name
+    found = (originals.get((name, path)) for path in (None, *(library.filepath for library in bpy.data.libraries)))
+    return next((one for one in found if one is not None and one.evaluated_get(depsgraph) == evaluated), None)
+
+
 class _Latest:
     """What is known of evaluated datablocks, of each of them for as long as it is there and was not copied anew.
 

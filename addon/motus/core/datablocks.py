@@ -1,5 +1,7 @@
 """How operators name a datablock of any type, and one of its properties."""
 
+from typing import Any, NamedTuple
+
 import bpy
 
 from .refusals import Refused
@@ -32,6 +34,31 @@ class OfADatablock:
         if found is None:
             raise Refused(tr("There is no {object} in {collection}").format(
                 object=self.datablock, collection=self.collection))
+        return found
+
+
+class Named(NamedTuple):
+    """An Object, or a bone of it by its name, "" for the object itself: for what is kept while scripts may run.
+
+    Of an object that is gone Python's reference raises ReferenceError; a reference to a PoseBone would be to freed memory.
+    """
+
+    object: Any
+    bone: str
+
+    @classmethod
+    def of(cls, thing):
+        """That of an Object or PoseBone."""
+        return cls(thing.id_data, thing.name if isinstance(thing, bpy.types.PoseBone) else "")
+
+    @property
+    def thing(self):
+        """The Object or PoseBone. Raises ReferenceError where it is gone."""
+        if not self.bone:
+            return self.object
+        found = self.object.pose.bones.get(self.bone)
+        if found is None:
+            raise ReferenceError(f"{self.object.name} has no bone {self.bone} any more")
         return found
 
 

@@ -14,10 +14,13 @@ class PointDrag:
     While it is dragged, X, Y and Z hold the point to an axis of the world, Shift slows it down, and a number may be typed.
 
     The operator is one of core's (operators.py), and has: _hold(context, region, view, mouse) -> (point in the world, the
-    same in the region) of what lies there and is kept as self._held, whose restore() puts all back, or None; _move(place),
+    same in the region) of what lies there and is kept as self._held, or None; _move(place),
     called with where the point goes; _finish(context), called when it was let go after a move; _show_keys(context). It may
     have _press(event): whether a key has changed a setting before anything is held; _click(context): the answer where
     it was let go without a move.
+
+    What is held has restore(), which puts all back. It refers to objects alone, not to bones or settings of theirs: a script may
+    remove them meanwhile, and only of objects Blender says so, by a ReferenceError.
     """
 
     def _begin(self, context, event):
@@ -30,15 +33,20 @@ class PointDrag:
         return {'RUNNING_MODAL'}
 
     def modal(self, context, event):
-        if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
-            self.cancel(context)
-            return {'CANCELLED'}
         try:
+            if event.type in {'ESC', 'RIGHTMOUSE'} and event.value == 'PRESS':
+                self.cancel(context)
+                return {'CANCELLED'}
             return self._wait(context, event) if self._held is None else self._drag(context, event)
         except Refused as refusal:
             self.cancel(context)
             # An error would open a popup under the mouse.
             self.report({'WARNING'}, str(refusal))
+            return {'CANCELLED'}
+        except ReferenceError:
+            # A script has removed it meanwhile, or the part of it that is held.
+            self._hide(context)
+            self.report({'ERROR'}, tr("The object that was pulled is gone"))
             return {'CANCELLED'}
 
     def cancel(self, context):

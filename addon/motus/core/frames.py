@@ -49,7 +49,7 @@ class Kept:
             for path, now in _animated(obj).items():
                 kept = self._values.get((obj, path), now)
                 if kept != now and (obj, path) not in written:
-                    _assign(obj, path, kept)
+                    assign(obj, path, kept)
 
 
 def _animated(obj):
@@ -64,7 +64,8 @@ def _animated(obj):
     return found
 
 
-def _assign(obj, path, value):
+def assign(obj, path, value):
+    """Set the property at a data path."""
     if path.endswith('"]'):
         holder, _, key = path[:-2].rpartition('["')
         (obj.path_resolve(holder) if holder else obj)[bpy.utils.unescape_identifier(key)] = value

@@ -60,7 +60,7 @@ class Solver:
         self.columns = {name: column for column, name in enumerate(self._plan.SETTINGS)}
         self.world = Matrix(found.posed.world.reshape(4, 4).T.tolist())
         self._rows = {name: row for row, name in enumerate(found.wired.still.names)}
-        self._bones = evaluated.original.data.bones
+        self._armature = evaluated.original.data
         self.rotations = np.zeros((len(self._plan.rows), 4))
         self.scales = np.ones((len(self._plan.rows), 3))
 
@@ -76,11 +76,12 @@ class Solver:
 
     def poses(self, chain):
         """World matrices of a chain's bones, by ChainRows, as it was solved last."""
-        first = self._bones[chain.bones[0]]
+        bones = self._armature.bones
+        first = bones[chain.bones[0]]
         above = self._matrix(self._posed.poses, first.parent.name) if first.parent else None
         found = []
         for name, row in zip(chain.bones, chain.rows):
-            bone = self._bones[name]
+            bone = bones[name]
             location, rotation, scale = self._matrix(self._basis, name).decompose()
             turn, stretch = Quaternion(self.rotations[row]), Vector(self.scales[row])
             is_absolute = chain.is_effector_absolute and name == chain.bones[-1]

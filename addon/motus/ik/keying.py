@@ -7,6 +7,8 @@ from mathutils import Euler, Quaternion, Vector
 
 from ..core import actions
 from ..core.bake.sampling import rotation_path
+from ..core.datablocks import Named
+from ..core.frames import assign
 from ..core.lazy import numpy as np
 from .curve_cut import SAME_FRAME, around, beside, cut, hold
 
@@ -33,10 +35,15 @@ class Channels:
     """Values over the frames of channels of an Object or PoseBone: of "location", "rotation", "scale"."""
 
     def __init__(self, thing, channels):
-        self.thing = thing
+        self._named = Named.of(thing)
         paths = {"location": "location", "rotation": rotation_path(thing), "scale": "scale"}
         self.values = {paths[channel]: [] for channel in channels}
         self._last = None
+
+    @property
+    def thing(self):
+        """The Object or PoseBone."""
+        return self._named.thing
 
     def add(self, basis):
         """Append the values that give a transform relative to what the parents do."""
@@ -85,7 +92,7 @@ class KeyWriter:
         self.written.add((owner, path))
         value = getattr(holder, name)
         is_array = not isinstance(value, (bool, int, float))
-        self._done.append((holder, name, tuple(value) if is_array else value, None))
+        self._done.append((owner, holder.path_from_id(name), tuple(value) if is_array else value, None))
         for index, column in enumerate(zip(*rows) if is_array else [rows]):
             curve = actions.find(owner, path, index)
             is_new = curve is None
@@ -107,20 +114,20 @@ class KeyWriter:
 
     def set(self, holder, name, value):
         """Set a property that is not animated."""
-        self._done.append((holder, name, getattr(holder, name), None))
+        self._done.append((holder.id_data, holder.path_from_id(name), getattr(holder, name), None))
         setattr(holder, name, value)
 
     def take_back(self):
         """Put back the keys and values as they were before all write() and set()."""
         self.written.clear()
-        for holder, path, index, written in reversed(self._done):
+        for owner, path, index, written in reversed(self._done):
             if written is None:
-                setattr(holder, path, index)
+                assign(owner, path, index)
                 continue
-            curve = actions.find(holder, path, index)
+            curve = actions.find(owner, path, index)
             kept, frames = written
             if kept is None:
-                actions.fcurves(holder).remove(curve)
+                actions.fcurves(owner).remove(curve)
             else:
                 _put_back(curve, frames, kept)
         for owner, (had_animation, action, slot) in self._before.items():

@@ -24,7 +24,7 @@ class Held:
 
     def __init__(self, context, pivot, number=0):
         depsgraph = context.view_layer.depsgraph
-        self._settings, self._number = pivot.motus.pendulum, number
+        self._pivot, self._number = pivot, number
         self._each = parts.rods_each(self._settings)
         self._world = pivot.evaluated_get(depsgraph).matrix_world.copy()
         self._frame = context.scene.frame_current_final
@@ -32,6 +32,10 @@ class Held:
         self._angles = _angles(context, pivot, number)
         self._offset = Vector((0.0, end_of(pivot, depsgraph, number, self._world).y, 0.0))
         self.point = self._world @ (self._offset + _reach(self._settings, self._angles))
+
+    @property
+    def _settings(self):
+        return self._pivot.motus.pendulum
 
     def pull(self, place):
         """Take the bob to a place in the world, as far as the rods reach, in the plane of the swing."""

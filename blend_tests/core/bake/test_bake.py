@@ -310,6 +310,24 @@ class ProgressTest(BakeTestCase):
         self.assertEqual(scene.frame_current_final, 5.25)
         self.assertEqual(snapshot([owner]), before)
 
+    def test_what_is_baked_is_removed_meanwhile(self):
+        job = support.addon("core.bake.job")
+        for remove in (lambda owner: bpy.data.objects.remove(owner), self.remove_bones):
+            self.setUp()
+            owner, _ = build_bone(toy_system.new_target())
+            steps = job.bake(bpy.context.scene, bpy.context.view_layer, owner, [toy_system.SYSTEM], [1, 2, 3, 4])
+            next(steps)
+            remove(owner)
+            self.assertRaises(ReferenceError, next, steps)
+
+    @staticmethod
+    def remove_bones(owner):
+        bpy.context.view_layer.objects.active = owner
+        bpy.ops.object.mode_set(mode='EDIT')
+        for bone in list(owner.data.edit_bones):
+            owner.data.edit_bones.remove(bone)
+        bpy.ops.object.mode_set(mode='OBJECT')
+
     def test_evaluates_each_frame_once(self):
         owner, _ = build_followers(toy_system.new_target())
         seen = []

@@ -3,9 +3,70 @@
 import random
 
 import bpy
+import support
 from path.path_cases import PathTestCase
 
 FRAMES = [1, 97, 33, 64.5, 12, 50.25, 88, 3]
+
+
+REMOVED = """
+import bpy
+import support
+
+def owner():
+    thing = bpy.data.objects.new("Thing", None)
+    bpy.context.scene.collection.objects.link(thing)
+    for frame in (1, 10):
+        thing.location.x = frame
+        thing.keyframe_insert("location", frame=frame)
+    thing.select_set(True)
+    bpy.context.view_layer.objects.active = thing
+    bpy.ops.motus.dynamics_add()
+
+def rig():
+    armature = bpy.data.armatures.new("Armature")
+    found = bpy.data.objects.new("Rig", armature)
+    bpy.context.scene.collection.objects.link(found)
+    bpy.context.view_layer.objects.active = found
+    bpy.ops.object.mode_set(mode='EDIT')
+    armature.edit_bones.new("Bone").tail = (0.0, 0.0, 1.0)
+    bpy.ops.object.mode_set(mode='OBJECT')
+    return found
+
+def linked():
+    path = bpy.app.tempdir + "library.blend"
+    found = bpy.data.objects.new("Linked", None)
+    bpy.data.libraries.write(path, {found})
+    bpy.data.objects.remove(found)
+    with bpy.data.libraries.load(path, link=True) as (_, into):
+        into.objects = ["Linked"]
+    found = bpy.data.objects["Linked"]
+    bpy.context.scene.collection.objects.link(found)
+    return found
+
+def remove_once(*collections):
+    def removing(*_):
+        bpy.app.handlers.depsgraph_update_post.remove(removing)
+        for collection in collections:
+            collection.remove(collection[-1])
+        for _ in range(200):  # some of them come to lie where those were
+            bpy.data.meshes.new("Other")
+    bpy.app.handlers.depsgraph_update_post.insert(0, removing)
+
+support.empty_scene()
+owner()
+bones, other = rig(), linked()
+bpy.context.view_layer.update()
+remove_once(bpy.data.armatures)
+bones.data.bones[0].use_deform = False
+bones.data.update_tag()
+bpy.context.view_layer.update()
+print("ALIVE", flush=True)
+remove_once(bpy.data.libraries)
+other.location.x = 1.0
+bpy.context.view_layer.update()
+print("ALIVE", flush=True)
+"""
 
 
 def drive(owner, path, source, source_path, expression="v", index=None):
@@ -116,6 +177,14 @@ class CopiedLeaderTest(PathTestCase):
             self.wiring.release(self.system, bpy.data.objects[name])
         self.assertEqual(self.places("BC"), [-3.0, 0.0])
         self.assertEqual(len(bpy.data.meshes), 0)
+
+
+class RemovedTest(PathTestCase):
+    def test_by_a_handler_that_is_called_before(self):
+        """Rigs and libraries: Blender's copies of what was edited are still there, and point to freed memory."""
+        status, said = support.run_blender(REMOVED, arguments=("--factory-startup", "--debug-memory"))
+        self.assertEqual((status, said.count("ALIVE")), (0, 2), said)
+        self.assertNotIn("could not be wired again", said)
 
 
 class StillMembersTest(PathTestCase):

@@ -1,6 +1,7 @@
 """Checking chains over a range of frames."""
 
 import math
+import types
 
 import bpy
 import support
@@ -178,18 +179,35 @@ class Everything(CheckTestCase):
         self.assertEqual((tuple(bone.rotation_quaternion), tuple(target.location)), before)
         self.assertEqual((self.scene.frame_current, self.scene.frame_subframe), (7, 0.25))
 
+    def begun(self, count):
+        """(The operator without Blender's part of it, its steps of 100 frames) after so many of these."""
+        cls = support.addon("ik.checking.operators").MOTUS_OT_ik_check
+        own = {name: value for name, value in vars(cls).items() if isinstance(value, types.FunctionType)}
+        walker = type("Walker", (), own | {"object": "Rig", "bone": "", "step": 1.0, "report": lambda *_: None})()
+        steps = walker.steps(bpy.context, list(range(1, 101)))
+        for _ in range(count):
+            next(steps)
+        return walker, steps
+
     def test_cancelled(self):
         self.moving(Frames.FAR)
         entry = self.reach()
         self.scene.frame_set(5)
-        cls = support.addon("ik.checking.operators").MOTUS_OT_ik_check
-        walker = type("Walker", (), {
-            "object": "Rig", "bone": "", "step": 1.0, "steps": cls.steps, "_walk": cls._walk})()
-        steps = walker.steps(bpy.context, list(range(1, 101)))
-        for _ in range(30):
-            next(steps)
+        _, steps = self.begun(30)
         steps.close()
         self.assertEqual((self.scene.frame_current, entry.check_range), (5, ""))
+
+    def test_scripts_change_the_list_meanwhile(self):
+        self.moving(Frames.FAR)
+        self.reach()
+        walker, steps = self.begun(30)
+        entries = self.rigged.motus.ik.entries
+        with support.addon("core.entries").unwired(self.rigged.motus.ik):
+            for index in range(200):  # Blender moves the list in memory
+                entries.add().name = f"More {index}"
+            self.assertEqual(len(list(steps)), 70)
+            walker.result(bpy.context)
+            self.assertEqual([entry.check_range for entry in entries], ["1-100"] + 200 * [""])
 
     def test_refusals(self):
         self.assertRefused("Nothing here", bpy.ops.motus.ik_check, object="Rig")

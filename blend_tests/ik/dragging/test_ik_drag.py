@@ -145,6 +145,22 @@ class WithoutIk(DragTestCase):
             self.assertEqual([(tuple(bone.rotation_quaternion), tuple(bone.rotation_euler),
                                tuple(bone.rotation_axis_angle)) for bone in rig.pose.bones], before)
 
+    def test_scripts_remove_it_meanwhile(self):
+        for remove in (lambda rig: bpy.data.objects.remove(rig), lambda rig: self.remove_bone(rig, "Bone 3")):
+            self.setUp()
+            rig = self.chain()
+            held = support.addon("ik.dragging.grab").grab(bpy.context, rig, "Bone 3", 0.5)
+            remove(rig)
+            self.assertRaises(ReferenceError, held.pull, held.point + Vector((0.2, 0.1, -0.2)))
+            self.assertRaises(ReferenceError, held.restore)
+
+    @staticmethod
+    def remove_bone(rig, name):
+        bpy.context.view_layer.objects.active = rig
+        bpy.ops.object.mode_set(mode='EDIT')
+        rig.data.edit_bones.remove(rig.data.edit_bones[name])
+        bpy.ops.object.mode_set(mode='OBJECT')
+
     def test_scaled_and_turned_rig(self):
         rig = self.chain()
         rig.location, rig.rotation_euler, rig.scale = (1.0, 2.0, 3.0), (0.4, 0.9, -0.2), (2.0, 2.0, 2.0)

@@ -57,6 +57,17 @@ class DragTest(cases.PinsTestCase):
         bpy.ops.motus.pin_drag(object=self.grid.name, index=1, location=(0.5, 0.5, 2.0))
         self.assertLess((Vector(self.pin.displacement) - Vector((0.0, 0.0, 2.0))).length, 1e-5)
 
+    def test_scripts_remove_it_meanwhile(self):
+        held = support.addon("pull.pins.dragging").Held
+        pins = support.addon("pull.pins.setup")
+        for remove in (lambda: pins.remove(self.grid, {1}), lambda: bpy.data.objects.remove(self.grid)):
+            self.setUp()
+            dragged = held(bpy.context, self.grid, 1)
+            dragged.pull((0.5, 0.5, 1.0))
+            remove()
+            self.assertRaises(ReferenceError, dragged.pull, (0.5, 0.5, 2.0))
+            self.assertRaises(ReferenceError, dragged.restore)
+
     def test_handles(self):
         handles = support.addon("pull.pins.handles")
         found = handles.read(self.grid, bpy.context.evaluated_depsgraph_get())

@@ -22,6 +22,23 @@ class Picking(SessionTestCase):
         self.assertEqual(hit.vertex, int(np.linalg.norm(places - np.array(hit.point), axis=1).argmin()))
         self.assertIsNone(session.pick((5.0, 0.0, 9.0), DOWN))
 
+    def test_in_another_scene_what_is_seen_there_is_met(self):
+        """The scene that the session began in may be gone by then."""
+        obj = self.plane()
+        modifier = obj.modifiers.new("Lift", 'DISPLACE')
+        modifier.mid_level = 0.0
+        for frame, strength in ((1, 0.0), (10, 2.0)):
+            modifier.strength = strength
+            modifier.keyframe_insert("strength", frame=frame)
+        first, second = bpy.context.scene, bpy.data.scenes.new("Second")
+        second.collection.objects.link(obj)
+        first.frame_set(1)
+        session = self.session(obj)
+        second.frame_set(10)
+        bpy.context.window.scene = second
+        bpy.data.scenes.remove(first)
+        self.assertAlmostEqual(session.pick((0.001, 0.001, 5.0), DOWN).point[2], 2.0, delta=0.01)
+
     def test_while_it_accumulates_the_shape_of_now_is_met(self):
         obj = self.plane()
         session = self.session(obj)

@@ -5,6 +5,8 @@ import math
 import bpy
 from mathutils import Euler, Matrix, Quaternion, Vector
 
+from ..datablocks import Named
+
 ROTATION_PATHS = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}
 
 
@@ -12,14 +14,18 @@ class Track:
     """The channels of one Object or PoseBone, sampled frame by frame."""
 
     def __init__(self, thing, channels):
-        self.thing = thing
+        self._named = Named.of(thing)
         self.channels = channels
         self.values = {path: [] for path in _paths(thing, channels)}
         self._last_rotation = None
 
     @property
+    def thing(self):
+        return self._named.thing
+
+    @property
     def id_data(self):
-        return self.thing.id_data
+        return self._named.object
 
     def data_path(self, name):
         """Path of a channel from the object."""

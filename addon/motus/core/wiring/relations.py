@@ -5,6 +5,8 @@ Blender tells handlers which objects were updated, not why; so what an object ha
 
 import bpy
 
+from .. import copies
+
 _known = {}
 """What each object hung on when it was last looked at, by its name and its library's file."""
 
@@ -23,11 +25,9 @@ def have_changed(depsgraph):
     changed = False
     for update in depsgraph.updates:
         is_object = update.is_updated_transform and isinstance(update.id, bpy.types.Object)
-        # By its key: another handler may have removed it since, and to ask the copy for its original would crash.
-        key = _key(update.id) if is_object else None
-        obj = bpy.data.objects.get(key) if key else None
+        obj = copies.original_of(update.id, bpy.data.objects, depsgraph) if is_object else None
         if obj:
-            now = _hangs_on(obj)
+            key, now = _key(obj), _hangs_on(obj)
             changed = changed or _known.get(key, now) != now
             _known[key] = now
     return changed

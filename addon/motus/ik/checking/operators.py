@@ -52,15 +52,16 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
         if rig.motus.ik.is_baked:
             raise Refused(tr("{object} is baked: unbake it first").format(object=rig.name))
         entries = rig.motus.ik.entries
-        self._chosen = [entries[targets.entry_for(rig, self.bone)]] if self.bone else list(entries)
-        self._range = ranges(frames, self.step)
-        self._findings = {entry.name: _Finding() for entry in self._chosen}
+        chosen = [entries[targets.entry_for(rig, self.bone)]] if self.bone else entries
+        self._rig, self._range = rig, ranges(frames, self.step)
+        self._findings = {entry.name: _Finding() for entry in chosen}
         return self._walk(context, rig, frames)
 
     def result(self, context):
-        for entry in self._chosen:
+        chosen = self._chosen(self._rig)
+        for entry in chosen:
             self._findings[entry.name].store(entry, self.step)
-        told = [entry for entry in self._chosen if entry.check_range]
+        told = [entry for entry in chosen if entry.check_range]
         if not told:
             self.report({'INFO'}, tr("Muted chains are not checked"))
         told = self._without_good(told)
@@ -68,6 +69,10 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
         for entry in sorted(told, key=lambda entry: bool(entry.check_frames)):
             self.report({'WARNING' if entry.check_frames else 'INFO'}, f"{entry.name}: " + results.sentence(
                 entry, lambda value: status.length(context, value)))
+
+    def _chosen(self, rig):
+        """The entries that are checked: looked up each time, since a script may change their list meanwhile."""
+        return [rig.motus.ik.entries[name] for name in self._findings]
 
     def _without_good(self, told):
         """Those of the entries that need a sentence of their own: several that are good on all frames share one."""
@@ -79,17 +84,15 @@ class MOTUS_OT_ik_check(OverFrames, bpy.types.Operator):
         return [entry for entry in told if entry not in good]
 
     def _walk(self, context, rig, frames):
-        kept = Kept(context.scene, controls.animated_with(rig, self._chosen))
-        depsgraph = context.view_layer.depsgraph
+        kept = Kept(context.scene, controls.animated_with(rig, self._chosen(rig)))
         try:
             for index, frame in enumerate(frames):
                 go_to(context.scene, frame)
-                evaluated = rig.evaluated_get(context.view_layer.depsgraph).motus.ik
-                for entry in self._chosen:
-                    now = evaluated.entries[entry.name]
-                    found = status.report(rig, entry.name, depsgraph)
+                depsgraph = context.view_layer.depsgraph
+                for now in self._chosen(rig.evaluated_get(depsgraph)):
+                    found = status.report(rig, now.name, depsgraph)
                     if not now.is_muted:
-                        self._findings[entry.name].add(frame, *status.fault(found, now))
+                        self._findings[now.name].add(frame, *status.fault(found, now))
                 yield index + 1
         finally:
             kept.restore()

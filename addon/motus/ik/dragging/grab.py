@@ -4,6 +4,7 @@ from mathutils import Matrix, Quaternion, Vector
 
 from ...core import native, rigs
 from ...core.bake.sampling import rotation_path
+from ...core.datablocks import Named
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused, check_bone, check_local
 from ...core.translations import tr
@@ -72,9 +73,9 @@ class _PoseGrab:
         depsgraph = context.view_layer.depsgraph
         evaluated = rig.evaluated_get(depsgraph)
         self.point = point_on(rig, depsgraph, bones[-1], factor)
-        self.things = [rig.pose.bones[name] for name in bones]
-        self.paths = [rotation_path(thing) for thing in self.things]
-        self._before = [tuple(getattr(thing, path)) for thing, path in zip(self.things, self.paths)]
+        self.moved = [Named(rig, name) for name in bones]
+        self.paths = [rotation_path(one.thing) for one in self.moved]
+        self._before = [tuple(getattr(one.thing, path)) for one, path in zip(self.moved, self.paths)]
         self._limits = _limits(rig, evaluated, entry, bones, depsgraph)
         arrays = rigs.read(evaluated)
         rows = [arrays.names.index(name) for name in bones]
@@ -94,30 +95,35 @@ class _PoseGrab:
         if place == self.point:
             self.restore()
             return
-        rotations, scales = np.empty((len(self.things), 4)), np.empty((len(self.things), 3))
+        rotations, scales = np.empty((len(self.moved), 4)), np.empty((len(self.moved), 3))
         self._plan.solve(
             self._bones, *self._posed, self._settings, _columns(Matrix.Translation(place)), np.full((1, 3), np.nan),
             limits=self._limits, rotations=rotations, scales=scales)
-        for thing, path, before, own, turn in zip(self.things, self.paths, self._before, self._own, rotations):
+        for one, path, before, own, turn in zip(self.moved, self.paths, self._before, self._own, rotations):
+            thing = one.thing
             setattr(thing, path, rotation_values(thing, own @ Quaternion(turn.tolist()), before))
 
     def restore(self):
         """Put the bones' channels back."""
-        for thing, path, before in zip(self.things, self.paths, self._before):
-            setattr(thing, path, before)
+        for one, path, before in zip(self.moved, self.paths, self._before):
+            setattr(one.thing, path, before)
 
 
 class _ControlGrab:
     """Moves a bone that is a target or a pole."""
 
     def __init__(self, context, rig, bone, factor):
-        self._depsgraph = context.view_layer.depsgraph
+        self._context = context
         self._control = controls.Control(rig, bone)
         controls.check_movable(self._control, ("location",))
-        self.things, self.paths = [self._control.thing], ["location"]
+        self.moved, self.paths = [self._control], ["location"]
         self._before = tuple(self._control.thing.location)
         self._matrix = controls.world_matrix(self._control, self._depsgraph)
         self.point = point_on(rig, self._depsgraph, bone, factor)
+
+    @property
+    def _depsgraph(self):
+        return self._context.view_layer.depsgraph
 
     def pull(self, place):
         """Move the bone as far as its point goes."""
@@ -136,7 +142,7 @@ class _TargetGrab:
     """Moves the target of the entry that solves the bone's chain."""
 
     def __init__(self, context, rig, entry, bone, factor):
-        self._depsgraph = context.view_layer.depsgraph
+        self._context = context
         evaluated = rig.evaluated_get(self._depsgraph)
         control = controls.station(entry, evaluated.motus.ik.entries[entry.name].target_blend)
         if control is None:
@@ -144,7 +150,7 @@ class _TargetGrab:
                 tr("{bone} is between two targets: drag it where Blend stands on one of them").format(bone=entry.name))
         controls.check_movable(control, ("location",))
         self._control = control
-        self.things, self.paths = [control.thing], ["location"]
+        self.moved, self.paths = [control], ["location"]
         self._before = tuple(control.thing.location)
         self.point = point_on(rig, self._depsgraph, bone, factor)
         self._solver, self._chain = _solver(rig, entry, self._depsgraph)
@@ -156,6 +162,10 @@ class _TargetGrab:
         # What Blender evaluates and what is computed here differ by single precision.
         self._bias = np.array(self.point) - self._reached(self._start)
         self._tip = self._solver.solve()[self._chain.index][TIP]
+
+    @property
+    def _depsgraph(self):
+        return self._context.view_layer.depsgraph
 
     def pull(self, place):
         """Move the target so that the point comes to a place in the world, as far as it can."""

@@ -100,10 +100,9 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
         options = {'INSERTKEY_REPLACE'} if tools.auto_keying_mode == 'REPLACE_KEYS' else set()
         if context.preferences.edit.use_keyframe_insert_available:
             options.add('INSERTKEY_AVAILABLE')
-        for thing, path in zip(held.things, held.paths):
-            actions.make_local(thing.id_data)
-            group = thing.name if isinstance(thing, bpy.types.PoseBone) else "Object Transforms"
-            thing.keyframe_insert(path, options=options, group=group)
+        for one, path in zip(held.moved, held.paths):
+            actions.make_local(one.object)
+            one.thing.keyframe_insert(path, options=options, group=one.bone or "Object Transforms")
 
 
 classes = (MOTUS_OT_ik_drag,)

@@ -1,12 +1,12 @@
 """Targets and poles as things that can be moved: an object, or a bone of one."""
 
 import math
-from typing import Any, NamedTuple
 
 from mathutils import Matrix
 
 from ...core import deleted
 from ...core.bake.sampling import rotation_path
+from ...core.datablocks import Named
 from ...core.refusals import Refused, check_no_tweak_mode
 from ...core.translations import tr
 from ..groups import goals
@@ -15,16 +15,10 @@ from . import places as goal_places
 from .orientation import frame_of
 
 
-class Control(NamedTuple):
-    """bone: "" for the object itself."""
+class Control(Named):
+    """Its thing has the channels."""
 
-    object: Any
-    bone: str
-
-    @property
-    def thing(self):
-        """The Object or PoseBone that has the channels."""
-        return self.object.pose.bones[self.bone] if self.bone else self.object
+    __slots__ = ()
 
     @property
     def label(self):

@@ -24,12 +24,18 @@ class Held:
 
     def __init__(self, context, obj, index):
         self._context, self._object, self.index = context, obj, index
-        self._pin = obj.motus.pull.pins[index]
         self._before = Vector(self._pin.displacement)
         self._active = obj.motus.pull.active_pin
         self._inverse = None
         self.point, self._is_broken = self._seen()
         obj.motus.pull.active_pin = index
+
+    @property
+    def _pin(self):
+        pins = self._object.motus.pull.pins
+        if self.index >= len(pins):
+            raise ReferenceError(f"{self._object.name} has no such pin any more")
+        return pins[self.index]
 
     @property
     def has_chosen(self):

@@ -54,7 +54,7 @@ class Session:
         self.space = Space(obj.evaluated_get(depsgraph).matrix_world)
         self.current = self.mesh.positions()
         _refuse_strange(self.current)
-        self._surface = Surface(self.mesh, depsgraph)
+        self._surface = Surface(self.mesh)
         self._puller = Puller(self.mesh, self._surface, self.space)
         self._given = ()
         self._begin()
@@ -68,7 +68,7 @@ class Session:
         if not is_same or not _same(self.current, mesh.positions()):
             return False
         self.brush, self.mesh, self.space = brush, mesh, space
-        self._surface.reopen(mesh, depsgraph)
+        self._surface.reopen(mesh)
         self._puller.reopen(mesh, space)
         self._begin()
         return True

@@ -3,6 +3,8 @@
 import math
 from functools import cached_property
 
+import bpy
+
 from ...core.lazy import numpy as np
 from ..mesh import arrays
 from .relax import Neighbourhood
@@ -15,9 +17,8 @@ class Surface:
     The seen one is what modifiers and shape keys make of the mesh where they keep its vertices; else the mesh itself.
     """
 
-    def __init__(self, mesh, depsgraph):
+    def __init__(self, mesh):
         self._mesh = mesh
-        self._depsgraph = depsgraph
         self._start_tree, self._seen_tree = Tree(), Tree()
         self._moved_since_start = []
         self._seen = None
@@ -46,9 +47,9 @@ class Surface:
     def _hidden(self):
         return self._mesh.hidden()
 
-    def reopen(self, mesh, depsgraph):
+    def reopen(self, mesh):
         """The same mesh, read anew by others' means: what is hidden is asked again."""
-        self._mesh, self._depsgraph = mesh, depsgraph
+        self._mesh = mesh
         self.__dict__.pop("_hidden", None)
         self._is_deformed, self._seen = mesh.is_deformed(), None
 
@@ -107,7 +108,8 @@ class Surface:
         if not self._is_deformed:
             return shape
         if self._seen is None:
-            found = self._mesh.evaluated_positions(self._depsgraph)
+            # Of the present view layer: the one that the mesh was read in may be gone, and its graph with it.
+            found = self._mesh.evaluated_positions(bpy.context.evaluated_depsgraph_get())
             if found is None:
                 self._is_deformed = False
                 return shape
