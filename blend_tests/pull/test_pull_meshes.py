@@ -5,6 +5,7 @@ import math
 import bmesh
 import bpy
 import numpy as np
+import support
 from pull.pull_cases import PullTestCase, forces
 
 
@@ -140,6 +141,18 @@ class ShapeKeys(PullTestCase):
                         self.assertNear(after[key.name][:, 2] - before[key.name][:, 2], expected)
                     expected = wanted if active == "Basis" else np.zeros(441)
                     self.assertNear(self.places(obj)[:, 2] - mesh_before[:, 2], expected)
+
+    def test_scripts_remove_the_key_meanwhile(self):
+        open_mesh = support.addon("pull.mesh.open_mesh").open_mesh
+        for name in ("Hill", "Peak"):  # the one that is written, and one that goes along
+            self.setUp()
+            obj = self.keyed()
+            obj.active_shape_key_index = 1
+            mesh = open_mesh(obj)
+            positions = mesh.positions()
+            mesh.write(positions)
+            obj.shape_key_remove(obj.data.shape_keys.key_blocks[name])
+            self.assertRaises(ReferenceError, mesh.write, positions)
 
     def test_a_key_without_effect_is_said(self):
         obj = self.keyed()

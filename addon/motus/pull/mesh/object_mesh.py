@@ -37,8 +37,14 @@ class ObjectMesh:
     def __init__(self, obj):
         self.obj = obj
         self.mesh = obj.data
-        self.key = obj.active_shape_key
+        key = obj.active_shape_key
+        self._key_name = None if key is None else key.name
         self._key_followers = None
+
+    @property
+    def key(self):
+        """The shape key, None without any. Raises ReferenceError where it is gone, which Blender itself would not notice."""
+        return None if self._key_name is None else _key_of(self.mesh, self._key_name)
 
     writes_all = True
     """Writing all vertices takes little more time than to find out which have moved."""
@@ -129,17 +135,24 @@ class ObjectMesh:
         return 0.0 if self.key.mute else self.key.value
 
     def _write_key(self, flat):
-        keys = self.mesh.shape_keys
+        key, keys = self.key, self.mesh.shape_keys
         if self._key_followers is None:
             # As Blender's own tools do: keys that are relative to this one go along, and so mean what they meant.
-            followers = _followers(keys, self.key)
-            self._before = arrays.key_positions(self.key).reshape(-1) if followers else None
-            self._key_followers = [(key, arrays.key_positions(key).reshape(-1)) for key in followers]
-        arrays.set_key_positions(self.key, flat)
-        if self.key == keys.reference_key:
+            followers = _followers(keys, key)
+            self._before = arrays.key_positions(key).reshape(-1) if followers else None
+            self._key_followers = [(one.name, arrays.key_positions(one).reshape(-1)) for one in followers]
+        arrays.set_key_positions(key, flat)
+        if key == keys.reference_key:
             arrays.set_positions(self.mesh, flat)
-        for key, before in self._key_followers:
-            arrays.set_key_positions(key, before + (flat - self._before))
+        for name, before in self._key_followers:
+            arrays.set_key_positions(_key_of(self.mesh, name), before + (flat - self._before))
+
+
+def _key_of(mesh, name):
+    found = mesh.shape_keys and mesh.shape_keys.key_blocks.get(name)
+    if found is None:
+        raise ReferenceError(f"{mesh.name} has no shape key {name} any more")
+    return found
 
 
 def _followers(keys, leader):
