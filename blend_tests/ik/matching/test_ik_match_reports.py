@@ -108,6 +108,21 @@ class Steps(MatchTestCase):
         steps = walker.steps(bpy.context, list(range(1, 11)))
         return walker.total, list(steps)
 
+    def test_scripts_change_the_list_meanwhile(self):
+        job = support.addon("ik.matching.job")
+        for match, name, value in ((job.match_fk, "position_weight", 1.0), (job.match_ik, "rotation_weight", 0.0)):
+            self.setUp()
+            rig = self.animated_arm()
+            self.reach(position_weight=0.5, rotation_weight=0.5)
+            steps = match(bpy.context, rig, "", list(range(1, 31)), True, {})
+            next(steps), next(steps)
+            entries = rig.motus.ik.entries
+            with support.addon("core.entries").unwired(rig.motus.ik):
+                for index in range(200):  # Blender moves the list in memory
+                    entries.add().name = f"More {index}"
+            list(steps)
+            self.assertEqual(getattr(entries[0], name), value)
+
     def test_announced(self):
         self.animated_arm()
         entry = self.reach(make_pole=True)

@@ -47,16 +47,20 @@ def _chosen(rig, bone):
     return result
 
 
+def _entries(rig, chosen):
+    """The entries of chains: looked up each time, since a script may change their list between two frames."""
+    return [rig.motus.ik.entries[chain.name] for chain in chosen]
+
+
 def match_fk(context, rig, bone, frames, switch, outcome):
     """Key the controls of chains so that the solution is the animated pose. Fills outcome: "error", "chains"."""
     chosen = _chosen(rig, bone)
     for chain in chosen:
         if chain.found.entry.target is None:
             raise Refused(tr("{bone} has no target: choose one").format(bone=chain.name))
-    entries = [chain.found.entry for chain in chosen]
     if switch:
-        weights.check(rig, entries)
-    kept, writer = Kept(context.scene, controls.animated_with(rig, entries)), KeyWriter()
+        weights.check(rig, _entries(rig, chosen))
+    kept, writer = Kept(context.scene, controls.animated_with(rig, _entries(rig, chosen))), KeyWriter()
     scene, done = context.scene, 0
     try:
         go_to(scene, frames[0])
@@ -80,7 +84,7 @@ def match_fk(context, rig, bone, frames, switch, outcome):
                     yield done
                 wanted.write(writer, controls_now, frames)
         if switch:
-            weights.switch(scene, rig, entries, frames, writer, {"position_weight": 1.0})
+            weights.switch(scene, rig, _entries(rig, chosen), frames, writer, {"position_weight": 1.0})
         for index, frame in enumerate(frames):
             go_to(scene, frame)
             poses.compare(context.view_layer.depsgraph, index, with_all_weight=True)
@@ -98,10 +102,9 @@ def match_ik(context, rig, bone, frames, switch, outcome):
     """Key the bones of chains so that the animated pose is the solution."""
     chosen = _chosen(rig, bone)
     tracks = _tracks(rig, chosen)
-    entries = [chain.found.entry for chain in chosen]
     if switch:
-        weights.check(rig, entries)
-    kept, writer = Kept(context.scene, controls.animated_with(rig, entries)), KeyWriter()
+        weights.check(rig, _entries(rig, chosen))
+    kept, writer = Kept(context.scene, controls.animated_with(rig, _entries(rig, chosen))), KeyWriter()
     scene, done = context.scene, 0
     try:
         poses = Poses(rig, chosen)
@@ -122,7 +125,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
                 writer.write(track.thing, name, frames, rows, group=track.thing.name)
         if switch:
             weights.switch(
-                scene, rig, entries, frames, writer, {"position_weight": 0.0, "rotation_weight": 0.0})
+                scene, rig, _entries(rig, chosen), frames, writer, {"position_weight": 0.0, "rotation_weight": 0.0})
         with without_sinks(rig, () if switch else chosen):
             for index, frame in enumerate(frames):
                 go_to(scene, frame)
@@ -218,7 +221,7 @@ class _Wanted:
 
     def _record_one(self, chain, entry, goal, pole, frame):
         target = self._targets[chain.name]
-        if controls.station(chain.found.entry, entry.target_blend) != target:
+        if controls.station(self._rig.motus.ik.entries[chain.name], entry.target_blend) != target:
             self._under_way(chain)
         if not np.isfinite(pole).all():
             raise Refused(tr("{bone} has no pose at frame {frame} that could be matched").format(
