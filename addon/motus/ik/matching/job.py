@@ -167,12 +167,12 @@ class _Wanted:
         evaluated = rig.evaluated_get(context.view_layer.depsgraph).motus.ik.entries
         self._places = {}
         self._targets, self._poles = {}, {}
-        for chain in chosen:
-            found = controls.station(chain.found.entry, evaluated[chain.name].target_blend)
+        for chain, entry in zip(chosen, _entries(rig, chosen)):
+            found = controls.station(entry, evaluated[chain.name].target_blend)
             found = found or self._under_way(chain)
             controls.check_present(found)
             self._add(self._targets, chain, found, ("location", "rotation"))
-            pole = controls.pole(chain.found.entry)
+            pole = controls.pole(entry)
             if pole:
                 self._add(self._poles, chain, pole, ("location",))
 
