@@ -15,6 +15,8 @@ import time
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from broken import what_broke
+
 CI = Path(__file__).resolve().parent
 MOTUS = CI.parent / "motus"
 BUILD = Path(os.environ["MOTUS_BUILD"])
@@ -74,27 +76,21 @@ def wording(passed, failed, skipped):
     return f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else "")
 
 
-def what_broke(output):
-    """The lines that name failed tests, and where Python stood when a signal ended the process: what CTest prints of all this is long."""
-    named = re.findall(r"^FAILED .*", output, re.MULTILINE)
-    stack = re.search(r"Fatal Python error.*(?:\n.*){,30}", output, re.MULTILINE)
-    return named + (stack[0].splitlines() if stack else [])
-
-
 def report(results):
-    """Prints the lines of all groups; returns the sums of their counts."""
-    total = [0, 0, 0]
+    """Prints the lines of all groups, and what broke in them; returns the sums of their counts."""
+    total, broken = [0, 0, 0], []
     for group in results.iter("testcase"):
         name, counts = group.get("name"), outcome(group)
         if name.startswith("build ") and not counts[1]:
             counts = (0, 0, 0)  # what was built is no test
+        output = group.findtext("system-out", "")
         print(f"{name:26} {wording(*counts):38} {float(group.get('time')):6.1f} s")
         if counts[2]:
-            lines = group.findtext("system-out", "").splitlines()
-            print("\n".join(f"    {line}" for line in lines if "skipped" in line.lower() and "summary" not in line))
-        for line in what_broke(group.findtext("system-out", "")) if counts[1] else ():
-            print(f"    {line}")
+            print("\n".join(f"    {line}" for line in output.splitlines() if "skipped" in line.lower() and "summary" not in line))
+        if counts[1]:
+            broken += [f"{name}: {line}" for line in what_broke(output)]
         total = [one + other for one, other in zip(total, counts)]
+    print("".join(f"{line[:600]}\n" for line in broken), end="")  # last, where whoever keeps but the end finds it
     return total
 
 
