@@ -1,10 +1,14 @@
 """Rigs that nobody here made: Blender's bundled Rigify metarigs, a generated one, and random ones of every make."""
 
+import functools
 import math
 import random
+import tempfile
+from pathlib import Path
 
 import addon_utils
 import bpy
+import support
 import toy_system
 from mathutils import Matrix, Quaternion, Vector
 
@@ -30,13 +34,34 @@ def metarig(name):
     return bpy.context.object
 
 
+_GENERATE = """
+import bpy, rig_samples
+rig_samples.enable_rigify()
+bpy.ops.wm.read_homefile(use_empty=True)
+rig_samples.metarig("basic_human")
+bpy.ops.pose.rigify_generate()
+bpy.ops.object.mode_set(mode='OBJECT')
+bpy.ops.wm.save_as_mainfile(filepath={path!r})
+"""
+
+
+@functools.cache
+def _generated_human():
+    """(path of its file, what deletes it at the end)."""
+    folder = tempfile.TemporaryDirectory(prefix="motus-test-")
+    path = str(Path(folder.name, "human.blend"))
+    status, said = support.run_blender(_GENERATE.format(path=path))
+    assert status == 0, said
+    return path, folder
+
+
 def generated_human():
-    """The control rig that Rigify makes of its basic human."""
-    metarig("basic_human")
-    bpy.ops.pose.rigify_generate()
-    rig = bpy.context.object
-    bpy.ops.object.mode_set(mode='OBJECT')
-    return rig
+    """The control rig that Rigify makes of its basic human, in a file of its own that is opened.
+
+    It is made in another process: Rigify reads bpy.context.layer_collection, which spoils the context for good (docs/gotchas.md).
+    """
+    bpy.ops.wm.open_mainfile(filepath=_generated_human()[0])
+    return bpy.context.object
 
 
 def disable_rigify():

@@ -104,6 +104,11 @@ class SceneTestCase(unittest.TestCase):
         self._temporary = tempfile.TemporaryDirectory(prefix="motus-test-")
         self.addCleanup(self._temporary.cleanup)
         self.folder = Path(self._temporary.name)
+        self.addCleanup(self._assert_context_is_nobodys)
+
+    def _assert_context_is_nobodys(self):
+        """That nothing was read which makes a scene the owner of bpy.context for good, as some Blenders do (docs/gotchas.md)."""
+        self.assertIsNone(bpy.context.id_data)
 
     def save(self, name="scene.blend"):
         """Saves a copy of the file into the test's folder; returns its path."""

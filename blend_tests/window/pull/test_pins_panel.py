@@ -72,7 +72,7 @@ def test_a_stroke_in_sculpt_mode_is_seen_by_the_pins():
         bpy.ops.view3d.view_axis(type='TOP')
         bpy.ops.object.mode_set(mode='SCULPT')
     yield
-    has_brush = bpy.context.tool_settings.sculpt.brush is not None
+    has_brush = bpy.context.scene.tool_settings.sculpt.brush is not None
     if has_brush:  # Debian's 4.3 comes without the assets that its brushes are
         yield from stroke()
     yield
