@@ -122,11 +122,11 @@ class PointDrag:
         if self._held is None:
             self._show_keys(context)
             return
-        self._travel.view.area.header_text_set(self._travel.header(context))
+        self._travel.view.tell(self._travel.header(context))
         context.workspace.status_text_set(
             tr("X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels"))
 
     def _hide(self, context):
         context.workspace.status_text_set(None)
         if self._held:
-            self._travel.view.area.header_text_set(None)
+            self._travel.view.tell(None)

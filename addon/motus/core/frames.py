@@ -79,3 +79,14 @@ def go_to(scene, frame):
     """Evaluate a frame, which may be a fraction."""
     whole = math.floor(frame)
     scene.frame_set(whole, subframe=frame - whole)
+
+
+def depsgraph_of(scene, layer):
+    """The depsgraph of a view layer of a scene, by its name: a reference to one that a script removes would be to freed memory.
+
+    Raises ReferenceError.
+    """
+    found = scene.view_layers.get(layer)
+    if found is None:
+        raise ReferenceError(f"{scene.name} has no view layer {layer} any more")
+    return found.depsgraph

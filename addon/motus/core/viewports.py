@@ -9,31 +9,56 @@ from bpy_extras.view3d_utils import (
 from mathutils import Vector
 
 from . import handlers
+from .refusals import Refused
+from .translations import tr
 
 
 class View(NamedTuple):
-    """A 3D viewport; `data` is its RegionView3D."""
+    """A 3D viewport; `data` is its RegionView3D.
+
+    It may be closed while something is dragged in it. Blender ends no Python reference to an area then: what asks where things
+    are raises Refused.
+    """
 
     area: Any
     region: Any
     data: Any
 
+    @property
+    def is_there(self):
+        """Whether a window still has it."""
+        return any(region == self.region for window in bpy.context.window_manager.windows for area in window.screen.areas
+                   if area == self.area for region in area.regions)
+
+    def tell(self, text):
+        """Show a text in the header; None shows what else is there."""
+        if self.is_there:
+            self.area.header_text_set(text)
+
+    def _check(self):
+        if not self.is_there:
+            raise Refused(tr("The viewport was closed"))
+
     def ray(self, x, y):
         """Origin and direction, in the world, of the ray through a place of the window."""
+        self._check()
         place = (x - self.region.x, y - self.region.y)
         return (region_2d_to_origin_3d(self.region, self.data, place),
                 region_2d_to_vector_3d(self.region, self.data, place))
 
     def toward_viewer(self):
         """World direction from the screen to whoever looks at it."""
+        self._check()
         return self.data.view_rotation @ Vector((0.0, 0.0, 1.0))
 
     def place_at(self, x, y, point):
         """The world point under a place of the window on the plane through a point that faces the view."""
+        self._check()
         return region_2d_to_location_3d(self.region, self.data, (x - self.region.x, y - self.region.y), point)
 
     def sight(self, point):
         """World direction in which the viewer looks at a point."""
+        self._check()
         viewer = self.data.view_matrix.inverted()
         if self.data.is_perspective:
             return (point - viewer.translation).normalized()
@@ -41,10 +66,12 @@ class View(NamedTuple):
 
     def up(self):
         """World direction upwards on the screen."""
+        self._check()
         return self.data.view_rotation @ Vector((0.0, 1.0, 0.0))
 
     def pixels_for(self, point, length):
         """How many pixels a length at a point of the world is on the screen, across the view."""
+        self._check()
         across = self.data.view_rotation @ Vector((length, 0.0, 0.0))
         ends = [location_3d_to_region_2d(self.region, self.data, place) for place in (point, point + across)]
         return (ends[1] - ends[0]).length if None not in ends else 0.0

@@ -6,7 +6,7 @@ from mathutils import Matrix
 from ..core import actions, rigs
 from ..core.bake.keys import write_curves
 from ..core.bake.sampling import Track
-from ..core.frames import Kept, go_to
+from ..core.frames import Kept, depsgraph_of, go_to
 from ..core.operators import OBJECT_OR_POSE_MODE, object_keyword
 from ..core.over_frames import OverFrames
 from ..core.refusals import Refused, check_no_tweak_mode, check_posed
@@ -23,11 +23,11 @@ def flatten(scene, view_layer, rig, frames):
     tracks = _tracks(rig)
     if not tracks:
         raise Refused(tr("No layer moves a bone of {object} that could have keys").format(object=rig.name))
-    kept = Kept(scene)
+    kept, layer = Kept(scene), view_layer.name
     try:
         for index, frame in enumerate(frames):
             go_to(scene, frame)
-            _record(rig.evaluated_get(view_layer.depsgraph), tracks)
+            _record(rig.evaluated_get(depsgraph_of(scene, layer)), tracks)
             yield index + 1
     finally:
         kept.restore()

@@ -320,6 +320,16 @@ class ProgressTest(BakeTestCase):
             remove(owner)
             self.assertRaises(ReferenceError, next, steps)
 
+    def test_the_view_layer_is_removed_meanwhile(self):
+        owner, _ = build_object(toy_system.new_target())
+        before = snapshot([owner])
+        layer = bpy.context.scene.view_layers.new("Other")
+        steps = support.addon("core.bake.job").bake(bpy.context.scene, layer, owner, [toy_system.SYSTEM], [1, 2, 3, 4])
+        next(steps)
+        bpy.context.scene.view_layers.remove(layer)
+        self.assertRaises(ReferenceError, next, steps)
+        self.assertEqual(snapshot([owner]), before)
+
     @staticmethod
     def remove_bones(owner):
         bpy.context.view_layer.objects.active = owner

@@ -193,6 +193,30 @@ def test_muted_pins_are_chosen_and_not_dragged():
     assert obj.motus.pull.active_pin == 0
 
 
+def test_the_viewport_is_closed_meanwhile():
+    """As a script may do it: the drag ends, and all is as it was."""
+    build()
+    with window_support.override():
+        bpy.ops.screen.area_split(direction='VERTICAL', factor=0.6)
+    yield
+    before, count = ways(), len(window_support.window().screen.areas)
+    yield from drag(0, 60, 40, release=False)
+    assert ways() != before
+    with window_support.override():
+        bpy.ops.screen.area_close()
+    assert len(window_support.window().screen.areas) == count - 1
+    yield
+    x, y = window_support.centre()
+    for step in range(3):
+        window_support.move(x + 10 * step, y)
+        yield
+    pull.simulate('LEFTMOUSE', 'RELEASE', x, y)
+    yield
+    assert ways() == before
+    cursor = yield from drag(0, 60, 40)
+    assert off(0, cursor) <= NEAR, "the viewport that is left does not work"
+
+
 def test_hidden_handles_are_not_picked():
     for hide in ("gizmos", "overlay", "tool"):
         obj = build()

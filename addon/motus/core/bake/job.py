@@ -3,7 +3,7 @@
 import bpy
 
 from .. import system, wiring
-from ..frames import Kept, go_to
+from ..frames import Kept, depsgraph_of, go_to
 from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
 from . import keys, state
@@ -37,12 +37,13 @@ def bake(scene, view_layer, owner, systems, frames):
     """Bake in steps: a generator of how many frames are done. Nothing is changed before the last one."""
     tracks = _tracks(owner, systems)
     _check(tracks, view_layer)
-    kept = Kept(scene)
+    kept, layer = Kept(scene), view_layer.name
     try:
         for index, frame in enumerate(frames):
             go_to(scene, frame)
+            depsgraph = depsgraph_of(scene, layer)
             for track in tracks:
-                track.record(view_layer.depsgraph)
+                track.record(depsgraph)
             yield index + 1
     finally:
         kept.restore()

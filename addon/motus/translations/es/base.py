@@ -157,6 +157,7 @@ INTERFACE = {
         "El archivo ya no contiene todo lo que estos eran antes de la captura: {objects}",
     "Step {done} of {all} (Esc cancels)": "Paso {done} de {all} (Esc cancela)",
     "Cancelled: nothing has changed": "Cancelado: no ha cambiado nada",
+    "The viewport was closed": "Se ha cerrado la vista 3D",
     "Select an object, or name one": "Selecciona un objeto o indica su nombre",
     "There is no object {object} in the scene": "No hay ningún objeto {object} en la escena",
     "The range is empty: the end frame comes before the start frame":
