@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -15,22 +16,20 @@
 
 #include "areas.hpp"
 #include "core/arguments.hpp"
-#include "core/arrays.hpp"
+#include "mesh/arrays.hpp"
 
 namespace motus::bindings {
 namespace {
 
 using namespace pybind11::literals;
 
-using FloatArray = py::array_t<float, py::array::c_style>;
-
-constexpr double noise_cost = 60.0;  // ns, rough
+constexpr double noise_cost = 5.0;  // ns, rough
 
 /// A copy of places as rows of float32, in an array of the shape of the result: `rows` without the last axis
 /// where a place has several coordinates.
 struct Places {
     Places(const py::object& object, const char* name, py::ssize_t coordinates) {
-        const DoubleArray given = doubles(object, name);
+        const FloatArray given = floats(object, name);
         if (coordinates > 1 &&
             (given.ndim() < 1 || given.ndim() > 2 || given.shape(given.ndim() - 1) != coordinates))
             value_error(name, "must have the shape (" + std::to_string(coordinates) + ",) or (m, " +
@@ -39,11 +38,11 @@ struct Places {
             value_error(name, "must be a number or (m,), not " + shape_of(given));
         is_single = given.ndim() == (coordinates == 1 ? 0 : 1);
         count = static_cast<std::size_t>(given.size() / coordinates);
-        rows.resize(static_cast<std::size_t>(given.size()));
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            rows[i] = static_cast<float>(given.data()[i]);
-            if (!std::isfinite(rows[i])) value_error(name, "every value must be finite in single precision");
-        }
+        // A copy, since another thread may write into the caller's array after the values have been looked
+        // at.
+        rows.assign(given.data(), given.data() + given.size());
+        if (!std::all_of(rows.begin(), rows.end(), [](float number) { return std::isfinite(number); }))
+            value_error(name, "every value must be finite in single precision");
     }
 
     template <class Place>

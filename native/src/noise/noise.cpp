@@ -4,76 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <tuple>
 
 #include "motus/core/ieee_floats.hpp"
+#include "noise_kernel.hpp"
+#include "shape.hpp"
 
 namespace motus::noise {
 namespace {
 
 constexpr double farthest = 0x1p30;
-
-/// A bijection of 32 bits in which each bit of the result depends on each bit given. Mueller, "Hash Function
-/// Prospecting" (2018), lowbias32.
-[[nodiscard]] constexpr std::uint32_t mixed(std::uint32_t bits) noexcept {
-    bits = (bits ^ (bits >> 16U)) * 0x7feb352dU;
-    bits = (bits ^ (bits >> 15U)) * 0x846ca68bU;
-    return bits ^ (bits >> 16U);
-}
-
-template <std::size_t dimensions>
-using Vector = std::array<float, dimensions>;
-
-/// What differs between the dimensions. steepness: of the slopes, all of one length. bound: what the sum of
-/// all bumps never passes. directions: of the slopes, spread evenly.
-template <std::size_t dimensions>
-struct Shape;
-
-template <>
-struct Shape<1> {
-    static constexpr float steepness = 1.5F;
-    static constexpr float bound = 2.63F;
-    static constexpr std::array<Vector<1>, 2> directions{{{1.0F}, {-1.0F}}};
-};
-
-template <>
-struct Shape<2> {
-    static constexpr float steepness = 1.25F;
-    static constexpr float bound = 2.75F;
-    // Every 22.5 degrees: cosine and sine of that, and of 45 degrees.
-    static constexpr float c = 0.923879533F;
-    static constexpr float s = 0.382683432F;
-    static constexpr float d = 0.707106781F;
-    static constexpr std::array<Vector<2>, 16> directions{{{1, 0},
-                                                           {c, s},
-                                                           {d, d},
-                                                           {s, c},
-                                                           {0, 1},
-                                                           {-s, c},
-                                                           {-d, d},
-                                                           {-c, s},
-                                                           {-1, 0},
-                                                           {-c, -s},
-                                                           {-d, -d},
-                                                           {-s, -c},
-                                                           {0, -1},
-                                                           {s, -c},
-                                                           {d, -d},
-                                                           {c, -s}}};
-};
-
-template <>
-struct Shape<3> {
-    static constexpr float steepness = 2.0F;
-    static constexpr float bound = 2.90F;
-    // The vertices of a rhombicuboctahedron: (1, 1, 1 + sqrt(2)) over its length, in any order and with any
-    // signs.
-    static constexpr float a = 0.357406744F;
-    static constexpr float b = 0.862856209F;
-    static constexpr std::array<Vector<3>, 24> directions{
-        {{a, a, b}, {a, a, -b}, {a, -a, b}, {a, -a, -b}, {-a, a, b}, {-a, a, -b}, {-a, -a, b}, {-a, -a, -b},
-         {a, b, a}, {a, b, -a}, {a, -b, a}, {a, -b, -a}, {-a, b, a}, {-a, b, -a}, {-a, -b, a}, {-a, -b, -a},
-         {b, a, a}, {b, a, -a}, {b, -a, a}, {b, -a, -a}, {-b, a, a}, {-b, a, -a}, {-b, -a, a}, {-b, -a, -a}}};
-};
 
 template <std::size_t dimensions>
 [[nodiscard]] float dot(const Vector<dimensions>& a, const Vector<dimensions>& b) noexcept {
@@ -102,8 +42,8 @@ struct Cell {
         std::size_t count = 1;
         for (std::size_t axis = 0; axis < dimensions; ++axis, count *= 2) {
             for (std::size_t i = count; i-- > 0;) {
-                result[2 * i + 1] = mixed(result[i] + (corner[axis] + 2) * 0x9e3779b9U);
-                result[2 * i] = mixed(result[i] + corner[axis] * 0x9e3779b9U);
+                result[2 * i + 1] = mixed(result[i] + (corner[axis] + 2) * name_step);
+                result[2 * i] = mixed(result[i] + corner[axis] * name_step);
             }
         }
         return result;
@@ -189,10 +129,35 @@ template <class T>
     return {place.x, place.y, place.z};
 }
 
+[[nodiscard]] const float* first_number(const float& place) noexcept {
+    return &place;
+}
+template <int dimensions>
+[[nodiscard]] const float* first_number(const glm::vec<dimensions, float>& place) noexcept {
+    return &place.x;
+}
+
 template <class Place>
 void fill(std::span<const Place> places, std::uint32_t seed, std::span<float> out) noexcept {
+    constexpr std::size_t dimensions = std::tuple_size_v<decltype(numbers(Place()))>;
+    const auto fill_by = noise_kernels().back().fill[dimensions - 1];
     in_ieee_floats([&] {
-        for (std::size_t i = 0; i < places.size(); ++i) out[i] = sum_at(numbers(places[i]), seed);
+        for (std::size_t begin = 0; begin < places.size(); begin += noise_block) {
+            const std::size_t count = std::min(noise_block, places.size() - begin);
+            const float* const from = first_number(places[begin]);
+            bool are_filled = false;
+            if (count == noise_block) {
+                are_filled = fill_by(from, seed, &out[begin]);
+            } else {
+                std::array<float, dimensions * noise_block> padded{};
+                std::array<float, noise_block> found{};
+                std::copy_n(from, dimensions * count, padded.begin());
+                are_filled = fill_by(padded.data(), seed, found.data());
+                std::copy_n(found.begin(), count, &out[begin]);
+            }
+            for (std::size_t i = are_filled ? count : 0; i < count; ++i)
+                out[begin + i] = sum_at(numbers(places[begin + i]), seed);
+        }
     });
 }
 

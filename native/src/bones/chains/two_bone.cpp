@@ -8,6 +8,7 @@
 
 #include "motus/bones/chains/bend_plane.hpp"
 #include "motus/bones/chains/triangle.hpp"
+#include "motus/core/instruction_sets.hpp"
 #include "motus/core/numeric.hpp"
 #include "two_bone_lanes.hpp"
 
@@ -74,14 +75,6 @@ constexpr std::array kernels{TwoBoneKernel{"pairs", &solve_in_lanes<Pair>},
 constexpr std::array kernels{TwoBoneKernel{"pairs", &solve_in_lanes<Pair>}};
 #endif
 
-[[nodiscard]] std::size_t runnable_kernels() {
-#if defined(__x86_64__)
-    return __builtin_cpu_supports("avx2") ? 2 : 1;
-#else
-    return 1;
-#endif
-}
-
 }  // namespace
 
 glm::dvec3 line_of_coincident(const TwoBone& chain, glm::dvec3 target, glm::dvec3 pole) {
@@ -106,8 +99,7 @@ void solve_one(const TwoBone& chain, TwoBoneSolution& out) {
 }
 
 std::span<const TwoBoneKernel> two_bone_kernels() {
-    static const std::size_t count = runnable_kernels();
-    return std::span(kernels).first(count);
+    return std::span(kernels).first(std::min(kernels.size(), runnable_sets()));
 }
 
 double triangle_angle(double a, double b, double c) {

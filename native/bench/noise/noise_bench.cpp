@@ -1,0 +1,72 @@
+// Noise at many places by each instruction set, against GLM's own noise, place by place.
+#include <cstddef>
+#include <cstdint>
+#include <cstdio>
+#include <glm/gtc/noise.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+#include <type_traits>
+#include <vector>
+
+#include "motus/noise/noise.hpp"
+#include "random.hpp"
+#include "stopwatch.hpp"
+
+using namespace motus;
+
+namespace {
+
+constexpr std::size_t count = 1 << 17;
+
+/// Nanoseconds a place.
+template <class Work>
+double measure(Work&& work) {
+    return bench::nanoseconds(work, 15) / static_cast<double>(count);
+}
+
+template <class Place>
+void compare(const char* what, const std::vector<Place>& places) {
+    std::vector<float> found(count);
+    const double many = measure([&] {
+        noise::values(std::span<const Place>(places), 3, found);
+        bench::keep(found);
+    });
+    const double single = measure([&] {
+        for (std::size_t i = 0; i < count; ++i) {
+            if constexpr (std::is_same_v<Place, float>)
+                found[i] = noise::value(static_cast<double>(places[i]), 3);
+            else
+                found[i] = noise::value(glm::vec<Place::length(), double>(places[i]), 3);
+        }
+        bench::keep(found);
+    });
+    std::printf("  %-4s %8.2f ns a place; one by one %7.2f ns", what, many, single);
+    if constexpr (!std::is_same_v<Place, float>) {
+        const double naive = measure([&] {
+            for (std::size_t i = 0; i < count; ++i) found[i] = glm::perlin(places[i]);
+            bench::keep(found);
+        });
+        std::printf("; glm::perlin %7.2f ns (%.1f times as long)", naive, naive / many);
+    }
+    std::printf("\n");
+}
+
+}  // namespace
+
+int main() {
+    test::Random random(1);
+    std::vector<float> one(count);
+    std::vector<glm::vec2> two(count);
+    std::vector<glm::vec3> three(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        three[i] = random.in_cube(100.0F);
+        two[i] = three[i];
+        one[i] = three[i].x;
+    }
+    std::printf("Noise at %zu places\n", count);
+    compare("1D", one);
+    compare("2D", two);
+    compare("3D", three);
+    return 0;
+}
