@@ -16,8 +16,8 @@ from .translations import tr
 class View(NamedTuple):
     """A 3D viewport; `data` is its RegionView3D.
 
-    It may be closed while something is dragged in it. Blender ends no Python reference to an area then: what asks where things
-    are raises Refused.
+    It may be closed while something is dragged in it. Python's references to its area and region are to freed memory then, so
+    each method looks first whether it is there, and raises Refused where it is not.
     """
 
     area: Any

@@ -6,11 +6,15 @@
 
 namespace motus::noise {
 
+/// The factors of mixed().
+inline constexpr std::uint32_t first_mixer = 0x7feb352dU;
+inline constexpr std::uint32_t second_mixer = 0x846ca68bU;
+
 /// A bijection of 32 bits in which each bit of the result depends on each bit given. Mueller, "Hash Function
 /// Prospecting" (2018), lowbias32.
 [[nodiscard]] constexpr std::uint32_t mixed(std::uint32_t bits) noexcept {
-    bits = (bits ^ (bits >> 16U)) * 0x7feb352dU;
-    bits = (bits ^ (bits >> 15U)) * 0x846ca68bU;
+    bits = (bits ^ (bits >> 16U)) * first_mixer;
+    bits = (bits ^ (bits >> 15U)) * second_mixer;
     return bits ^ (bits >> 16U);
 }
 
