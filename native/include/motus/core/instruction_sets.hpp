@@ -21,4 +21,22 @@ namespace motus {
 #endif
 }
 
+/// The same of Highway's targets (MOTUS_EVERY_TARGET), among which SSE4 comes before AVX2. Its own question to
+/// the processor is in a shared library, which no add-on could bring along.
+[[nodiscard]] inline std::size_t runnable_targets() {
+#if defined(__x86_64__)
+    return runnable_sets() > 1 || __builtin_cpu_supports("sse4.2") ? runnable_sets() + 1 : 1;
+#else
+    return 1;
+#endif
+}
+
 }  // namespace motus
+
+/// What a source that <hwy/foreach_target.h> includes once for each target has by this name in each of them,
+/// with commas between.
+#if defined(__x86_64__)
+#define MOTUS_EVERY_TARGET(name) HWY_STATIC_DISPATCH(name), N_SSE4::name, N_AVX2::name, N_AVX3::name
+#else
+#define MOTUS_EVERY_TARGET(name) HWY_STATIC_DISPATCH(name)
+#endif
