@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <tuple>
+#include <cstdint>
+#include <span>
+#include <utility>
 
 #include "motus/core/ieee_floats.hpp"
 #include "noise_kernel.hpp"
@@ -13,113 +15,186 @@
 namespace motus::noise {
 namespace {
 
-constexpr double farthest = 0x1p30;
-
-template <std::size_t dimensions>
-[[nodiscard]] float dot(const Vector<dimensions>& a, const Vector<dimensions>& b) noexcept {
-    float sum = a[0] * b[0];
-    for (std::size_t axis = 1; axis < dimensions; ++axis) sum += a[axis] * b[axis];
-    return sum;
+/// The other sign where this bit of the hash is set.
+[[nodiscard]] float turned(std::uint32_t hash, int bit, float number) noexcept {
+    return ((hash >> bit) & 1U) != 0 ? -number : number;
 }
 
-/// A place in one of the lattices: the cell's lowest corner, and how far into the cell.
-template <std::size_t dimensions>
-struct Cell {
-    /// half: 0 for the whole numbers, 1 for the lattice halfway between.
-    Cell(const std::array<double, dimensions>& place, std::uint32_t half) noexcept {
-        for (std::size_t axis = 0; axis < dimensions; ++axis) {
-            const double here = std::clamp(place[axis], -farthest, farthest) - 0.5 * half;
-            const double low = std::floor(here);
-            within[axis] = static_cast<float>(here - low);
-            // In halves, so that no point of one lattice has the name of a point of the other.
-            corner[axis] = 2 * static_cast<std::uint32_t>(static_cast<std::int64_t>(low)) + half;
-        }
+/// A coordinate: the whole number below it, and how far it is from there.
+struct Coordinate {
+    explicit Coordinate(double number) noexcept {
+        const double near = std::clamp<double>(number, -farthest, farthest);
+        const double low = std::floor(near);
+        whole = static_cast<std::uint32_t>(static_cast<std::int64_t>(low));
+        within = static_cast<float>(near - low);
     }
 
-    /// A hash of each corner; bit i of the index, from the highest on, is 1 for the upper side of axis i.
-    [[nodiscard]] std::array<std::uint32_t, 1U << dimensions> hashes(std::uint32_t seed) const noexcept {
-        std::array<std::uint32_t, 1U << dimensions> result{mixed(seed)};
-        std::size_t count = 1;
-        for (std::size_t axis = 0; axis < dimensions; ++axis, count *= 2) {
-            for (std::size_t i = count; i-- > 0;) {
-                result[2 * i + 1] = mixed(result[i] + (corner[axis] + 2) * name_step);
-                result[2 * i] = mixed(result[i] + corner[axis] * name_step);
-            }
-        }
-        return result;
-    }
-
-    [[nodiscard]] Vector<dimensions> from_corner(std::size_t index) const noexcept {
-        Vector<dimensions> result;
-        for (std::size_t axis = 0; axis < dimensions; ++axis)
-            result[axis] = within[axis] - static_cast<float>((index >> (dimensions - 1 - axis)) & 1U);
-        return result;
-    }
-
-    Vector<dimensions> within;
-    std::array<std::uint32_t, dimensions> corner;
+    std::uint32_t whole;
+    float within;
 };
 
-/// The bump of a lattice point: (1 - r^2)^3 times a plane of some height and slope.
-template <std::size_t dimensions>
-struct Bump {
-    explicit Bump(std::uint32_t hash) noexcept
-        : height(static_cast<float>(hash >> 16U) * (2.0F / 65535.0F) - 1.0F),
-          direction(
-              Shape<dimensions>::directions[((hash & 0xffffU) * static_cast<std::uint32_t>(
-                                                                    Shape<dimensions>::directions.size())) >>
-                                            16U]) {}
+// --- Along a line ------------------------------------------------------------------------------------------
 
-    [[nodiscard]] float plane(const Vector<dimensions>& from) const noexcept {
-        return height + Shape<dimensions>::steepness * dot<dimensions>(direction, from);
-    }
-
-    float height;
-    const Vector<dimensions>& direction;
-};
-
-/// Calls add(bump, from, rest) for each bump that reaches the place: the vector from its middle, and 1 - r^2.
-template <std::size_t dimensions, class Add>
-void for_each_bump(const std::array<double, dimensions>& place, std::uint32_t seed, const Add& add) noexcept {
-    for (std::uint32_t half = 0; half < 2; ++half) {
-        const Cell<dimensions> cell(place, half);
-        const auto hashes = cell.hashes(seed);
-        for (std::size_t index = 0; index < hashes.size(); ++index) {
-            const Vector<dimensions> from = cell.from_corner(index);
-            const float rest = 1.0F - dot<dimensions>(from, from);
-            if (rest > 0.0F) add(Bump<dimensions>(hashes[index]), from, rest);
+/// Calls add(height, slope, from, rest) for each bump that reaches the place: (1 - r^2)^3 times height +
+/// slope r, the distance r from its middle, and 1 - r^2. First those of whole numbers, then those halfway
+/// between them, whose names are odd.
+template <class Add>
+void for_each_bump(double place, std::uint32_t seed, const Add& add) noexcept {
+    const Coordinate x(place);
+    const bool is_beyond = x.within >= 0.5F;
+    const auto add_both = [&](std::uint32_t name, float within) {
+        for (const std::uint32_t side : {0U, 1U}) {
+            const std::uint32_t hash = mixed(mixed(seed) + (name + 2 * side) * name_step);
+            const float height = static_cast<float>(hash >> 16U) * (2.0F / 65535.0F) - 1.0F;
+            const float from = within - static_cast<float>(side);
+            const float rest = 1.0F - from * from;
+            if (rest > 0.0F) add(height, turned(hash, sign_bit, line::steepness), from, rest);
         }
-    }
+    };
+    add_both(2 * x.whole, x.within);
+    add_both(2 * x.whole + (is_beyond ? 1U : -1U), x.within + (is_beyond ? -0.5F : 0.5F));
 }
 
-template <std::size_t dimensions>
-[[nodiscard]] float sum_at(const std::array<double, dimensions>& place, std::uint32_t seed) noexcept {
+[[nodiscard]] float value_at(double place, std::uint32_t seed) noexcept {
     float sum = 0.0F;
-    for_each_bump<dimensions>(place, seed,
-                              [&](const Bump<dimensions>& bump, const Vector<dimensions>& from, float rest) {
-                                  sum += rest * rest * rest * bump.plane(from);
-                              });
-    return sum * (1.0F / Shape<dimensions>::bound);
+    for_each_bump(place, seed, [&](float height, float slope, float from, float rest) {
+        sum += rest * rest * rest * (height + slope * from);
+    });
+    return sum * (1.0F / line::bound);
+}
+
+[[nodiscard]] float slope_at(double place, std::uint32_t seed) noexcept {
+    float sum = 0.0F;
+    for_each_bump(place, seed, [&](float height, float slope, float from, float rest) {
+        sum += rest * rest * rest * slope - 6.0F * rest * rest * (height + slope * from) * from;
+    });
+    return sum * (1.0F / line::bound);
+}
+
+// --- In the plane and in space -----------------------------------------------------------------------------
+
+/// A number and its derivatives by the coordinates of the place: what is written for numbers finds both.
+template <std::size_t dimensions>
+struct Jet {
+    float value = 0.0F;
+    std::array<float, dimensions> slope{};
+
+    // NOLINTNEXTLINE(google-explicit-constructor): a constant stands where a number may stand.
+    Jet(float constant) noexcept : value(constant) {}
+
+    /// Coordinate `axis`.
+    Jet(float coordinate, std::size_t axis) noexcept : value(coordinate) { slope[axis] = 1.0F; }
+
+    friend Jet operator+(Jet a, const Jet& b) noexcept {
+        a.value += b.value;
+        for (std::size_t i = 0; i < dimensions; ++i) a.slope[i] += b.slope[i];
+        return a;
+    }
+    friend Jet operator-(const Jet& a, const Jet& b) noexcept { return a + b * Jet(-1.0F); }
+    friend Jet operator*(const Jet& a, const Jet& b) noexcept {
+        Jet result(a.value * b.value);
+        for (std::size_t i = 0; i < dimensions; ++i)
+            result.slope[i] = a.slope[i] * b.value + a.value * b.slope[i];
+        return result;
+    }
+    friend Jet turned(std::uint32_t hash, int bit, const Jet& number) noexcept {
+        return number * Jet(turned(hash, bit, 1.0F));
+    }
+    /// a / sqrt(b)
+    friend Jet over_root(const Jet& a, const Jet& b) noexcept {
+        const float root = std::sqrt(b.value);
+        Jet result(a.value / root);
+        for (std::size_t i = 0; i < dimensions; ++i)
+            result.slope[i] = (a.slope[i] - 0.5F * a.value / b.value * b.slope[i]) / root;
+        return result;
+    }
+};
+
+[[nodiscard]] float over_root(float a, float b) noexcept {
+    return a / std::sqrt(b);
+}
+
+/// The cell around a place along one axis: how far the place is from the lower and from the upper corners,
+/// the weight of the upper ones, and the name of the lower ones.
+template <class Number>
+struct Axis {
+    Number from_lower, from_upper, upper_weight;
+    std::uint32_t name;
+};
+
+/// The weight is 6 t^5 - 15 t^4 + 10 t^3, written so that it has all digits at t = 1 too.
+template <class Number>
+[[nodiscard]] Axis<Number> axis_at(const Number& within, std::uint32_t whole) noexcept {
+    const Number from_middle = within - Number(0.5F), square = from_middle * from_middle;
+    const Number weight =
+        Number(0.5F) + from_middle * (Number(1.875F) - square * (Number(5.0F) - Number(6.0F) * square));
+    return {within, within - Number(1.0F), weight, whole};
+}
+
+/// The sum over all corners that lie on these sides of the first axes: of planes through heights that their
+/// hashes give, weighted.
+template <class Number, std::size_t dimensions, class... Distances>
+[[nodiscard]] Number blended(std::uint32_t hash, const std::array<Axis<Number>, dimensions>& cell,
+                             const Distances&... distances) noexcept {
+    if constexpr (sizeof...(Distances) == dimensions) {
+        // Heights are whole numbers of 32 bits.
+        const Number steepness(Lattice<dimensions>::steepness * 0x1p31F);
+        Number plane(static_cast<float>(static_cast<std::int32_t>(hash)));
+        int bit = sign_bit;
+        ((plane = plane + turned(hash, bit--, steepness * distances)), ...);
+        return plane;
+    } else {
+        const Axis<Number>& axis = cell[sizeof...(Distances)];
+        const Number low =
+            blended(stirred(hash + axis.name * name_step), cell, distances..., axis.from_lower);
+        const Number high =
+            blended(stirred(hash + (axis.name + 1) * name_step), cell, distances..., axis.from_upper);
+        return low + axis.upper_weight * (high - low);
+    }
+}
+
+/// Lattice::softness times the variance that the sum has at this place in a cell, over all cells.
+template <class Number, std::size_t dimensions>
+[[nodiscard]] Number expected_square(const std::array<Axis<Number>, dimensions>& cell) noexcept {
+    Number heights(1.0F), slopes(0.0F);
+    for (const Axis<Number>& axis : cell) {
+        const Number &upper = axis.upper_weight, lower = Number(1.0F) - upper;
+        const Number squares = lower * lower + upper * upper;
+        const Number lower_part = lower * axis.from_lower, upper_part = upper * axis.from_upper;
+        slopes = slopes * squares + heights * (lower_part * lower_part + upper_part * upper_part);
+        heights = heights * squares;
+    }
+    return Number(Lattice<dimensions>::heights) * heights + Number(Lattice<dimensions>::slopes) * slopes;
+}
+
+template <class Number, std::size_t dimensions>
+[[nodiscard]] Number noise_in(const std::array<Axis<Number>, dimensions>& cell, std::uint32_t seed) noexcept {
+    const Number sum = blended(mixed(seed), cell) * Number(0x1p-31F);
+    return over_root(sum, expected_square(cell) + sum * sum);
 }
 
 template <std::size_t dimensions>
-[[nodiscard]] Vector<dimensions> slope_at(const std::array<double, dimensions>& place,
-                                          std::uint32_t seed) noexcept {
-    Vector<dimensions> sum{};
-    for_each_bump<dimensions>(place, seed,
-                              [&](const Bump<dimensions>& bump, const Vector<dimensions>& from, float rest) {
-                                  const float steep = rest * rest * rest * Shape<dimensions>::steepness;
-                                  const float falling = 6.0F * rest * rest * bump.plane(from);
-                                  for (std::size_t axis = 0; axis < dimensions; ++axis)
-                                      sum[axis] += steep * bump.direction[axis] - falling * from[axis];
-                              });
-    for (float& one : sum) one *= 1.0F / Shape<dimensions>::bound;
-    return sum;
+[[nodiscard]] float value_at(const std::array<double, dimensions>& place, std::uint32_t seed) noexcept {
+    std::array<Axis<float>, dimensions> cell{};
+    for (std::size_t axis = 0; axis < dimensions; ++axis) {
+        const Coordinate x(place[axis]);
+        cell[axis] = axis_at(x.within, x.whole);
+    }
+    return noise_in(cell, seed);
 }
 
-[[nodiscard]] std::array<double, 1> numbers(double place) noexcept {
-    return {place};
+template <std::size_t dimensions>
+[[nodiscard]] std::array<float, dimensions> slope_at(const std::array<double, dimensions>& place,
+                                                     std::uint32_t seed) noexcept {
+    using Number = Jet<dimensions>;
+    return [&]<std::size_t... axis>(std::index_sequence<axis...> /*axes*/) {
+        const std::array<Coordinate, dimensions> x{Coordinate(place[axis])...};
+        const std::array cell{axis_at(Number(x[axis].within, axis), x[axis].whole)...};
+        return noise_in(cell, seed).slope;
+    }
+    (std::make_index_sequence<dimensions>());
 }
+
 template <class T>
 [[nodiscard]] std::array<double, 2> numbers(const glm::vec<2, T>& place) noexcept {
     return {place.x, place.y};
@@ -129,34 +204,28 @@ template <class T>
     return {place.x, place.y, place.z};
 }
 
-[[nodiscard]] const float* first_number(const float& place) noexcept {
-    return &place;
-}
 template <int dimensions>
-[[nodiscard]] const float* first_number(const glm::vec<dimensions, float>& place) noexcept {
-    return &place.x;
+[[nodiscard]] std::span<const float> numbers_of(
+    std::span<const glm::vec<dimensions, float>> places) noexcept {
+    return {places.empty() ? nullptr : &places[0].x, dimensions * places.size()};
 }
 
-template <class Place>
-void fill(std::span<const Place> places, std::uint32_t seed, std::span<float> out) noexcept {
-    constexpr std::size_t dimensions = std::tuple_size_v<decltype(numbers(Place()))>;
+void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t seed,
+          std::span<float> out) noexcept {
     const auto fill_by = noise_kernels().back().fill[dimensions - 1];
     in_ieee_floats([&] {
-        for (std::size_t begin = 0; begin < places.size(); begin += noise_block) {
-            const std::size_t count = std::min(noise_block, places.size() - begin);
-            const float* const from = first_number(places[begin]);
-            bool are_filled = false;
+        for (std::size_t begin = 0; begin < out.size(); begin += noise_block) {
+            const std::size_t count = std::min(noise_block, out.size() - begin);
+            const float* const from = &places[dimensions * begin];
             if (count == noise_block) {
-                are_filled = fill_by(from, seed, &out[begin]);
+                fill_by(from, seed, &out[begin]);
             } else {
-                std::array<float, dimensions * noise_block> padded{};
+                std::array<float, 3 * noise_block> padded{};
                 std::array<float, noise_block> found{};
                 std::copy_n(from, dimensions * count, padded.begin());
-                are_filled = fill_by(padded.data(), seed, found.data());
+                fill_by(padded.data(), seed, found.data());
                 std::copy_n(found.begin(), count, &out[begin]);
             }
-            for (std::size_t i = are_filled ? count : 0; i < count; ++i)
-                out[begin + i] = sum_at(numbers(places[begin + i]), seed);
         }
     });
 }
@@ -164,35 +233,35 @@ void fill(std::span<const Place> places, std::uint32_t seed, std::span<float> ou
 }  // namespace
 
 float value(double place, std::uint32_t seed) noexcept {
-    return in_ieee_floats([&] { return sum_at(numbers(place), seed); });
+    return in_ieee_floats([&] { return value_at(place, seed); });
 }
 float value(const glm::dvec2& place, std::uint32_t seed) noexcept {
-    return in_ieee_floats([&] { return sum_at(numbers(place), seed); });
+    return in_ieee_floats([&] { return value_at(numbers(place), seed); });
 }
 float value(const glm::dvec3& place, std::uint32_t seed) noexcept {
-    return in_ieee_floats([&] { return sum_at(numbers(place), seed); });
+    return in_ieee_floats([&] { return value_at(numbers(place), seed); });
 }
 
 float gradient(double place, std::uint32_t seed) noexcept {
-    return in_ieee_floats([&] { return slope_at(numbers(place), seed)[0]; });
+    return in_ieee_floats([&] { return slope_at(place, seed); });
 }
 glm::vec2 gradient(const glm::dvec2& place, std::uint32_t seed) noexcept {
-    const Vector<2> slope = in_ieee_floats([&] { return slope_at(numbers(place), seed); });
+    const auto slope = in_ieee_floats([&] { return slope_at(numbers(place), seed); });
     return {slope[0], slope[1]};
 }
 glm::vec3 gradient(const glm::dvec3& place, std::uint32_t seed) noexcept {
-    const Vector<3> slope = in_ieee_floats([&] { return slope_at(numbers(place), seed); });
+    const auto slope = in_ieee_floats([&] { return slope_at(numbers(place), seed); });
     return {slope[0], slope[1], slope[2]};
 }
 
 void values(std::span<const float> places, std::uint32_t seed, std::span<float> out) noexcept {
-    fill(places, seed, out);
+    fill(1, places, seed, out);
 }
 void values(std::span<const glm::vec2> places, std::uint32_t seed, std::span<float> out) noexcept {
-    fill(places, seed, out);
+    fill(2, numbers_of(places), seed, out);
 }
 void values(std::span<const glm::vec3> places, std::uint32_t seed, std::span<float> out) noexcept {
-    fill(places, seed, out);
+    fill(3, numbers_of(places), seed, out);
 }
 
 }  // namespace motus::noise

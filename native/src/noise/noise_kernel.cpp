@@ -1,27 +1,189 @@
 #include "noise_kernel.hpp"
 
 #include <array>
-#include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <utility>
+#include <span>
 
 #include "motus/core/instruction_sets.hpp"
 #include "shape.hpp"
 
-namespace motus::noise {
+// By this the file is compiled once for each of Highway's targets, and what is not of one of them at the end.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "noise_kernel.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace motus::noise::HWY_NAMESPACE {
 namespace {
 
-#define MOTUS_LOOPS "noise_loops.inc"
-#include "motus/core/every_set.inc"
-#undef MOTUS_LOOPS
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr hn::ScalableTag<float> as_floats;
+constexpr hn::ScalableTag<std::uint32_t> as_words;
+constexpr hn::ScalableTag<std::int32_t> as_integers;
+using Floats = hn::Vec<decltype(as_floats)>;
+using Words = hn::Vec<decltype(as_words)>;
+
+HWY_INLINE Floats floats(float number) {
+    return hn::Set(as_floats, number);
+}
+
+HWY_INLINE Words words(std::uint32_t word) {
+    return hn::Set(as_words, word);
+}
+
+HWY_INLINE Words stir(Words bits) {
+    return (bits ^ hn::ShiftRight<16>(bits)) * words(first_mixer);
+}
+
+HWY_INLINE Words mix(Words bits) {
+    bits = stir(bits);
+    bits = (bits ^ hn::ShiftRight<15>(bits)) * words(second_mixer);
+    return bits ^ hn::ShiftRight<16>(bits);
+}
+
+/// The other sign where this bit is set.
+HWY_INLINE Floats turn_where(Words bits, int bit, Floats all) {
+    const Words signs = hn::ShiftLeftSame(bits, 31 - bit) & words(0x80000000U);
+    return hn::BitCast(as_floats, hn::BitCast(as_words, all) ^ signs);
+}
+
+/// A coordinate: the whole number below it, and how far it is from there.
+struct Coordinate {
+    Words whole;
+    Floats within;
+};
+
+HWY_INLINE Coordinate parts_of(Floats number) {
+    const Floats near = hn::Clamp(number, floats(-farthest), floats(farthest));
+    const Floats low = hn::Floor(near);
+    return {hn::BitCast(as_words, hn::ConvertTo(as_integers, low)), near - low};
+}
+
+// --- Along a line: what it adds up, and in which order, is what noise.cpp does -----------------------------
+
+HWY_INLINE void add_bump(Words hash, Floats from, Floats& sum) {
+    const Floats rest = hn::Max(floats(1.0F) - from * from, floats(0.0F));
+    const Floats upper = hn::ConvertTo(as_floats, hn::BitCast(as_integers, hn::ShiftRight<16>(hash)));
+    const Floats height = upper * floats(2.0F / 65535.0F) - floats(1.0F);
+    sum = sum + rest * rest * rest * (height + floats(line::steepness) * turn_where(hash, sign_bit, from));
+}
+
+HWY_INLINE void add_both(Words start, Words name, Floats within, Floats& sum) {
+    add_bump(mix(start + name * words(name_step)), within, sum);
+    add_bump(mix(start + (name + words(2)) * words(name_step)), within - floats(1.0F), sum);
+}
+
+HWY_INLINE Floats noise_at(Words start, const std::array<Floats, 1>& place) {
+    const Coordinate x = parts_of(place[0]);
+    const Words name = x.whole + x.whole;
+    const auto is_beyond = x.within >= floats(0.5F);
+    const Words is_beyond_bits = hn::BitCast(as_words, hn::VecFromMask(as_floats, is_beyond));
+    Floats sum = hn::Zero(as_floats);
+    add_both(start, name, x.within, sum);
+    // All bits of a truth are set.
+    add_both(start, name - words(1) + (is_beyond_bits & words(2)),
+             x.within + hn::IfThenElse(is_beyond, floats(-0.5F), floats(0.5F)), sum);
+    return sum * floats(1.0F / line::bound);
+}
+
+// --- In the plane and in space -----------------------------------------------------------------------------
+
+/// The cell around a place along one axis: what slopes climb from its lower and from its upper corners to the
+/// place, the weight of the upper ones, and what the names of both add to a hash.
+struct Axis {
+    Floats lower_climb, upper_climb, upper_weight;
+    Words lower_name, upper_name;
+};
+
+/// Of the sum along the axes so far: by the heights, and by each coordinate of the slopes, where these are of
+/// variance 1.
+struct Variance {
+    Floats heights, slopes;
+};
+
+template <std::size_t dimensions>
+HWY_INLINE Axis axis_at(Floats number, Variance& variance) {
+    const Coordinate x = parts_of(number);
+    const Floats one = floats(1.0F);
+    const Floats from_lower = x.within, from_upper = x.within - one;
+    const Floats from_middle = from_lower - floats(0.5F), square = from_middle * from_middle;
+    const Floats upper =
+        floats(0.5F) + from_middle * (floats(1.875F) - square * (floats(5.0F) - floats(6.0F) * square));
+    const Floats lower = one - upper;
+    const Floats squares = lower * lower + upper * upper;
+    const Floats lower_part = lower * from_lower, upper_part = upper * from_upper;
+    variance.slopes =
+        variance.slopes * squares + variance.heights * (lower_part * lower_part + upper_part * upper_part);
+    variance.heights = variance.heights * squares;
+    const Words name = x.whole * words(name_step);
+    // Heights are whole numbers of 32 bits.
+    const Floats steepness = floats(Lattice<dimensions>::steepness * 0x1p31F);
+    return {steepness * from_lower, steepness * from_upper, upper, name, name + words(name_step)};
+}
+
+/// The sum over all corners that lie on these sides of the first axes.
+template <std::size_t dimensions, class... Climbs>
+HWY_INLINE Floats blended(Words hash, const std::array<Axis, dimensions>& cell, Climbs... climbs) {
+    if constexpr (sizeof...(Climbs) == dimensions) {
+        Floats plane = hn::ConvertTo(as_floats, hn::BitCast(as_integers, hash));
+        int bit = sign_bit;
+        ((plane = plane + turn_where(hash, bit--, climbs)), ...);
+        return plane;
+    } else {
+        const Axis& axis = cell[sizeof...(Climbs)];
+        const Floats low = blended(stir(hash + axis.lower_name), cell, climbs..., axis.lower_climb);
+        const Floats high = blended(stir(hash + axis.upper_name), cell, climbs..., axis.upper_climb);
+        return low + axis.upper_weight * (high - low);
+    }
+}
+
+template <std::size_t dimensions>
+HWY_INLINE Floats noise_at(Words start, const std::array<Floats, dimensions>& place) {
+    Variance variance{floats(1.0F), hn::Zero(as_floats)};
+    std::array<Axis, dimensions> cell;
+    for (std::size_t axis = 0; axis < dimensions; ++axis)
+        cell[axis] = axis_at<dimensions>(place[axis], variance);
+    const Floats sum = blended(start, cell) * floats(0x1p-31F);
+    const Floats expected = floats(Lattice<dimensions>::heights) * variance.heights +
+                            floats(Lattice<dimensions>::slopes) * variance.slopes;
+    return sum / hn::Sqrt(expected + sum * sum);
+}
+
+template <std::size_t dimensions>
+HWY_INLINE std::array<Floats, dimensions> places_at(const float* from) {
+    std::array<Floats, dimensions> place;
+    if constexpr (dimensions == 1)
+        place[0] = hn::LoadU(as_floats, from);
+    else if constexpr (dimensions == 2)
+        hn::LoadInterleaved2(as_floats, from, place[0], place[1]);
+    else
+        hn::LoadInterleaved3(as_floats, from, place[0], place[1], place[2]);
+    return place;
+}
+
+template <std::size_t dimensions>
+void fill(const float* places, std::uint32_t seed, float* out) {
+    const Words start = words(mixed(seed));
+    for (std::size_t i = 0; i < noise_block; i += hn::Lanes(as_floats))
+        hn::StoreU(noise_at(start, places_at<dimensions>(places + dimensions * i)), as_floats, out + i);
+}
+
+constexpr NoiseKernel kernel{HWY_STR(HWY_NAMESPACE), {&fill<1>, &fill<2>, &fill<3>}};
 
 }  // namespace
+}  // namespace motus::noise::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace motus::noise {
 
 std::span<const NoiseKernel> noise_kernels() {
-    return std::span(kernels).first(runnable_sets());
+    static constexpr std::array kernels{MOTUS_EVERY_TARGET(kernel)};
+    return std::span(kernels).first(runnable_targets());
 }
 
 }  // namespace motus::noise
+#endif

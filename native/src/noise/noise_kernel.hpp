@@ -11,11 +11,10 @@ namespace motus::noise {
 inline constexpr std::size_t noise_block = 256;
 
 /// Noise at noise_block places for one instruction set; all sets give the bits of value(). fill[d - 1]: of d
-/// dimensions, the numbers of a place after each other. They return whether that is done: not where a number
-/// is no less than 2^22, or no number.
+/// dimensions, the numbers of a place after each other.
 struct NoiseKernel {
     const char* name;
-    std::array<bool (*)(const float* places, std::uint32_t seed, float* out), 3> fill;
+    std::array<void (*)(const float* places, std::uint32_t seed, float* out), 3> fill;
 };
 
 /// Those that this processor can run, the fastest last.

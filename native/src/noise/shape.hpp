@@ -1,14 +1,18 @@
-// The bumps of which the noise is the sum: what differs between the dimensions. Private to the library.
+// Numbers and hashes that the noise is made of. Private to the library.
 #pragma once
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
 namespace motus::noise {
 
-/// The factors of mixed().
+/// Coordinates beyond are taken for this, so that names of lattice points are whole numbers of 32 bits.
+inline constexpr float farthest = 0x1p30F;
+
 inline constexpr std::uint32_t first_mixer = 0x7feb352dU;
 inline constexpr std::uint32_t second_mixer = 0x846ca68bU;
+
+/// What the name of a lattice point is multiplied by, on each axis, before it is mixed.
+inline constexpr std::uint32_t name_step = 0x9e3779b9U;
 
 /// A bijection of 32 bits in which each bit of the result depends on each bit given. Mueller, "Hash Function
 /// Prospecting" (2018), lowbias32.
@@ -18,70 +22,31 @@ inline constexpr std::uint32_t second_mixer = 0x846ca68bU;
     return bits ^ (bits >> 16U);
 }
 
+/// The first step of mixed(): enough for bits 13 and up, which alone are looked at, where it is taken once
+/// for each axis.
+[[nodiscard]] constexpr std::uint32_t stirred(std::uint32_t bits) noexcept {
+    return (bits ^ (bits >> 16U)) * first_mixer;
+}
+
+/// From this bit of a hash on, downwards, the signs of a slope's coordinates.
+inline constexpr int sign_bit = 15;
+
+/// The line's bumps. steepness: of their slopes. bound: what the sum of all of them never passes.
+namespace line {
+inline constexpr float steepness = 1.5F;
+inline constexpr float bound = 2.63F;
+}  // namespace line
+
+/// The lattice in the plane and in space. steepness: each coordinate of a slope, but for its sign; such that
+/// the noise is about as steep at lattice points as between them. softness: the noise is z / sqrt(softness +
+/// z^2), where z is the sum over its standard deviation at this place in a cell. heights, slopes: what the
+/// variances of both count in softness times that deviation's square; heights are spread evenly over [-1, 1].
 template <std::size_t dimensions>
-using Vector = std::array<float, dimensions>;
-
-/// What differs between the dimensions. steepness: of the slopes, all of one length. bound: what the sum of
-/// all bumps never passes. directions: of the slopes, spread evenly. shorter, longer: sizes of their
-/// coordinates.
-template <std::size_t dimensions>
-struct Shape;
-
-template <>
-struct Shape<1> {
-    static constexpr float steepness = 1.5F;
-    static constexpr float bound = 2.63F;
-    static constexpr float shorter = 1.0F;
-    static constexpr float longer = 1.0F;
-    static constexpr std::array<Vector<1>, 2> directions{{{1.0F}, {-1.0F}}};
+struct Lattice {
+    static constexpr float steepness = dimensions == 2 ? 1.7F : 1.85F;
+    static constexpr float softness = 14.0F;
+    static constexpr float heights = softness / 3.0F;
+    static constexpr float slopes = softness * steepness * steepness;
 };
-
-template <>
-struct Shape<2> {
-    static constexpr float steepness = 1.25F;
-    static constexpr float bound = 2.75F;
-    // Every 22.5 degrees: cosine and sine of that, and of 45 degrees.
-    static constexpr float c = 0.923879533F;
-    static constexpr float s = 0.382683432F;
-    static constexpr float d = 0.707106781F;
-    static constexpr float shorter = s;
-    static constexpr float longer = c;
-    static constexpr float diagonal = d;
-    static constexpr std::array<Vector<2>, 16> directions{{{1, 0},
-                                                           {c, s},
-                                                           {d, d},
-                                                           {s, c},
-                                                           {0, 1},
-                                                           {-s, c},
-                                                           {-d, d},
-                                                           {-c, s},
-                                                           {-1, 0},
-                                                           {-c, -s},
-                                                           {-d, -d},
-                                                           {-s, -c},
-                                                           {0, -1},
-                                                           {s, -c},
-                                                           {d, -d},
-                                                           {c, -s}}};
-};
-
-template <>
-struct Shape<3> {
-    static constexpr float steepness = 2.0F;
-    static constexpr float bound = 2.90F;
-    // The vertices of a rhombicuboctahedron: (1, 1, 1 + sqrt(2)) over its length, in any order and with any
-    // signs.
-    static constexpr float a = 0.357406744F;
-    static constexpr float b = 0.862856209F;
-    static constexpr float shorter = a;
-    static constexpr float longer = b;
-    static constexpr std::array<Vector<3>, 24> directions{
-        {{a, a, b}, {a, a, -b}, {a, -a, b}, {a, -a, -b}, {-a, a, b}, {-a, a, -b}, {-a, -a, b}, {-a, -a, -b},
-         {a, b, a}, {a, b, -a}, {a, -b, a}, {a, -b, -a}, {-a, b, a}, {-a, b, -a}, {-a, -b, a}, {-a, -b, -a},
-         {b, a, a}, {b, a, -a}, {b, -a, a}, {b, -a, -a}, {-b, a, a}, {-b, a, -a}, {-b, -a, a}, {-b, -a, -a}}};
-};
-
-/// What the corner of a cell has its name multiplied by, on each axis, before it is mixed.
-inline constexpr std::uint32_t name_step = 0x9e3779b9U;
 
 }  // namespace motus::noise

@@ -21,8 +21,8 @@ namespace motus {
 #endif
 }
 
-/// The same of Highway's targets (MOTUS_EVERY_TARGET), among which SSE4 comes before AVX2. Its own question to
-/// the processor is in a shared library, which no add-on could bring along.
+/// The same of Highway's targets (MOTUS_EVERY_TARGET), among which SSE4 comes before AVX2. Its own question
+/// to the processor is in a shared library, which no add-on could bring along.
 [[nodiscard]] inline std::size_t runnable_targets() {
 #if defined(__x86_64__)
     return runnable_sets() > 1 || __builtin_cpu_supports("sse4.2") ? runnable_sets() + 1 : 1;

@@ -1,10 +1,12 @@
 // Smooth noise of one, two and three variables.
 //
-// Around each point of two lattices, the whole numbers and those halfway between them, lies a bump of radius
-// 1 whose height and slope are drawn from a hash of the point: Perlin, "An Image Synthesizer" (1985). Heights
-// are in such proportion to slopes that the variance is nearly the same everywhere, so the lattice does not
-// show, as it does in noise that is 0 at each of its points. The noise has two continuous derivatives, no
-// period, and most of its power below one wave a unit.
+// A sum of planes, each around a lattice point, whose heights and slopes are drawn from a hash of the point:
+// Perlin, "An Image Synthesizer" (1985). In two and three dimensions, of the whole numbers' lattice, it is
+// divided by the root of what its square is on average at this place in a cell, so that it varies by the same
+// everywhere, and the lattice does not show as it does in noise that is 0 at each of its points; and in such
+// a way, z / sqrt(14 + z^2), that it stays below 1. In one dimension the points lie half a unit apart, for
+// which (1 - r^2)^3 as the planes' weight does the same. The noise has two continuous derivatives, no period,
+// and most of its power below one wave a unit.
 #pragma once
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -13,8 +15,8 @@
 
 namespace motus::noise {
 
-/// Noise at a place, in [-1, 1]; its standard deviation is 0.31, 0.23 and 0.20 in one, two and three
-/// dimensions. Different seeds give noises that have nothing to do with each other. The place has to be
+/// Noise at a place, in [-1, 1]; its standard deviation is 0.31 in one dimension, 0.25 in two and
+/// three. Different seeds give noises that have nothing to do with each other. The place has to be
 /// finite; beyond 2^30 the noise is constant. The same bits on every machine.
 [[nodiscard]] float value(double place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec2& place, std::uint32_t seed) noexcept;
