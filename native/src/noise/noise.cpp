@@ -26,11 +26,11 @@ struct Coordinate {
         const double near = std::clamp<double>(number, -farthest, farthest);
         const double low = std::floor(near);
         whole = static_cast<std::uint32_t>(static_cast<std::int64_t>(low));
-        within = static_cast<float>(near - low);
+        within = near - low;
     }
 
     std::uint32_t whole;
-    float within;
+    double within;
 };
 
 // --- Along a line ------------------------------------------------------------------------------------------
@@ -41,18 +41,18 @@ struct Coordinate {
 template <class Add>
 void for_each_bump(double place, std::uint32_t seed, const Add& add) noexcept {
     const Coordinate x(place);
-    const bool is_beyond = x.within >= 0.5F;
-    const auto add_both = [&](std::uint32_t name, float within) {
+    const bool is_beyond = x.within >= 0.5;
+    const auto add_both = [&](std::uint32_t name, double within) {
         for (const std::uint32_t side : {0U, 1U}) {
             const std::uint32_t hash = mixed(mixed(seed) + (name + 2 * side) * name_step);
             const float height = static_cast<float>(hash >> 16U) * (2.0F / 65535.0F) - 1.0F;
-            const float from = within - static_cast<float>(side);
+            const float from = static_cast<float>(within) - static_cast<float>(side);
             const float rest = 1.0F - from * from;
             if (rest > 0.0F) add(height, turned(hash, sign_bit, line::steepness), from, rest);
         }
     };
     add_both(2 * x.whole, x.within);
-    add_both(2 * x.whole + (is_beyond ? 1U : -1U), x.within + (is_beyond ? -0.5F : 0.5F));
+    add_both(2 * x.whole + (is_beyond ? 1U : -1U), x.within + (is_beyond ? -0.5 : 0.5));
 }
 
 [[nodiscard]] float value_at(double place, std::uint32_t seed) noexcept {
@@ -178,7 +178,7 @@ template <std::size_t dimensions>
     std::array<Axis<float>, dimensions> cell{};
     for (std::size_t axis = 0; axis < dimensions; ++axis) {
         const Coordinate x(place[axis]);
-        cell[axis] = axis_at(x.within, x.whole);
+        cell[axis] = axis_at(static_cast<float>(x.within), x.whole);
     }
     return noise_in(cell, seed);
 }
@@ -189,7 +189,7 @@ template <std::size_t dimensions>
     using Number = Jet<dimensions>;
     return [&]<std::size_t... axis>(std::index_sequence<axis...> /*axes*/) {
         const std::array<Coordinate, dimensions> x{Coordinate(place[axis])...};
-        const std::array cell{axis_at(Number(x[axis].within, axis), x[axis].whole)...};
+        const std::array cell{axis_at(Number(static_cast<float>(x[axis].within), axis), x[axis].whole)...};
         return noise_in(cell, seed).slope;
     }
     (std::make_index_sequence<dimensions>());

@@ -50,16 +50,13 @@ HWY_INLINE Floats turn_where(Words bits, int bit, Floats all) {
     return hn::BitCast(as_floats, hn::BitCast(as_words, all) ^ signs);
 }
 
-/// A coordinate: the whole number below it, and how far it is from there.
-struct Coordinate {
-    Words whole;
-    Floats within;
-};
+HWY_INLINE Floats within_reach(Floats number) {
+    return hn::Clamp(number, floats(-farthest), floats(farthest));
+}
 
-HWY_INLINE Coordinate parts_of(Floats number) {
-    const Floats near = hn::Clamp(number, floats(-farthest), floats(farthest));
-    const Floats low = hn::Floor(near);
-    return {hn::BitCast(as_words, hn::ConvertTo(as_integers, low)), near - low};
+/// Of whole numbers.
+HWY_INLINE Words words_of(Floats whole) {
+    return hn::BitCast(as_words, hn::ConvertTo(as_integers, whole));
 }
 
 // --- Along a line: what it adds up, and in which order, is what noise.cpp does -----------------------------
@@ -76,16 +73,18 @@ HWY_INLINE void add_both(Words start, Words name, Floats within, Floats& sum) {
     add_bump(mix(start + (name + words(2)) * words(name_step)), within - floats(1.0F), sum);
 }
 
+/// From the nearest whole number, the distance to which has all digits, and that to any other is rounded
+/// once.
 HWY_INLINE Floats noise_at(Words start, const std::array<Floats, 1>& place) {
-    const Coordinate x = parts_of(place[0]);
-    const Words name = x.whole + x.whole;
-    const auto is_beyond = x.within >= floats(0.5F);
-    const Words is_beyond_bits = hn::BitCast(as_words, hn::VecFromMask(as_floats, is_beyond));
+    const Floats near = within_reach(place[0]);
+    const Floats nearest = hn::Round(near);
+    const Floats from_nearest = near - nearest;
+    const Words whole = words_of(nearest), name = whole + whole;
+    const auto is_below = from_nearest < hn::Zero(as_floats);
+    const Words below = hn::BitCast(as_words, hn::IfThenElseZero(is_below, hn::BitCast(as_floats, words(2))));
     Floats sum = hn::Zero(as_floats);
-    add_both(start, name, x.within, sum);
-    // All bits of a truth are set.
-    add_both(start, name - words(1) + (is_beyond_bits & words(2)),
-             x.within + hn::IfThenElse(is_beyond, floats(-0.5F), floats(0.5F)), sum);
+    add_both(start, name - below, from_nearest + hn::IfThenElseZero(is_below, floats(1.0F)), sum);
+    add_both(start, name - words(1), from_nearest + floats(0.5F), sum);
     return sum * floats(1.0F / line::bound);
 }
 
@@ -106,9 +105,8 @@ struct Variance {
 
 template <std::size_t dimensions>
 HWY_INLINE Axis axis_at(Floats number, Variance& variance) {
-    const Coordinate x = parts_of(number);
-    const Floats one = floats(1.0F);
-    const Floats from_lower = x.within, from_upper = x.within - one;
+    const Floats near = within_reach(number), low = hn::Floor(near), one = floats(1.0F);
+    const Floats from_lower = near - low, from_upper = from_lower - one;
     const Floats from_middle = from_lower - floats(0.5F), square = from_middle * from_middle;
     const Floats upper =
         floats(0.5F) + from_middle * (floats(1.875F) - square * (floats(5.0F) - floats(6.0F) * square));
@@ -118,7 +116,7 @@ HWY_INLINE Axis axis_at(Floats number, Variance& variance) {
     variance.slopes =
         variance.slopes * squares + variance.heights * (lower_part * lower_part + upper_part * upper_part);
     variance.heights = variance.heights * squares;
-    const Words name = x.whole * words(name_step);
+    const Words name = words_of(low) * words(name_step);
     // Heights are whole numbers of 32 bits.
     const Floats steepness = floats(Lattice<dimensions>::steepness * 0x1p31F);
     return {steepness * from_lower, steepness * from_upper, upper, name, name + words(name_step)};

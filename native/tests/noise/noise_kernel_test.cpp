@@ -34,8 +34,8 @@ std::vector<float> numbers(std::size_t count) {
         const float range = ranges[found.size() % ranges.size()];
         const float any = random.between(-range, range);
         const float half = 0.5F * std::round(2.0F * any);
-        for (const float one :
-             {any, half, std::nextafter(half, 1e9F), std::nextafter(half, -1e9F), -1e-10F * any, -0.0F})
+        for (const float one : {any, 1e-3F * any, half, std::nextafter(half, 1e9F),
+                                std::nextafter(half, -1e9F), -1e-10F * any, -0.0F})
             found.push_back(one);
     }
     found.resize(count);
