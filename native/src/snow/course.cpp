@@ -266,7 +266,7 @@ void Flight::fill(double time, const double* ages, const std::uint32_t* lows, st
             run_.phase_changes[wave] = static_cast<float>(-course_.kind.waves[wave].frequency * course_.step);
         }
         if (course_.steering) course_.steering->set(static_cast<std::size_t>(interval), run_);
-        course_.kernel->fill(course_.kind, run_, scratch_.data());
+        course_.kernel->fill(course_.kind, run_, scratch_);
     });
 }
 
@@ -275,7 +275,7 @@ void Flight::fill_births(double time, const double* ages, const std::uint32_t* l
     in_runs(time, ages, lows, high, count, out, 0, [&](double /*interval*/) {
         run_.drift = run_.drift_velocity = {};
         run_.way = run_.way_rate = {};
-        course_.kernel->fill(standing_, run_, scratch_.data());
+        course_.kernel->fill(standing_, run_, scratch_);
     });
 }
 

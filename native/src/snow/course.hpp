@@ -42,7 +42,7 @@ struct Course {
     std::vector<float> places, scales;
     std::vector<std::array<float, 4>> changes;
     std::optional<Steering> steering;
-    const Kernel* kernel = kernels().back();
+    const Kernel* kernel = &kernels().back();
 };
 
 /// The air's and the way's cubics over one interval of ages, kept for the runs that follow in it.
@@ -86,7 +86,7 @@ class Flight {
     Interval interval_;
     Kind standing_;  ///< of flakes that nothing moves
     Run run_;
-    Unfilled<float, scratch_size> scratch_;
+    Scratch scratch_;
 };
 
 }  // namespace motus::snow

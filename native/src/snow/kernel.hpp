@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <span>
 
+#include "motus/core/unfilled.hpp"
 #include "motus/snow/snow.hpp"
 #include "philox.hpp"
 
@@ -13,10 +14,6 @@ namespace motus::snow {
 
 /// Flakes worked on at once, and a multiple of every set's lanes.
 inline constexpr std::size_t block_size = 256;
-
-/// Numbers that Kernel::fill() keeps between its loops: rows of block_size.
-inline constexpr std::size_t scratch_rows = 32;
-inline constexpr std::size_t scratch_size = scratch_rows * block_size;
 
 /// What is drawn: the counter's third word.
 enum class Stream : std::uint32_t { place, life, depth, spin, waves, grip };
@@ -27,8 +24,8 @@ struct Cubic {
 };
 
 /// By the values and slopes at its ends, the latter by whatever changes by `step` from the one to the other.
-[[nodiscard, gnu::always_inline]] inline Cubic cubic(double start, double slope_start, double end,
-                                                     double slope_end, double step) {
+[[nodiscard]] inline Cubic cubic(double start, double slope_start, double end, double slope_end,
+                                 double step) {
     const double m0 = step * slope_start, m1 = step * slope_end;
     return {static_cast<float>(start), static_cast<float>(m0),
             static_cast<float>(3.0 * (end - start) - 2.0 * m0 - m1),
@@ -53,6 +50,23 @@ struct Glide {
 
 /// Entries of the integral of Rx(a) Ry(b) that are not 0 for all ages, by rows: 00 02 10 11 12 20 21 22.
 inline constexpr std::size_t entries = 8;
+
+/// A number of each flake.
+using FloatRow = Unfilled<float, block_size>;
+
+/// What Kernel::fill() keeps between its loops.
+struct alignas(64) Scratch {
+    FloatRow x, y, speed, size;                         ///< drawn by Stream::place,
+    FloatRow life, color, tilt, turn;                   ///< by Stream::life,
+    FloatRow one, two, three, offset;                   ///< by Stream::depth,
+    FloatRow axis_height, axis_turn, spin, spin_phase;  ///< and by Stream::spin
+    FloatRow u;
+    FloatRow age;
+    std::array<FloatRow, 3> birth, direction, velocity;
+    std::array<FloatRow, 3> air;  ///< what the air alone makes of the way, or of its rate
+    std::array<FloatRow, 2> angles;
+    Unfilled<float, entries * block_size> integral;  ///< the entries of each flake side by side
+};
 
 /// A triangle of an emitter's surface: a draw that falls on it goes to `other` unless a second one is below
 /// `kept`.
@@ -159,17 +173,10 @@ struct Kernel {
     /// What is added to a random lifetime, in [-1, 1). count <= block_size, and both arrays go on to the next
     /// multiple of 16.
     void (*lives)(Key key, std::uint32_t high, const std::uint32_t* lows, std::size_t count, float* out);
-    /// scratch: scratch_size numbers.
-    void (*fill)(const Kind& kind, const Run& run, float* scratch);
+    void (*fill)(const Kind& kind, const Run& run, Scratch& scratch);
 };
 
-extern const Kernel base_kernel;
-#if defined(__x86_64__)
-extern const Kernel avx2_kernel;
-extern const Kernel avx512_kernel;
-#endif
-
 /// Those that this processor can run, the fastest last.
-[[nodiscard]] std::span<const Kernel* const> kernels();
+[[nodiscard]] std::span<const Kernel> kernels();
 
 }  // namespace motus::snow

@@ -14,25 +14,30 @@ struct Words {
     std::uint32_t a = 0, b = 0, c = 0, d = 0;
 };
 
-// Always inlined: files for different instruction sets share these lines, and none may get another one's.
+inline constexpr int philox_rounds = 10;
+inline constexpr std::uint32_t philox_factor_of_a = 0xd2511f53U, philox_factor_of_c = 0xcd9e8d57U;
+
+/// From one round to the next.
+[[nodiscard]] inline Key next_key(Key key) {
+    return {key.low + 0x9e3779b9U, key.high + 0xbb67ae85U};
+}
 
 /// A bijection of the counter for each key.
-[[nodiscard, gnu::always_inline]] inline Words philox(Words counter, Key key) {
-    for (int round = 0; round < 10; ++round) {
-        const std::uint64_t first = std::uint64_t{0xd2511f53U} * counter.a;
-        const std::uint64_t second = std::uint64_t{0xcd9e8d57U} * counter.c;
+[[nodiscard]] inline Words philox(Words counter, Key key) {
+    for (int round = 0; round < philox_rounds; ++round) {
+        const std::uint64_t first = std::uint64_t{philox_factor_of_a} * counter.a;
+        const std::uint64_t second = std::uint64_t{philox_factor_of_c} * counter.c;
         counter = {static_cast<std::uint32_t>(second >> 32U) ^ counter.b ^ key.low,
                    static_cast<std::uint32_t>(second),
                    static_cast<std::uint32_t>(first >> 32U) ^ counter.d ^ key.high,
                    static_cast<std::uint32_t>(first)};
-        key.low += 0x9e3779b9U;
-        key.high += 0xbb67ae85U;
+        key = next_key(key);
     }
     return counter;
 }
 
 /// In [0, 1), of the word's upper 24 bits.
-[[nodiscard, gnu::always_inline]] inline float fraction(std::uint32_t word) {
+[[nodiscard]] inline float fraction(std::uint32_t word) {
     return static_cast<float>(static_cast<std::int32_t>(word >> 8U)) * 0x1p-24F;
 }
 

@@ -152,11 +152,11 @@ TEST_CASE("all instruction sets find the same landings", "[snow]") {
         Course course(settings);
         const Landings landings(course, settings);
         for (const std::uint64_t block : {0U, 9U, 30U}) {
-            course.kernel = &base_kernel;
+            course.kernel = &kernels().front();
             const auto wanted = landings.find(block);
-            for (const Kernel* kernel : kernels()) {
-                CAPTURE(kernel->name);
-                course.kernel = kernel;
+            for (const Kernel& kernel : kernels()) {
+                CAPTURE(kernel.name);
+                course.kernel = &kernel;
                 const auto found = landings.find(block);
                 CHECK(found->times == wanted->times);
                 CHECK(found->slides.size() == wanted->slides.size());

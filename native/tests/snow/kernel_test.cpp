@@ -102,7 +102,8 @@ struct Sample {
     }
 
     [[nodiscard]] std::vector<float> filled(const Kernel& kernel) {
-        std::vector<float> out(15 * block_size), scratch(scratch_size);
+        std::vector<float> out(15 * block_size);
+        Scratch scratch;
         std::vector<std::int64_t> ids(block_size);
         const auto rows = [&](std::size_t first) { return out.data() + first * block_size; };
         run.position = rows(0);
@@ -111,7 +112,7 @@ struct Sample {
         run.color = rows(7);
         run.rotation = rows(11);
         run.id = ids.data();
-        kernel.fill(kind, run, scratch.data());
+        kernel.fill(kind, run, scratch);
         for (const std::int64_t id : ids) out.push_back(static_cast<float>(id % 1009));
         return out;
     }
@@ -138,19 +139,19 @@ TEST_CASE("all instruction sets give the same bits", "[snow]") {
     test::Random random(3);
     for (int round = 0; round < 400; ++round) {
         Sample sample(random);
-        const std::vector<float> wanted = sample.filled(base_kernel);
-        for (const Kernel* kernel : kernels()) {
-            CAPTURE(round, kernel->name);
-            CHECK(are_same(sample.filled(*kernel), wanted));
+        const std::vector<float> wanted = sample.filled(kernels().front());
+        for (const Kernel& kernel : kernels()) {
+            CAPTURE(round, kernel.name);
+            CHECK(are_same(sample.filled(kernel), wanted));
             std::vector<float> lives(block_size);
-            kernel->lives(sample.kind.key, 3, sample.lows.data(), sample.run.count, lives.data());
+            kernel.lives(sample.kind.key, 3, sample.lows.data(), sample.run.count, lives.data());
             for (std::size_t i = 0; i < sample.run.count; ++i) {
                 const Words words =
                     philox({sample.lows[i], 3, static_cast<std::uint32_t>(Stream::life), 0}, sample.kind.key);
                 CHECK(lives[i] == 2.0F * fraction(words.a) - 1.0F);
             }
             std::vector<double> ages(block_size);
-            kernel->ages(1000.0, 0.25, 31.0, 12345678901U, block_size, ages.data());
+            kernel.ages(1000.0, 0.25, 31.0, 12345678901U, block_size, ages.data());
             for (std::size_t i = 0; i < block_size; ++i)
                 CHECK(ages[i] == 1000.0 - (0.25 + static_cast<double>(12345678902U + i) / 31.0));
         }
@@ -168,11 +169,11 @@ TEST_CASE("angles of any size give numbers, the same in all instruction sets", "
         }
         for (Node& node : sample.nodes)
             for (double& angle : node.angle) angle *= static_cast<double>(size);
-        const std::vector<float> wanted = sample.filled(base_kernel);
+        const std::vector<float> wanted = sample.filled(kernels().front());
         CHECK(are_finite(std::span<const float>(wanted)));
-        for (const Kernel* kernel : kernels()) {
-            CAPTURE(round, kernel->name);
-            CHECK(are_same(sample.filled(*kernel), wanted));
+        for (const Kernel& kernel : kernels()) {
+            CAPTURE(round, kernel.name);
+            CHECK(are_same(sample.filled(kernel), wanted));
         }
     }
 }
@@ -181,7 +182,7 @@ TEST_CASE("a run fills its own rows alone", "[snow]") {
     test::Random random(4);
     Sample sample(random);
     sample.run.count = 5;
-    const std::vector<float> found = sample.filled(*kernels().back());
+    const std::vector<float> found = sample.filled(kernels().back());
     for (const std::size_t width : {3U, 1U, 4U}) {
         const std::size_t first = width == 3 ? 0 : width == 1 ? 6 : 7;
         for (std::size_t i = 5 * width; i < width * block_size; ++i)

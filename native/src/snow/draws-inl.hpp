@@ -1,0 +1,90 @@
+// Random numbers of several flakes: see lanes-inl.hpp.
+#if defined(MOTUS_SNOW_DRAWS) == defined(HWY_TARGET_TOGGLE)
+#ifdef MOTUS_SNOW_DRAWS
+#undef MOTUS_SNOW_DRAWS
+#else
+#define MOTUS_SNOW_DRAWS
+#endif
+
+#include "lanes-inl.hpp"
+#include "philox.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace motus::snow::HWY_NAMESPACE {
+namespace {
+
+/// Bits of the flakes in even lanes; whatever is in the odd ones.
+struct Counters {
+    Bits a, b, c, d;
+};
+
+/// The product of a word and a constant, and its upper half, both in even lanes.
+struct Product {
+    Bits lower, upper;
+};
+
+HWY_INLINE Product product(Bits words, std::uint32_t by) {
+    const auto both = hn::MulEven(words, hn::Set(as_bits, by));
+    return {hn::BitCast(as_bits, both), hn::BitCast(as_bits, hn::ShiftRight<32>(both))};
+}
+
+/// philox() of each.
+HWY_INLINE Counters philox(Counters counters, Key key) {
+    for (int round = 0; round < philox_rounds; ++round) {
+        const Product first = product(counters.a, philox_factor_of_a);
+        const Product second = product(counters.c, philox_factor_of_c);
+        counters = {second.upper ^ counters.b ^ hn::Set(as_bits, key.low), second.lower,
+                    first.upper ^ counters.d ^ hn::Set(as_bits, key.high), first.lower};
+        key = next_key(key);
+    }
+    return counters;
+}
+
+/// Of the flakes with these lower words in even lanes.
+HWY_INLINE Counters words_of(Key key, std::uint32_t high, Bits lows, Stream stream) {
+    const Bits third = hn::Set(as_bits, static_cast<std::uint32_t>(stream));
+    return philox({lows, hn::Set(as_bits, high), third, hn::Zero(as_bits)}, key);
+}
+
+/// fraction() of each.
+HWY_INLINE Floats fractions(Bits words) {
+    return hn::ConvertTo(as_floats, hn::BitCast(as_integers, hn::ShiftRight<8>(words))) * floats(0x1p-24F);
+}
+
+struct Draws {
+    Floats a, b, c, d;
+};
+
+/// Of the flakes with these lower words: the products are as wide as two lanes, hence the even ones and the
+/// odd ones by themselves.
+HWY_INLINE Draws drawn(Key key, std::uint32_t high, const std::uint32_t* lows, Stream stream) {
+    const Bits all = hn::LoadU(as_bits, lows);
+    const Counters even = words_of(key, high, all, stream);
+    const Counters odd = words_of(key, high, hn::Reverse2(as_bits, all), stream);
+    const auto joined = [](Bits of_even, Bits of_odd) HWY_ATTR {
+        return fractions(hn::OddEven(hn::Reverse2(as_bits, of_odd), of_even));
+    };
+    return {joined(even.a, odd.a), joined(even.b, odd.b), joined(even.c, odd.c), joined(even.d, odd.d)};
+}
+
+void draw(const Kind& kind, const Run& run, Stream stream, std::size_t n, FloatRow& a, FloatRow& b,
+          FloatRow& c, FloatRow& d) {
+    for (std::size_t i = 0; i < n; i += lanes) {
+        const Draws all = drawn(kind.key, run.high, run.lows + i, stream);
+        store(all.a, a, i);
+        store(all.b, b, i);
+        store(all.c, c, i);
+        store(all.d, d, i);
+    }
+}
+
+void draw_lives(Key key, std::uint32_t high, const std::uint32_t* lows, std::size_t count, float* out) {
+    for (std::size_t i = 0; i < count; i += lanes)
+        hn::StoreU(spread(drawn(key, high, lows + i, Stream::life).a), as_floats, out + i);
+}
+
+}  // namespace
+}  // namespace motus::snow::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#endif
