@@ -6,6 +6,9 @@
 #define MOTUS_SNOW_DRAWS
 #endif
 
+#include <cstddef>
+#include <cstdint>
+
 #include "lanes-inl.hpp"
 #include "philox.hpp"
 
@@ -13,12 +16,12 @@ HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
 namespace {
 
-/// Bits of the flakes in even lanes; whatever is in the odd ones.
+/// Words of the flakes in even lanes; what stands in the odd ones means nothing.
 struct Counters {
     Bits a, b, c, d;
 };
 
-/// The product of a word and a constant, and its upper half, both in even lanes.
+/// Of words and a constant, in even lanes.
 struct Product {
     Bits lower, upper;
 };
@@ -55,12 +58,13 @@ struct Draws {
     Floats a, b, c, d;
 };
 
-/// Of the flakes with these lower words: the products are as wide as two lanes, hence the even ones and the
-/// odd ones by themselves.
+/// Of the flakes with these lower words. A product is two lanes wide, hence the even flakes and the odd ones
+/// by themselves.
 HWY_INLINE Draws drawn(Key key, std::uint32_t high, const std::uint32_t* lows, Stream stream) {
     const Bits all = hn::LoadU(as_bits, lows);
     const Counters even = words_of(key, high, all, stream);
     const Counters odd = words_of(key, high, hn::Reverse2(as_bits, all), stream);
+    // A single lane is an even one, which is all that OddEven() knows there.
     const auto joined = [](Bits of_even, Bits of_odd) HWY_ATTR {
         return fractions(hn::OddEven(hn::Reverse2(as_bits, of_odd), of_even));
     };

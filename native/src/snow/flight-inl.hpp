@@ -6,6 +6,10 @@
 #define MOTUS_SNOW_FLIGHT
 #endif
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
 #include "lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
@@ -13,10 +17,6 @@ namespace motus::snow::HWY_NAMESPACE {
 namespace {
 
 // --- To the world ------------------------------------------------------------------------------------------
-
-HWY_INLINE Floats glided(const Glide& glide, Floats u) {
-    return floats(glide.w_start) + floats(glide.w_change) * u;
-}
 
 HWY_INLINE Vectors turned(const Glide& glide, Floats w, const Vectors& v) {
     return turned(v, vectors(glide.axis), circle(floats(glide.turn) * w));
@@ -46,7 +46,7 @@ HWY_INLINE Vectors direction_in_world(const Glide& glide, Floats w, const Vector
 void to_world(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
     const bool is_world = kind.shape == Shape::frustum;  // what the directions are in
     for (std::size_t i = 0; i < n; i += lanes) {
-        const Floats w = glided(run.glide, load(rows.u, i));
+        const Floats w = part_of(run.glide, load(rows.u, i));
         const Floats speed = floats(kind.speed) + floats(kind.speed_range) * spread(load(rows.speed, i));
         const Vectors direction = load(rows.direction, i);
         store((is_world ? direction : direction_in_world(run.glide, w, direction)) * speed, rows.velocity, i);
@@ -101,8 +101,8 @@ template <bool is_rate>
 void go_straight(const Kind& kind, const Run& run, const Scratch& rows, float* out) {
     for (std::size_t i = 0; i < run.count; i += lanes) {
         const Floats way = at(is_rate ? run.way_rate : run.way, load(rows.u, i));
-        const Vectors at = blown<is_rate>(kind, run, rows, i) + load(rows.velocity, i) * way;
-        write(out, i, run.count, at.x, at.y, at.z);
+        const Vectors found = blown<is_rate>(kind, run, rows, i) + load(rows.velocity, i) * way;
+        write(out, i, run.count, found.x, found.y, found.z);
     }
 }
 
@@ -125,10 +125,10 @@ void go_steering(const Kind& kind, const Run& run, const Scratch& rows, float* o
         const Floats u = load(rows.u, i);
         const Vectors v = load(rows.velocity, i);
         const auto m = [&](std::size_t e) HWY_ATTR { return at(integral[e], u); };
-        const Vectors at = blown<is_rate>(kind, run, rows, i) + Vectors{m(0) * v.x + m(1) * v.z,
-                                                                        m(2) * v.x + m(3) * v.y + m(4) * v.z,
-                                                                        m(5) * v.x + m(6) * v.y + m(7) * v.z};
-        write(out, i, run.count, at.x, at.y, at.z);
+        const Vectors found = blown<is_rate>(kind, run, rows, i) +
+                              Vectors{m(0) * v.x + m(1) * v.z, m(2) * v.x + m(3) * v.y + m(4) * v.z,
+                                      m(5) * v.x + m(6) * v.y + m(7) * v.z};
+        write(out, i, run.count, found.x, found.y, found.z);
     }
 }
 

@@ -60,11 +60,11 @@ struct alignas(64) Scratch {
     FloatRow life, color, tilt, turn;                   ///< by Stream::life,
     FloatRow one, two, three, offset;                   ///< by Stream::depth,
     FloatRow axis_height, axis_turn, spin, spin_phase;  ///< and by Stream::spin
-    FloatRow u;
-    FloatRow age;
-    std::array<FloatRow, 3> birth, direction, velocity;
-    std::array<FloatRow, 3> air;  ///< what the air alone makes of the way, or of its rate
-    std::array<FloatRow, 2> angles;
+    FloatRow u, age;
+    std::array<FloatRow, 3> birth, direction;  ///< in the emitter's space; the former later in the world
+    std::array<FloatRow, 3> velocity;          ///< the first one, in the world
+    std::array<FloatRow, 3> air;               ///< what the air alone makes of the way, or of its rate
+    std::array<FloatRow, 2> angles;            ///< of the steering's two turns
     Unfilled<float, entries * block_size> integral;  ///< the entries of each flake side by side
 };
 

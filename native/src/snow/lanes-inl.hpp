@@ -30,7 +30,7 @@ using Integers = hn::Vec<decltype(as_integers)>;
 using Bits = hn::Vec<decltype(as_bits)>;
 constexpr std::size_t lanes = hn::MaxLanes(as_floats);
 
-// Doubles are half as many, and so are the floats that they are made of.
+// A vector holds half as many doubles, and these become half a vector of floats.
 constexpr hn::ScalableTag<double> as_doubles;
 constexpr hn::Rebind<float, decltype(as_doubles)> as_half_floats;
 using Doubles = hn::Vec<decltype(as_doubles)>;
@@ -68,6 +68,11 @@ HWY_INLINE Floats polynomial(Floats x, float c0, Higher... higher) {
 
 HWY_INLINE Floats at(const Cubic& c, Floats u) {
     return polynomial(u, c.c0, c.c1, c.c2, c.c3);
+}
+
+/// w of the emitter's motion.
+HWY_INLINE Floats part_of(const Glide& glide, Floats u) {
+    return floats(glide.w_start) + floats(glide.w_change) * u;
 }
 
 // --- Angles ------------------------------------------------------------------------------------------------
@@ -146,7 +151,6 @@ HWY_INLINE Vectors turned(const Vectors& v, const Vectors& axis, const Circle& b
     return v * by.cosine + cross(axis, v) * by.sine + axis * (dot(axis, v) * (floats(1.0F) - by.cosine));
 }
 
-/// Rotations.
 struct Quaternions {
     Floats w, x, y, z;
 };
@@ -171,7 +175,7 @@ HWY_INLINE void store_side_by_side(float* out, Floats x, Floats y, Floats z, Flo
     hn::StoreInterleaved4(x, y, z, w, as_floats, out);
 }
 
-/// The numbers of each flake side by side: of the flakes from i on that are fewer than `count`.
+/// Writes the numbers of a flake side by side: of those of the flakes from i on that are below `count`.
 template <class... Numbers>
 HWY_INLINE void write(float* out, std::size_t i, std::size_t count, Numbers... numbers) {
     constexpr std::size_t width = sizeof...(numbers);

@@ -6,6 +6,9 @@
 #define MOTUS_SNOW_ROTATIONS
 #endif
 
+#include <cstddef>
+#include <cstdint>
+
 #include "draws-inl.hpp"
 #include "lanes-inl.hpp"
 
@@ -35,8 +38,7 @@ HWY_INLINE Quaternions about(const Vectors& axis, Floats half_turns) {
 HWY_INLINE Quaternions glide_turns(const Glide& glide, Floats u) {
     const auto& q = glide.quaternion;
     return Quaternions{floats(q[0]), floats(q[1]), floats(q[2]), floats(q[3])} *
-           about(vectors(glide.axis),
-                 floats(0.5F * glide.turn) * (floats(glide.w_start) + floats(glide.w_change) * u));
+           about(vectors(glide.axis), floats(0.5F * glide.turn) * part_of(glide, u));
 }
 
 /// About X by the one angle after about Y by the other.

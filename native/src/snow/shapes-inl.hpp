@@ -6,6 +6,11 @@
 #define MOTUS_SNOW_SHAPES
 #endif
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
 #include "lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
