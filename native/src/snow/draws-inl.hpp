@@ -14,7 +14,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
-namespace {
 
 /// Words of the flakes in even lanes; what stands in the odd ones means nothing.
 struct Counters {
@@ -71,8 +70,8 @@ HWY_INLINE Draws drawn(Key key, std::uint32_t high, const std::uint32_t* lows, S
     return {joined(even.a, odd.a), joined(even.b, odd.b), joined(even.c, odd.c), joined(even.d, odd.d)};
 }
 
-void draw(const Kind& kind, const Run& run, Stream stream, std::size_t n, FloatRow& a, FloatRow& b,
-          FloatRow& c, FloatRow& d) {
+inline void draw(const Kind& kind, const Run& run, Stream stream, std::size_t n, FloatRow& a, FloatRow& b,
+                 FloatRow& c, FloatRow& d) {
     for (std::size_t i = 0; i < n; i += lanes) {
         const Draws all = drawn(kind.key, run.high, run.lows + i, stream);
         store(all.a, a, i);
@@ -82,12 +81,12 @@ void draw(const Kind& kind, const Run& run, Stream stream, std::size_t n, FloatR
     }
 }
 
-void draw_lives(Key key, std::uint32_t high, const std::uint32_t* lows, std::size_t count, float* out) {
+inline void draw_lives(Key key, std::uint32_t high, const std::uint32_t* lows, std::size_t count,
+                       float* out) {
     for (std::size_t i = 0; i < count; i += lanes)
         hn::StoreU(spread(drawn(key, high, lows + i, Stream::life).a), as_floats, out + i);
 }
 
-}  // namespace
 }  // namespace motus::snow::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -14,7 +14,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
-namespace {
 
 // --- To the world ------------------------------------------------------------------------------------------
 
@@ -43,7 +42,7 @@ HWY_INLINE Vectors direction_in_world(const Glide& glide, Floats w, const Vector
 }
 
 /// Places of birth, and the velocities there.
-void to_world(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
+inline void to_world(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
     const bool is_world = kind.shape == Shape::frustum;  // what the directions are in
     for (std::size_t i = 0; i < n; i += lanes) {
         const Floats w = part_of(run.glide, load(rows.u, i));
@@ -107,7 +106,7 @@ void go_straight(const Kind& kind, const Run& run, const Scratch& rows, float* o
 }
 
 /// The cubic's derivative by time.
-[[nodiscard]] inline Cubic rate_of(const Cubic& c, double step) {
+inline Cubic rate_of(const Cubic& c, double step) {
     const auto by = static_cast<float>(1.0 / step);
     return {c.c1 * by, 2.0F * c.c2 * by, 3.0F * c.c3 * by, 0.0F};
 }
@@ -187,7 +186,6 @@ void go(const Kind& kind, const Run& run, std::size_t n, Scratch& rows, float* o
         go_steering<is_rate>(kind, run, rows, out);
 }
 
-}  // namespace
 }  // namespace motus::snow::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

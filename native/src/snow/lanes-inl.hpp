@@ -18,23 +18,22 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
-namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr hn::ScalableTag<float> as_floats;
-constexpr hn::ScalableTag<std::uint32_t> as_bits;
-constexpr hn::ScalableTag<std::int32_t> as_integers;
+inline constexpr hn::ScalableTag<float> as_floats;
+inline constexpr hn::ScalableTag<std::uint32_t> as_bits;
+inline constexpr hn::ScalableTag<std::int32_t> as_integers;
 using Floats = hn::Vec<decltype(as_floats)>;
 using Integers = hn::Vec<decltype(as_integers)>;
 using Bits = hn::Vec<decltype(as_bits)>;
-constexpr std::size_t lanes = hn::MaxLanes(as_floats);
+inline constexpr std::size_t lanes = hn::MaxLanes(as_floats);
 
 // A vector holds half as many doubles, and these become half a vector of floats.
-constexpr hn::ScalableTag<double> as_doubles;
-constexpr hn::Rebind<float, decltype(as_doubles)> as_half_floats;
+inline constexpr hn::ScalableTag<double> as_doubles;
+inline constexpr hn::Rebind<float, decltype(as_doubles)> as_half_floats;
 using Doubles = hn::Vec<decltype(as_doubles)>;
-constexpr std::size_t double_lanes = hn::MaxLanes(as_doubles);
+inline constexpr std::size_t double_lanes = hn::MaxLanes(as_doubles);
 
 HWY_INLINE Floats floats(float number) {
     return hn::Set(as_floats, number);
@@ -188,7 +187,6 @@ HWY_INLINE void write(float* out, std::size_t i, std::size_t count, Numbers... n
     }
 }
 
-}  // namespace
 }  // namespace motus::snow::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -14,7 +14,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
-namespace {
 
 /// The shortest one from +Z to unit directions.
 HWY_INLINE Quaternions headed(const Vectors& direction) {
@@ -48,7 +47,7 @@ HWY_INLINE Quaternions steer_turns(Floats about_x, Floats about_y) {
 }
 
 /// The steering's angles of flakes that begin at nodes of their own.
-void angles_from_nodes(const Run& run, float offset_count, std::size_t n, Scratch& rows) {
+inline void angles_from_nodes(const Run& run, float offset_count, std::size_t n, Scratch& rows) {
     for (std::size_t i = 0; i < n; ++i) {
         const OwnAngles* a = run.own_angles + static_cast<std::int32_t>(offset_count * rows.offset[i]);
         const float u = rows.u[i];
@@ -62,7 +61,7 @@ void angles_from_nodes(const Run& run, float offset_count, std::size_t n, Scratc
     }
 }
 
-void angles_alike(const Run& run, std::size_t n, Scratch& rows) {
+inline void angles_alike(const Run& run, std::size_t n, Scratch& rows) {
     const Node &start = run.node[0], &end = run.node[1];
     for (std::size_t axis = 0; axis < 2; ++axis) {
         const Cubic c =
@@ -72,7 +71,7 @@ void angles_alike(const Run& run, std::size_t n, Scratch& rows) {
 }
 
 /// How far flakes have turned that tumble about an axis of their own.
-void tumble(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
+inline void tumble(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
     draw(kind, run, Stream::spin, n, rows.axis_height, rows.axis_turn, rows.spin, rows.spin_phase);
     const auto most = hn::Set(as_half_floats, kind.tumble), one = hn::Set(as_half_floats, 1.0F),
                two = hn::Set(as_half_floats, 2.0F);
@@ -94,7 +93,7 @@ HWY_INLINE Quaternions tumbling(const Scratch& rows, std::size_t i) {
 }
 
 /// From directions in the emitter's space, or in the world if the emitter is none.
-void write_rotations(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
+inline void write_rotations(const Kind& kind, const Run& run, std::size_t n, Scratch& rows) {
     const Glide glide = kind.shape == Shape::frustum ? Glide{} : run.glide;
     if (kind.snow && kind.snow_offsets)
         angles_from_nodes(run, kind.offset_count, n, rows);
@@ -111,7 +110,6 @@ void write_rotations(const Kind& kind, const Run& run, std::size_t n, Scratch& r
     }
 }
 
-}  // namespace
 }  // namespace motus::snow::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 

@@ -15,7 +15,6 @@
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
-namespace {
 
 struct Births {
     Vectors place, direction;
@@ -69,7 +68,7 @@ HWY_INLINE Births in_frustum(const Frustum& frustum, Floats x, Floats y, Floats 
 }
 
 /// Facets lie anywhere in memory: flake by flake.
-void on_surface(std::span<const Facet> facets, std::size_t n, Scratch& rows) {
+inline void on_surface(std::span<const Facet> facets, std::size_t n, Scratch& rows) {
     const auto facet_count = static_cast<double>(facets.size());
     for (std::size_t i = 0; i < n; ++i) {
         // Of two draws, since one has too few digits for millions of facets.
@@ -125,7 +124,7 @@ HWY_INLINE Vectors turned_out(const Vectors& v, float cone_depth, Floats tilt, F
             p * (hn::Neg(sign) * v.x) - q * v.y + along * v.z};
 }
 
-void leave(const Kind& kind, std::size_t n, Scratch& rows) {
+inline void leave(const Kind& kind, std::size_t n, Scratch& rows) {
     if (kind.shape == Shape::surface) on_surface(kind.facets, n, rows);
     for (std::size_t i = 0; i < n; i += lanes) {
         Births births = born(kind, rows, i);
@@ -137,7 +136,6 @@ void leave(const Kind& kind, std::size_t n, Scratch& rows) {
     }
 }
 
-}  // namespace
 }  // namespace motus::snow::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
