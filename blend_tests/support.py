@@ -91,6 +91,14 @@ def forget_notifiers():
     bpy.ops.wm.open_mainfile(filepath=_empty_file()[0], load_ui=True)
 
 
+def use_eevee(scene, engine, samples):
+    """Has EEVEE render, drawn in software: without shadows, for which EEVEE (4.2 on) clears a large memory for each sample."""
+    scene.render.engine = engine
+    scene.eevee.taa_render_samples = samples
+    if hasattr(scene.eevee, "shadow_pool_size"):
+        scene.eevee.use_shadows, scene.eevee.shadow_pool_size = False, '16'
+
+
 class SceneTestCase(unittest.TestCase):
     """Each test starts in an empty scene, and has a temporary folder `self.folder`."""
 

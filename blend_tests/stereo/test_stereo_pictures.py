@@ -2,6 +2,7 @@
 
 import bpy
 import numpy as np
+import support
 
 from stereo.stereo_cases import LENS, SENSOR, StereoTestCase, camera, native, square
 
@@ -120,8 +121,7 @@ class Pictures(StereoTestCase):
         self.add(interocular=0.2, distance=4.0)
         scene = bpy.context.scene
         engines = {item.identifier for item in scene.render.bl_rna.properties["engine"].enum_items}
-        scene.eevee.taa_render_samples = 16
         for engine in sorted(engines & {'BLENDER_EEVEE', 'BLENDER_EEVEE_NEXT'}):
-            scene.render.engine = engine
+            support.use_eevee(scene, engine, samples=16)
             with self.subTest(engine):
                 self.assert_disparity(0.2, 4.0)

@@ -15,13 +15,15 @@ HERE = Path(__file__).resolve().parent
 CLONE = HERE.parents[1]
 HANGS_AFTER = 700  # seconds without a line from the driver, which gives every test less
 SKIPPED = 77
+WIDTH, HEIGHT = "960", "600"
+"""Of the screen, which the window fills; drawn in software, pixels are what most of the processor's time goes into."""
 
 
 @contextlib.contextmanager
 def x_server(folder):
     """A display of its own, which keeps its pixels in a file in `folder`; gives its name."""
     read, write = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-fbdir", str(folder), "-nocursor",
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-fbdir", str(folder), "-nocursor",
                "-nolisten", "tcp"]
     with subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL) as server:
         os.close(write)
@@ -39,7 +41,7 @@ class Run:
         backend = () if version == "3.4" else ("--gpu-backend", "opengl")
         self._command = [
             str(CLONE / "motus"), "blender", "--version", version, "--factory-startup", "--enable-event-simulate", *backend,
-            "--window-geometry", "0", "0", "1280", "800", "--python-exit-code", "1", "--python", str(HERE / "driver.py"), "--",
+            "--window-geometry", "0", "0", WIDTH, HEIGHT, "--python-exit-code", "1", "--python", str(HERE / "driver.py"), "--",
             str(folder), *patterns]
         # Software rendering, whatever the machine has: the pictures are the same everywhere.
         self._environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")

@@ -43,7 +43,8 @@ def test_tab_draws_its_panels():
     assert drawn, "no panel of the tab was drawn"
 
     width, height, values = window_support.pixels(path)
-    assert (width, height) == (1280, 800)
+    window = window_support.window()
+    assert (width, height) == (window.width, window.height)
     brightness = {round(value, 2) for value in values[0::4]}
     assert len(brightness) > 20, "the picture shows no interface"
 

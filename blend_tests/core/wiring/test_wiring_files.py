@@ -251,8 +251,7 @@ class RenderTest(WiringTestCase):
 
     def test_motion_blur_in_eevee(self):
         scene = bpy.context.scene
-        scene.render.engine = support.addon("core.capabilities").eevee_engine()
-        scene.eevee.taa_render_samples = 2
+        support.use_eevee(scene, support.addon("core.capabilities").eevee_engine(), samples=2)
         for owner in (scene.render, scene.eevee):
             if hasattr(owner, "use_motion_blur"):
                 owner.use_motion_blur = True

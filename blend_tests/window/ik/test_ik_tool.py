@@ -83,14 +83,14 @@ def test_axis():
     yield
     dragging.button('PRESS', x, y)
     yield
-    window_support.move(x + 40, y + 30)
+    window_support.move(x + 28, y + 21)
     yield
-    window_support.press('Z', x + 40, y + 30)
+    window_support.press('Z', x + 28, y + 21)
     yield
     yield from window_support.picture("ik_tool_axis")
     way = dragging.point("Bone 2", 0.9) - start
     assert abs(way.x) < 1e-3 and abs(way.y) < 1e-3 and abs(way.z) > 0.02, way
-    window_support.move(x + 40, y + 60, shift=True)
+    window_support.move(x + 28, y + 42, shift=True)
     yield
     further = dragging.point("Bone 2", 0.9) - start
     assert abs(further.z / way.z - 1.1) < 0.01, "with Shift a tenth as far"

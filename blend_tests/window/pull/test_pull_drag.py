@@ -62,7 +62,7 @@ def held_in_session():
     vertex, start = middle()
     before = world(vertex)
     yield from pull.session()
-    end = beside(start, 60, 100)
+    end = beside(start, 42, 70)
     yield from pull.drag('LEFTMOUSE', start, end, release=False)
     return vertex, before, end
 
@@ -72,7 +72,7 @@ def session_in(mode, **view):
     vertex, _ = middle()
     flat = pull.places()
     yield from pull.session()
-    for way in ((120, 40), (-50, 90), (10, -80)):
+    for way in ((84, 28), (-35, 63), (7, -56)):
         start = tuple(round(part) for part in seen(vertex))
         end = beside(start, *way)
         yield from pull.drag('LEFTMOUSE', start, end)
@@ -103,16 +103,16 @@ def tool_in(mode):
     vertex, start = middle()
     yield from hover(start)
     flat = pull.places()
-    end = beside(start, 70, 85)
+    end = beside(start, 49, 60)
     yield from pull.drag('LEFTMOUSE', start, end)
     assert pull.pulling() is None
     assert off(vertex, end) <= NEAR, off(vertex, end)
     after = pull.places()
-    yield from pull.drag('LEFTMOUSE', end, beside(end, 40, 0), release=False)
+    yield from pull.drag('LEFTMOUSE', end, beside(end, 28, 0), release=False)
     assert not np.array_equal(pull.places(), after)
-    yield from pull.key('ESC', *beside(end, 40, 0))
+    yield from pull.key('ESC', *beside(end, 28, 0))
     assert pull.pulling() is None
-    pull.simulate('LEFTMOUSE', 'RELEASE', *beside(end, 40, 0))
+    pull.simulate('LEFTMOUSE', 'RELEASE', *beside(end, 28, 0))
     yield
     assert np.array_equal(pull.places().view(np.uint32), after.view(np.uint32))
     yield from pull.undo_and_redo(flat, after)
@@ -197,7 +197,7 @@ def test_cancelled_every_bit_is_as_before():
     first = pull.places()
     for button in ('ESC', 'RIGHTMOUSE'):
         start = tuple(round(part) for part in seen(vertex))
-        end = beside(start, 60, 100)
+        end = beside(start, 42, 70)
         yield from pull.drag('LEFTMOUSE', start, end, release=False)
         assert not np.array_equal(pull.places(), first)
         yield from pull.key(button, *end)

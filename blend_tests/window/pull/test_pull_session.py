@@ -24,7 +24,7 @@ def test_up_down_and_enter():
     assert top > 0.05, top
     assert pull.heights().min() >= 0.0
     x, y = window_support.centre()
-    yield from pull.drag('RIGHTMOUSE', (x - 60, y + 120), (x + 60, y + 120))
+    yield from pull.drag('RIGHTMOUSE', (x - 42, y + 84), (x + 42, y + 84))
     assert pull.heights().min() < -0.05
     assert pull.heights().max() == top, "the second stroke was not meant for the first's hill"
     after = pull.places()
@@ -104,7 +104,7 @@ def test_without_accumulate_the_bump_follows_the_mouse():
     pull.build()
     brush().accumulate, brush().strength = False, 0.5
     yield from pull.session()
-    yield from pull.drag('LEFTMOUSE', *ends(120), steps=20)
+    yield from pull.drag('LEFTMOUSE', *ends(84), steps=20)
     found = pull.heights()
     assert abs(found.max() - 0.5) < 0.02, found.max()
     grid = bpy.data.objects["Grid"].data
@@ -277,7 +277,7 @@ def test_a_stroke_becomes_a_pin():
     brush().strength = 0.03
     flat = pull.places()
     yield from pull.session()
-    yield from pull.drag('LEFTMOUSE', *ends(150, 60), steps=25)
+    yield from pull.drag('LEFTMOUSE', *ends(105, 42), steps=25)
     yield from pull.key('RET')
     stroked = evaluated()
     assert stroked[:, 2].max() > 0.1

@@ -32,7 +32,7 @@ def strokes_in(mode):
     one = pull.places()
     assert pull.heights().max() > 0.05
     yield from window_support.picture(f"pull_tool_{mode.lower()}")
-    yield from pull.drag('RIGHTMOUSE', *ends(0, 110))
+    yield from pull.drag('RIGHTMOUSE', *ends(0, 77))
     two = pull.places()
     assert pull.heights().min() < -0.02
     for act, wanted in ((pull.undo, one), (pull.undo, flat), (pull.redo, one), (pull.redo, two), (pull.undo, one)):
@@ -41,7 +41,7 @@ def strokes_in(mode):
         assert np.array_equal(pull.places(), wanted), act
     yield from hover()
     x, y = window_support.centre()
-    aside = (x - 190, y + 170), (x - 130, y + 170)
+    aside = (x - 133, y + 119), (x - 91, y + 119)
     bottom = pull.heights().min()
     yield from pull.drag('LEFTMOUSE', *aside, ctrl=True)
     assert pull.heights().min() < min(bottom, -0.1)
@@ -199,7 +199,7 @@ def test_inset_on_and_off():
     with_inset = window_support.pixels((yield from window_support.picture("pull_inset_on")))[2]
     region = window_support.region()
     x, y, width, height = support.addon("pull.window.inset").rectangle(region)
-    shape = (800, 1280, 4)
+    shape = (window_support.window().height, window_support.window().width, 4)
     parts = [np.frombuffer(picture, np.float32).reshape(shape)[
         region.y + y:region.y + y + height, region.x + x:region.x + x + width] for picture in (without, with_inset)]
     assert np.abs(parts[0] - parts[1]).max(axis=2).mean() > 0.02, "the corner looks the same"
@@ -218,12 +218,13 @@ def test_the_cursor_is_drawn_on_the_surface():
     pull.take_tool()
     brush().falloff = 'SMOOTH'
     x, y = window_support.centre()
-    window_support.move(x + 400, y - 300)
+    window_support.move(x + 280, y - 210)
     yield
     yield from hover()
     path = yield from window_support.picture("pull_cursor")
-    values = np.frombuffer(window_support.pixels(path)[2], np.float32).reshape(800, 1280, 4)
-    part = values[y - 150:y + 150, x - 150:x + 150, :3]
+    width, height, values = window_support.pixels(path)
+    values = np.frombuffer(values, np.float32).reshape(height, width, 4)
+    part = values[y - 105:y + 105, x - 105:x + 105, :3]
     orange = (part[..., 0] > 0.8) & (part[..., 2] < 0.45) & (part[..., 1] > 0.35) & (part[..., 1] < 0.75)
     assert orange.sum() > 150, orange.sum()
     log = support.addon("pull.window.cursor")._failed
