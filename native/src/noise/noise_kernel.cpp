@@ -61,16 +61,18 @@ HWY_INLINE Words words_of(Floats whole) {
 
 // --- Along a line: what it adds up, and in which order, is what noise.cpp does -----------------------------
 
+/// Of a bump whose middle is no further away than 1.
 HWY_INLINE void add_bump(Words hash, Floats from, Floats& sum) {
-    const Floats rest = hn::Max(floats(1.0F) - from * from, floats(0.0F));
+    const Floats rest = floats(1.0F) - from * from;
     const Floats upper = hn::ConvertTo(as_floats, hn::BitCast(as_integers, hn::ShiftRight<16>(hash)));
     const Floats height = upper * floats(2.0F / 65535.0F) - floats(1.0F);
     sum = sum + rest * rest * rest * (height + floats(line::steepness) * turn_where(hash, sign_bit, from));
 }
 
-HWY_INLINE void add_both(Words start, Words name, Floats within, Floats& sum) {
-    add_bump(mix(start + name * words(name_step)), within, sum);
-    add_bump(mix(start + (name + words(2)) * words(name_step)), within - floats(1.0F), sum);
+/// Of the bumps on both sides; the lower one's name times name_step, and how far the place is from it.
+HWY_INLINE void add_both(Words start, Words lower, Floats within, Floats& sum) {
+    add_bump(mix(start + lower), within, sum);
+    add_bump(mix(start + lower + words(2 * name_step)), within - floats(1.0F), sum);
 }
 
 /// From the nearest whole number, the distance to which has all digits, and that to any other is rounded
@@ -79,12 +81,13 @@ HWY_INLINE Floats noise_at(Words start, const std::array<Floats, 1>& place) {
     const Floats near = within_reach(place[0]);
     const Floats nearest = hn::Round(near);
     const Floats from_nearest = near - nearest;
-    const Words whole = words_of(nearest), name = whole + whole;
+    const Words name = words_of(nearest) * words(2 * name_step);
     const auto is_below = from_nearest < hn::Zero(as_floats);
-    const Words below = hn::BitCast(as_words, hn::IfThenElseZero(is_below, hn::BitCast(as_floats, words(2))));
+    const Words below =
+        hn::BitCast(as_words, hn::IfThenElseZero(is_below, hn::BitCast(as_floats, words(2 * name_step))));
     Floats sum = hn::Zero(as_floats);
     add_both(start, name - below, from_nearest + hn::IfThenElseZero(is_below, floats(1.0F)), sum);
-    add_both(start, name - words(1), from_nearest + floats(0.5F), sum);
+    add_both(start, name - words(name_step), from_nearest + floats(0.5F), sum);
     return sum * floats(1.0F / line::bound);
 }
 
