@@ -13,6 +13,7 @@ from pathlib import Path
 HERE = Path(__file__).resolve().parent
 CLONE = HERE.parent
 VERSION = "5.2"
+SIZE = 1280, 800
 SKIPPED = 77
 
 sys.path.insert(0, str(CLONE / "blend_tests" / "window"))
@@ -29,13 +30,12 @@ def main(*names):
     motus = str(CLONE / "motus")
     if subprocess.run([motus, "has_blender", VERSION], check=False).returncode:
         return SKIPPED
-    with tempfile.TemporaryDirectory(prefix="motus-steps-") as folder, run.x_server(folder) as display:
+    with tempfile.TemporaryDirectory(prefix="motus-steps-") as folder, run.x_server(folder, SIZE) as display:
         environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
         environment.pop("WAYLAND_DISPLAY", None)
         command = [
             motus, "blender", "--version", VERSION, "--factory-startup", "--enable-event-simulate", "--gpu-backend", "opengl",
-            "--window-geometry", "0", "0", "1280", "800", "--python-exit-code", "1", "--python",
-            str(HERE / "scripts" / "steps" / "driver.py"), "--", folder, *names]
+            *run.window_of(SIZE), "--python-exit-code", "1", "--python", str(HERE / "scripts" / "steps" / "driver.py"), "--", folder, *names]
         return subprocess.run(command, env=environment, check=False).returncode
 
 

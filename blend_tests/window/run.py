@@ -15,15 +15,15 @@ HERE = Path(__file__).resolve().parent
 CLONE = HERE.parents[1]
 HANGS_AFTER = 700  # seconds without a line from the driver, which gives every test less
 SKIPPED = 77
-WIDTH, HEIGHT = "960", "600"
+SIZE = 960, 600
 """Of the screen, which the window fills; drawn in software, pixels are what most of the processor's time goes into."""
 
 
 @contextlib.contextmanager
-def x_server(folder):
-    """A display of its own, which keeps its pixels in a file in `folder`; gives its name."""
+def x_server(folder, size):
+    """A display of its own with a screen of (width, height), which keeps its pixels in a file in `folder`; gives its name."""
     read, write = os.pipe()
-    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-fbdir", str(folder), "-nocursor",
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "{}x{}x24".format(*size), "-fbdir", str(folder), "-nocursor",
                "-nolisten", "tcp"]
     with subprocess.Popen(command, pass_fds=[write], stderr=subprocess.DEVNULL) as server:
         os.close(write)
@@ -34,6 +34,11 @@ def x_server(folder):
             server.terminate()
 
 
+def window_of(size):
+    """The arguments by which Blender's window fills a screen of (width, height)."""
+    return "--window-geometry", "0", "0", *map(str, size)
+
+
 class Run:
     """What the tests of all Blenders have come to: (file, test) -> whether it passed."""
 
@@ -41,7 +46,7 @@ class Run:
         backend = () if version == "3.4" else ("--gpu-backend", "opengl")
         self._command = [
             str(CLONE / "motus"), "blender", "--version", version, "--factory-startup", "--enable-event-simulate", *backend,
-            "--window-geometry", "0", "0", WIDTH, HEIGHT, "--python-exit-code", "1", "--python", str(HERE / "driver.py"), "--",
+            *window_of(SIZE), "--python-exit-code", "1", "--python", str(HERE / "driver.py"), "--",
             str(folder), *patterns]
         # Software rendering, whatever the machine has: the pictures are the same everywhere.
         self._environment = dict(os.environ, DISPLAY=display, LIBGL_ALWAYS_SOFTWARE="1")
@@ -94,7 +99,7 @@ def main(version, *patterns):
     folder.mkdir(parents=True, exist_ok=True)
     for old in folder.iterdir():
         old.unlink()
-    with x_server(folder) as display:
+    with x_server(folder, SIZE) as display:
         run = Run(version, folder, display, patterns)
         while run.blender() and run.left():
             pass
