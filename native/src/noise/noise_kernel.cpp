@@ -14,25 +14,13 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
+#include "motus/core/lanes-inl.hpp"
+
 HWY_BEFORE_NAMESPACE();
 namespace motus::noise::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-constexpr hn::ScalableTag<float> as_floats;
-constexpr hn::ScalableTag<std::uint32_t> as_words;
-constexpr hn::ScalableTag<std::int32_t> as_integers;
-using Floats = hn::Vec<decltype(as_floats)>;
-using Words = hn::Vec<decltype(as_words)>;
-
-HWY_INLINE Floats floats(float number) {
-    return hn::Set(as_floats, number);
-}
-
-HWY_INLINE Words words(std::uint32_t word) {
-    return hn::Set(as_words, word);
-}
+using namespace motus::HWY_NAMESPACE;
 
 HWY_INLINE Words stir(Words bits) {
     return (bits ^ hn::ShiftRight<16>(bits)) * words(first_mixer);
@@ -168,7 +156,7 @@ HWY_INLINE std::array<Floats, dimensions> places_at(const float* from) {
 template <std::size_t dimensions>
 void fill(const float* places, std::uint32_t seed, float* out) {
     const Words start = words(mixed(seed));
-    for (std::size_t i = 0; i < noise_block; i += hn::Lanes(as_floats))
+    for (std::size_t i = 0; i < noise_block; i += lanes)
         hn::StoreU(noise_at(start, places_at<dimensions>(places + dimensions * i)), as_floats, out + i);
 }
 

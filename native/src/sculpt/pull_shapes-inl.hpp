@@ -13,24 +13,16 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "motus/core/lanes-inl.hpp"
 #include "pull_kernel.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::sculpt::HWY_NAMESPACE {
 namespace {
 
-namespace hn = hwy::HWY_NAMESPACE;
+using namespace motus::HWY_NAMESPACE;
 
-inline constexpr hn::ScalableTag<float> as_floats;
-inline constexpr hn::ScalableTag<std::int32_t> as_integers;
-inline constexpr std::size_t lanes = hn::MaxLanes(as_floats);
-using Floats = hn::Vec<decltype(as_floats)>;
-using Integers = hn::Vec<decltype(as_integers)>;
 using Truths = hn::Mask<decltype(as_floats)>;
-
-HWY_INLINE Floats floats(float number) {
-    return hn::Set(as_floats, number);
-}
 
 HWY_INLINE Integers integers(std::int32_t number) {
     return hn::Set(as_integers, number);

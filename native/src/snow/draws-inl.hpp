@@ -15,6 +15,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
 
+/// Of the lanes; philox.hpp has the Words of one flake.
+using Bits = hn::Vec<decltype(as_words)>;
+
 /// Words of the flakes in even lanes; what stands in the odd ones means nothing.
 struct Counters {
     Bits a, b, c, d;
@@ -25,9 +28,9 @@ struct Product {
     Bits lower, upper;
 };
 
-HWY_INLINE Product product(Bits words, std::uint32_t by) {
-    const auto both = hn::MulEven(words, hn::Set(as_bits, by));
-    return {hn::BitCast(as_bits, both), hn::BitCast(as_bits, hn::ShiftRight<32>(both))};
+HWY_INLINE Product product(Bits all, std::uint32_t by) {
+    const auto both = hn::MulEven(all, words(by));
+    return {hn::BitCast(as_words, both), hn::BitCast(as_words, hn::ShiftRight<32>(both))};
 }
 
 /// philox() of each.
@@ -35,8 +38,8 @@ HWY_INLINE Counters philox(Counters counters, Key key) {
     for (int round = 0; round < philox_rounds; ++round) {
         const Product first = product(counters.a, philox_factor_of_a);
         const Product second = product(counters.c, philox_factor_of_c);
-        counters = {second.upper ^ counters.b ^ hn::Set(as_bits, key.low), second.lower,
-                    first.upper ^ counters.d ^ hn::Set(as_bits, key.high), first.lower};
+        counters = {second.upper ^ counters.b ^ words(key.low), second.lower,
+                    first.upper ^ counters.d ^ words(key.high), first.lower};
         key = next_key(key);
     }
     return counters;
@@ -44,13 +47,13 @@ HWY_INLINE Counters philox(Counters counters, Key key) {
 
 /// Of the flakes with these lower words in even lanes.
 HWY_INLINE Counters words_of(Key key, std::uint32_t high, Bits lows, Stream stream) {
-    const Bits third = hn::Set(as_bits, static_cast<std::uint32_t>(stream));
-    return philox({lows, hn::Set(as_bits, high), third, hn::Zero(as_bits)}, key);
+    const Bits third = words(static_cast<std::uint32_t>(stream));
+    return philox({lows, words(high), third, hn::Zero(as_words)}, key);
 }
 
 /// fraction() of each.
-HWY_INLINE Floats fractions(Bits words) {
-    return hn::ConvertTo(as_floats, hn::BitCast(as_integers, hn::ShiftRight<8>(words))) * floats(0x1p-24F);
+HWY_INLINE Floats fractions(Bits all) {
+    return hn::ConvertTo(as_floats, hn::BitCast(as_integers, hn::ShiftRight<8>(all))) * floats(0x1p-24F);
 }
 
 struct Draws {
@@ -60,12 +63,12 @@ struct Draws {
 /// Of the flakes with these lower words. A product is two lanes wide, hence the even flakes and the odd ones
 /// by themselves.
 HWY_INLINE Draws drawn(Key key, std::uint32_t high, const std::uint32_t* lows, Stream stream) {
-    const Bits all = hn::LoadU(as_bits, lows);
+    const Bits all = hn::LoadU(as_words, lows);
     const Counters even = words_of(key, high, all, stream);
-    const Counters odd = words_of(key, high, hn::Reverse2(as_bits, all), stream);
+    const Counters odd = words_of(key, high, hn::Reverse2(as_words, all), stream);
     // A single lane is an even one, which is all that OddEven() knows there.
     const auto joined = [](Bits of_even, Bits of_odd) HWY_ATTR {
-        return fractions(hn::OddEven(hn::Reverse2(as_bits, of_odd), of_even));
+        return fractions(hn::OddEven(hn::Reverse2(as_words, of_odd), of_even));
     };
     return {joined(even.a, odd.a), joined(even.b, odd.b), joined(even.c, odd.c), joined(even.d, odd.d)};
 }

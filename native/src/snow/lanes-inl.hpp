@@ -15,29 +15,18 @@
 #include <cstdint>
 
 #include "kernel.hpp"
+#include "motus/core/lanes-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace motus::snow::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-inline constexpr hn::ScalableTag<float> as_floats;
-inline constexpr hn::ScalableTag<std::uint32_t> as_bits;
-inline constexpr hn::ScalableTag<std::int32_t> as_integers;
-using Floats = hn::Vec<decltype(as_floats)>;
-using Integers = hn::Vec<decltype(as_integers)>;
-using Bits = hn::Vec<decltype(as_bits)>;
-inline constexpr std::size_t lanes = hn::MaxLanes(as_floats);
+using namespace motus::HWY_NAMESPACE;
 
 // A vector holds half as many doubles, and these become half a vector of floats.
 inline constexpr hn::ScalableTag<double> as_doubles;
 inline constexpr hn::Rebind<float, decltype(as_doubles)> as_half_floats;
 using Doubles = hn::Vec<decltype(as_doubles)>;
 inline constexpr std::size_t double_lanes = hn::MaxLanes(as_doubles);
-
-HWY_INLINE Floats floats(float number) {
-    return hn::Set(as_floats, number);
-}
 
 HWY_INLINE Floats load(const FloatRow& row, std::size_t i) {
     return hn::Load(as_floats, row.data() + i);
