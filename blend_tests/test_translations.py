@@ -1,6 +1,7 @@
 """Every English text of the interface has a Spanish one, and nothing else has."""
 
 import ast
+import re
 import string
 import unittest
 from pathlib import Path
@@ -14,6 +15,8 @@ SENTENCES = {"tr", "Problem", "Modes", "Status", "Key", "poll_message_set", "pge
 """Functions whose first string is shown to the user."""
 UNTRANSLATED = {"", "Motus", "X", "Y", "Z", "-X", "-Y", "-Z"}
 """Names and letters, the same in every language."""
+
+FRAGMENT = re.compile("(About|Across|Along|At|Before|Behind|Between|By|From|In|Of|On|Out|Over|To|Towards|Whose|Why|With) ")
 
 
 def package():
@@ -88,6 +91,15 @@ def english_texts():
     return {(context, text) for context, text in texts if text not in UNTRANSLATED}
 
 
+class TooltipTest(unittest.TestCase):
+    def test_a_tooltip_can_be_read_without_its_label(self):
+        """A description that begins with a preposition only continues the label, which tooltips do not show before it."""
+        descriptions = {
+            item.description for cls in registered_classes() for prop in cls.bl_rna.properties
+            for item in (prop, *(prop.enum_items if prop.type == 'ENUM' else ()))}
+        self.assertEqual(sorted(filter(FRAGMENT.match, descriptions)), [])
+
+
 class SpanishTest(unittest.TestCase):
     def setUp(self):
         self.contexts = support.addon("translations.es").CONTEXTS
@@ -123,6 +135,13 @@ class SpanishTest(unittest.TestCase):
             for english, spanish in messages.items():
                 self.assertFalse(english.endswith(".") or spanish.endswith("."), english)
                 self.assertTrue(spanish.strip(), english)
+
+    @support.in_one_blender
+    def test_one_verb_for_add(self):
+        """Blender's own Spanish says "Agregar"."""
+        for messages in self.contexts.values():
+            for english, spanish in messages.items():
+                self.assertNotRegex(spanish.lower(), r"\bañad", english)
 
     def test_blender_shows_it(self):
         view = bpy.context.preferences.view

@@ -277,6 +277,25 @@ class Panels(support.SceneTestCase):
                     self.assertLessEqual(set(adding.named("operator")), set(short.named("operator")))
 
 
+    def test_buttons_that_add_keep_their_places(self):
+        """Whatever is selected, the same buttons stand in the same order, and some of them work without anything."""
+        def buttons():
+            layout = drawn(panels.MOTUS_PT_sidebar)
+            found = [(of, name) for of, name, _ in layout.drawn if of in {"operator", "menu"}]
+            return found[:found.index(("menu", "MOTUS_MT_demo")) + 1]
+        bpy.context.view_layer.objects.active = None
+        wanted = buttons()
+        for name in ("motus.path_new_bezier", "motus.snow_add", "motus.pendulum_add", "motus.stereo_rig_add"):
+            self.assertIn(("operator", name), wanted)
+        self.assertGreater(len(wanted), 15)
+        for one in live_objects():
+            bpy.context.view_layer.objects.active = one
+            for is_selected in (True, False):
+                one.select_set(is_selected)
+                with self.subTest(one.name, is_selected=is_selected):
+                    self.assertEqual(buttons(), wanted)
+
+
 class Menus(support.SceneTestCase):
     KINDS = ("add", "object", "pose")
 
@@ -323,7 +342,7 @@ class Menus(support.SceneTestCase):
 
         class Watched(cls):
             poll_message_set = said.append
-        context = _Offering(bpy.context)
+        context = _Offering(bpy.context, _rna(cls.bl_idname).identifier)
         is_possible = Watched.poll.__func__(Watched, context)
         self.assertTrue(is_possible or (said and said[0].strip()), cls.bl_idname)
         return is_possible
@@ -331,6 +350,7 @@ class Menus(support.SceneTestCase):
     def test_a_button_that_adds_leaves_a_redo_panel(self):
         """Blender asks a pressed operator once more, though it would refuse what it has made; until buttons are drawn again."""
         class Adding(core.Operator):
+            bl_idname = "motus.adding"
             is_there = False
 
             @classmethod
@@ -344,15 +364,48 @@ class Menus(support.SceneTestCase):
 
             def run(self, _context):
                 type(self).is_there = True
-        context, other = _Offering(bpy.context), bpy.context
-        core.offer(Layout(), other)
+        context, other = _Offering(bpy.context, "MOTUS_OT_adding"), bpy.context
+        core.offer(Layout())
         self.assertTrue(Adding.poll(context))
         self.assertEqual(Adding().execute(context), {'FINISHED'})
         self.assertTrue(Adding.poll(context))
-        core.offer(Layout(), other)
+        core.offer(Layout())
         self.assertFalse(Adding.poll(context))
         Adding().execute(other)  # by a script
         self.assertFalse(Adding.poll(context))
+
+    def test_an_offer_is_for_one_operator_alone(self):
+        """An operator that is pressed hands its context on to those that it calls, ours or a user's, and these to others."""
+        bpy.context.view_layer.objects.active = None
+        bpy.ops.object.select_all(action='DESELECT')
+        for cls in operators():
+            if cls.bl_idname == "motus.demo_scene":
+                continue
+            offered = _rna("motus.bake" if cls.bl_idname != "motus.bake" else "motus.unbake")
+            with self.subTest(cls.bl_idname), bpy.context.temp_override(**{core.OFFER: offered}):
+                self.assertTrue(getattr(bpy.ops.motus, cls.bl_idname.partition(".")[2]).poll())
+        with bpy.context.temp_override(**{core.OFFER: _rna("motus.bake")}):
+            self.assertFalse(bpy.ops.motus.bake.poll(), "the offered operator itself is asked what is selected")
+
+    def test_each_button_has_an_offer_of_its_own(self):
+        """What is drawn after an offered button is not offered along with it: a user's entry in our menu, for one."""
+        offers = []
+
+        class Noting(Layout):
+            def _inner(self, *_arguments, **_options):
+                return Noting(self.drawn, self)
+
+            row = column = _inner
+
+            def context_pointer_set(self, name, offered):
+                offers.append((self, name, offered.identifier))
+        root = Noting()
+        column = core.offer(root).column(align=True)
+        column.operator("motus.bake")
+        column.operator("motus.unbake")
+        self.assertEqual([offer[1:] for offer in offers], [
+            (core.OFFER, "MOTUS_OT_bake"), (core.OFFER, "MOTUS_OT_unbake")])
+        self.assertEqual(len({id(root), id(column), *(id(layout) for layout, *_ in offers)}), 4)
 
     def test_scripts_name_what_they_mean(self):
         """Outside of menus nothing that is selected counts."""
@@ -363,12 +416,16 @@ class Menus(support.SceneTestCase):
                     self.assertTrue(getattr(bpy.ops.motus, cls.bl_idname.partition(".")[2]).poll())
 
 
-class _Offering:
-    """The context within a menu."""
+def _rna(identifier):
+    return getattr(bpy.ops.motus, identifier.partition(".")[2]).get_rna_type()
 
-    def __init__(self, context):
+
+class _Offering:
+    """The context of a button that offers an operator. identifier: of its RNA type."""
+
+    def __init__(self, context, identifier):
         self._context = context
-        setattr(self, core.OFFER, context.scene)
+        setattr(self, core.OFFER, types.SimpleNamespace(identifier=identifier))
 
     def __getattr__(self, name):
         return getattr(self._context, name)

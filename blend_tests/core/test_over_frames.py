@@ -121,3 +121,37 @@ class TidyTest(unittest.TestCase):
                 self.assertEqual(made.invoke(context, None), {'RUNNING_MODAL'})
                 self.assertEqual(made.modal(context, types.SimpleNamespace(type='ESC')), {'CANCELLED'})
                 self.assertTrue(context.is_tidy and closed)
+
+
+class ProgressTest(unittest.TestCase):
+    """By a clock that only goes on with the work, a hundredth of a second a step."""
+
+    STEPS = 500
+
+    def setUp(self):
+        self.now = 0.0
+        module = support.addon("core.over_frames")
+        clock = module.time
+        module.time = types.SimpleNamespace(perf_counter=lambda: self.now)
+        self.addCleanup(setattr, module, "time", clock)
+
+    def steps(self):
+        for done in range(self.STEPS):
+            self.now += 0.01
+            yield done + 1
+
+    def shown(self, operator, run):
+        """How often the progress was shown, which has windows drawn anew."""
+        context, seen = Recorder(), []
+        context.window_manager.progress_update = seen.append
+        run(stand_in(operator, self.steps), context)
+        return len(seen)
+
+    def test_at_most_ten_redraws_a_second(self):
+        for operator in operators():
+            for name, run in (("window", TidyTest.in_window), ("script", lambda made, context: made.execute(context))):
+                self.now = 0.0
+                with self.subTest(operator.__name__, how=name):
+                    shown = self.shown(operator, run)
+                    self.assertLessEqual(shown, 10.0 * self.now)
+                    self.assertGreater(shown, 5.0 * self.now, "the progress stands still")

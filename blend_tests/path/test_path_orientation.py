@@ -32,7 +32,7 @@ class Modes(PathTestCase):
         self.cubic()
         car = self.follow()
         car.motus.path.up_axis = 'NEG_Y'
-        self.assertIn("across", self.sentence(car))
+        self.assertIn("perpendicular", self.sentence(car))
 
     def test_every_pair_of_axes(self):
         self.cubic()
@@ -40,7 +40,7 @@ class Modes(PathTestCase):
         for forward in ('POS_X', 'POS_Y', 'POS_Z', 'NEG_X', 'NEG_Y', 'NEG_Z'):
             for up in ('POS_X', 'POS_Y', 'POS_Z', 'NEG_X', 'NEG_Y', 'NEG_Z'):
                 if forward[-1] == up[-1]:
-                    self.assertRefused("across", bpy.ops.motus.path_follow_add, object="Car", curve="Course",
+                    self.assertRefused("perpendicular", bpy.ops.motus.path_follow_add, object="Car", curve="Course",
                                        forward_axis=forward, up_axis=up)
                     continue
                 car = self.follow(forward_axis=forward, up_axis=up, orientation='WORLD_UP', duration=10.0)

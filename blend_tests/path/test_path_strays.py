@@ -173,7 +173,7 @@ class Said(PathTestCase):
         car = self.follow(speed=3.0)
         before = len(car.constraints)
         for part, given in (
-                ("across", {"forward_axis": 'NEG_Z'}), ("no spline", {"spline": 1}),
+                ("perpendicular", {"forward_axis": 'NEG_Z'}), ("no spline", {"spline": 1}),
                 ("more than 1", {"ease_in": 0.6, "ease_out": 0.6}), ("offset is not a finite", {"offset": float("nan")}),
                 ("speed is not a finite", {"speed": float("inf")})):
             with self.subTest(part):

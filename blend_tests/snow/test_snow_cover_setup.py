@@ -168,10 +168,10 @@ class Setup(CoverTestCase):
         wanted = state(cover)
         work = support.addon("snow.cover.work")
         work._done.clear()
-        self.assertRefused(bpy.ops.motus.snow_cover_work_out, "nothing to work out", object=cover.name)
+        self.assertRefused(bpy.ops.motus.snow_cover_work_out, "nothing to calculate", object=cover.name)
         with mock.patch.object(work, "may_wait", lambda *_: True), mock.patch.object(work, "LONG", 0.0):
             go_to(101)
-            self.assertIn("press Work Out", self.cover_sentence(cover))
+            self.assertIn("press Calculate Snow", self.cover_sentence(cover))
             self.assertEqual(len(layer(cover)[0]), 0)
             self.assertEqual(bpy.ops.motus.snow_cover_work_out(object=cover.name), {'FINISHED'})
             self.assertEqual(self.cover_sentence(cover), "")

@@ -109,7 +109,7 @@ class Surface(SnowTestCase):
         self.assertIn("has no faces", self.sentence(emitter))
         self.assertEqual(len(hub_mesh(emitter).vertices), 0)
         emitter.motus.snow.surface = None
-        self.assertIn("Choose a mesh", self.sentence(emitter))
+        self.assertIn("Choose the mesh", self.sentence(emitter))
 
     def test_a_deleted_surface(self):
         ground = self.mesh("Ground", SQUARE, [(0, 1, 2, 3)])

@@ -209,7 +209,7 @@ class Add(cases.WalkerTestCase):
 
     def test_axes_along_each_other(self):
         spider = cases.spider(ahead=0.0, forward_axis='POS_Z')
-        self.assertIn("must be across", self.sentence(spider))
+        self.assertIn("must be perpendicular", self.sentence(spider))
 
 
 class Remove(cases.WalkerTestCase):

@@ -39,7 +39,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         description="The footage: name of an image or movie clip of this file, or path of a file")
     background: bpy.props.StringProperty(
         name="Background", options={'SKIP_SAVE'},
-        description="What is laid underneath, named in the same way; empty for the render")
+        description="Name of the clip or image, or path of the file, that is laid underneath; empty for the render")
     mask: bpy.props.StringProperty(
         name="Garbage Mask", options={'SKIP_SAVE'}, description="Name of a mask, within which all is made transparent")
     camera: bpy.props.StringProperty(
@@ -52,8 +52,8 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     filter_movie: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     filter_folder: bpy.props.BoolProperty(default=True, options={'HIDDEN', 'SKIP_SAVE'})
     underneath: bpy.props.EnumProperty(
-        name="Underneath", description="What shows where the screen was", items=UNDERNEATH, default='RENDER')
-    view: bpy.props.EnumProperty(name="View", description="What the compositor shows", items=VIEWS, default=group.COMPOSITE)
+        name="Underneath", description="Picture that shows where the screen was", items=UNDERNEATH, default='RENDER')
+    view: bpy.props.EnumProperty(name="View", description="Picture that the compositor shows", items=VIEWS, default=group.COMPOSITE)
     use_scene: bpy.props.BoolProperty(
         name="Set Scene", default=True,
         description="Give the scene the footage's size, frames and frame rate, and colours that leave the footage as it is")
@@ -61,7 +61,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         name="Viewport Plane", default=False,
         description="Show the key in the viewport too, on a plane that fills the camera's view and is not rendered")
     plane_distance: bpy.props.FloatProperty(
-        name="Plane Distance", description="From the camera to the plane", default=plane.DISTANCE, min=0.001, soft_max=1000.0,
+        name="Plane Distance", description="Distance from the camera to the plane", default=plane.DISTANCE, min=0.001, soft_max=1000.0,
         subtype='DISTANCE')
     color: bpy.props.FloatVectorProperty(
         name="Screen Color", description="Colour of the screen; without it the footage's own is found", subtype='COLOR', size=3,

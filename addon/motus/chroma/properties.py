@@ -12,7 +12,7 @@ VIEWS = (
     (group.SOURCE, "Source", "The footage as it is"),
 )
 UNDERNEATH = (
-    ('RENDER', "Render", "What the compositor has shown before: the render, with all that its nodes do"),
+    ('RENDER', "Render", "The picture that the compositor showed before the key: the render, with all that its nodes do"),
     ('FOOTAGE', "Footage", "Another clip or image"),
     ('NOTHING', "Nothing", "The picture stays transparent"),
 )
@@ -51,9 +51,9 @@ def _before(kind, name, **more):
 class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     # Not kept here, but as the link in the group, which undo and other scenes share.
     view: bpy.props.EnumProperty(
-        name="View", description="What the compositor shows", items=VIEWS, get=_view, set=_show, options=set())
+        name="View", description="Picture that the compositor shows", items=VIEWS, get=_view, set=_show, options=set())
     underneath: bpy.props.EnumProperty(
-        name="Underneath", description="What shows where the screen was", items=UNDERNEATH, get=_underneath, set=_lay_underneath,
+        name="Underneath", description="Picture that shows where the screen was", items=UNDERNEATH, get=_underneath, set=_lay_underneath,
         options=set())
     plane: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Plane", description="Plane before the camera that shows the key in the viewport")

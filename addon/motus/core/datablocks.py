@@ -1,5 +1,6 @@
 """How operators name a datablock of any type, and one of its properties."""
 
+import re
 from typing import Any, NamedTuple
 
 import bpy
@@ -15,7 +16,7 @@ class OfADatablock:
         name="Datablock", description="Name of the object or other datablock; empty takes the active object",
         options={'SKIP_SAVE'})
     collection: bpy.props.StringProperty(
-        name="Collection", description="Which of the file's collections the datablock stands in, such as materials",
+        name="Collection", description="Collection of the file that the datablock is in, such as materials",
         default="objects", options={'SKIP_SAVE'})
     data_path: bpy.props.StringProperty(
         name="Data Path", description="Path of a property from the datablock", options={'SKIP_SAVE'})
@@ -113,19 +114,28 @@ def label_of(id_data, data_path, index=-1):
 
     index: in an array, -1 for a property that is none.
     """
+    custom = _CUSTOM.search(data_path)
+    if custom:
+        name = bpy.utils.unescape_identifier(custom["name"])
+        return name if index < 0 else f"{name} {index}"
     owner, _, name = data_path.rpartition(".")
     try:
         struct = id_data.path_resolve(owner) if owner else id_data
         declared = struct.bl_rna.properties[name]
     except (ValueError, KeyError, AttributeError):
         return data_path if index < 0 else f"{data_path}[{index}]"
-    label = bpy.app.translations.pgettext_iface(declared.name)
+    label = bpy.app.translations.pgettext_iface(_SHOWN.get(name, declared.name))
     if index >= 0:
         axes = _AXES.get(declared.subtype, "")
         label = f"{label} {axes[index]}" if index < len(axes) else f"{label} {index}"
     above = "" if struct == id_data else getattr(struct, "name", "")
     return f"{above}: {label}" if above else label
 
+
+_CUSTOM = re.compile(r'\["(?P<name>(?:[^"\\]|\\.)*)"\]$')
+"""The end of a custom property's data path."""
+_SHOWN = {"rotation_euler": "Rotation"}
+"""Labels that Blender's panels give to properties whose RNA name is a different one, here "Euler Rotation"."""
 
 _AXES = {
     'TRANSLATION': "XYZ", 'EULER': "XYZ", 'XYZ': "XYZ", 'XYZ_LENGTH': "XYZ", 'DIRECTION': "XYZ", 'VELOCITY': "XYZ",

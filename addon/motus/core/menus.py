@@ -10,26 +10,26 @@ _entries = {"add": (), "object": (), "pose": ()}
 class MOTUS_MT_add(bpy.types.Menu):
     bl_label = "Motus"
 
-    def draw(self, context):
-        _draw(self.layout, context, "add")
+    def draw(self, _context):
+        _draw(self.layout, "add")
 
 
 class MOTUS_MT_object(bpy.types.Menu):
     bl_label = "Motus"
 
-    def draw(self, context):
-        _draw(self.layout, context, "object")
+    def draw(self, _context):
+        _draw(self.layout, "object")
 
 
 class MOTUS_MT_pose(bpy.types.Menu):
     bl_label = "Motus"
 
-    def draw(self, context):
-        _draw(self.layout, context, "pose")
+    def draw(self, _context):
+        _draw(self.layout, "pose")
 
 
-def _draw(layout, context, kind):
-    operators.offer(layout, context)
+def _draw(layout, kind):
+    layout = operators.offer(layout)
     layout.operator_context = 'INVOKE_DEFAULT'
     for index, ((label, label_context), identifiers) in enumerate(_entries[kind]):
         if index:
@@ -39,8 +39,10 @@ def _draw(layout, context, kind):
         for identifier in identifiers:
             if identifier is None:
                 layout.separator()
-            else:
+            elif "." in identifier:
                 layout.operator(identifier)
+            else:
+                layout.menu(identifier)
 
 
 def _draw_add(menu, _context):
@@ -64,7 +66,10 @@ _OF_ALL = ("motus.bake", "motus.unbake")
 
 
 def register(systems, extra_add=()):
-    """Show the systems' operators (None draws a separator) under each system's label, and those of all at the end."""
+    """Show the systems' operators (None draws a separator) under each system's label, and those of all at the end.
+
+    extra_add: operators, or names of menus, at the end of the Add menu.
+    """
     for kind, shared in (("add", tuple(extra_add)), ("object", _OF_ALL), ("pose", _OF_ALL)):
         groups = [(panels.title(one), getattr(one, f"{kind}_menu")) for one in systems]
         _entries[kind] = (*((title, names) for title, names in groups if names), (_WITHOUT_LABEL, shared))
@@ -75,7 +80,7 @@ def register(systems, extra_add=()):
 
 def entries(kind):
     """Identifiers of all operators in a menu: "add", "object" or "pose"."""
-    return [name for _, names in _entries[kind] for name in names if name]
+    return [name for _, names in _entries[kind] for name in names if name and "." in name]
 
 
 def unregister():

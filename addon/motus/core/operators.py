@@ -1,5 +1,6 @@
 """What all operators share: where they work and why not, refusals that are reported, and the redo panel."""
 
+import json
 from dataclasses import dataclass
 
 import bpy
@@ -9,7 +10,11 @@ from .refusals import Refused, check_local
 from .translations import tr
 
 OFFER = "motus_offer"
-"""Member of the context where a menu or panel offers an operator for what is selected."""
+"""Member of the context of a button that offers an operator for what is selected: the RNA type of that operator.
+
+Whatever runs below a pressed button has the button's context. An operator that the offered one calls, and a user's own operator
+in a menu of Motus, must not count as offered, so a button's offer names its operator.
+"""
 
 
 @dataclass(frozen=True)
@@ -26,14 +31,50 @@ OBJECT_OR_POSE_MODE = Modes("Go to Object Mode or Pose Mode first", frozenset({'
 OBJECT_OR_EDIT_MODE = Modes("Go to Object Mode, or to Edit Mode of a mesh", frozenset({'OBJECT', 'EDIT_MESH'}))
 
 
-def offer(layout, context):
-    """Let the buttons of a layout be grey where the operators would refuse what is selected, and their tooltips say why.
+def offer(layout):
+    """The layout, with buttons that are grey if their operators would refuse what is selected, and whose tooltips say why.
 
     Scripts name what they mean, so that nothing but the mode counts for them.
     """
     _pressed.clear()
-    layout.context_pointer_set(OFFER, context.scene)
-    return layout
+    return _OfferingLayout(layout)
+
+
+class _OfferingLayout:
+    """A layout whose operator buttons, and those of the layouts made in it, have an offer each."""
+
+    def __init__(self, layout):
+        self.__dict__["_layout"] = layout
+
+    def __setattr__(self, name, value):
+        setattr(self._layout, name, value)
+
+    def __getattr__(self, name):
+        found = getattr(self._layout, name)
+        return _offering(found) if name in _INNER else found
+
+    def operator(self, operator, *arguments, **keywords):
+        return self._offered(operator).operator(operator, *arguments, **keywords)
+
+    def operator_menu_enum(self, operator, *arguments, **keywords):
+        return self._offered(operator).operator_menu_enum(operator, *arguments, **keywords)
+
+    def _offered(self, identifier):
+        """A row of its own, since what is set in a layout holds for all buttons that follow in it."""
+        row = self._layout.row(align=True)
+        module, name = identifier.split(".")
+        row.context_pointer_set(OFFER, getattr(getattr(bpy.ops, module), name).get_rna_type())
+        return row
+
+
+_INNER = {"box", "column", "column_flow", "grid_flow", "row", "split"}
+"""Functions of a layout that make one in it."""
+
+
+def _offering(make):
+    def made(*arguments, **keywords):
+        return _OfferingLayout(make(*arguments, **keywords))
+    return made
 
 
 _pressed = set()
@@ -41,9 +82,16 @@ _pressed = set()
 that works on what was selected before, and not on what the operator has made of it."""
 
 
-def is_offered(context):
-    """Whether a button offers the operator for what is selected, and not a script."""
-    return getattr(context, OFFER, None) is not None
+def is_offered(context, cls):
+    """Whether a button offers the operator of this class for what is selected, and not a script."""
+    offered = getattr(context, OFFER, None)
+    return offered is not None and offered.identifier == _rna_name(cls.bl_idname)
+
+
+def _rna_name(identifier):
+    """Name of the RNA type of the operator with this bl_idname."""
+    module, name = identifier.split(".")
+    return f"{module.upper()}_OT_{name}"
 
 
 def select_only(context, *objects):
@@ -77,7 +125,7 @@ class Operator:
     def poll(cls, context):
         try:
             cls.check_place(context)
-            if is_offered(context) and cls not in _pressed:
+            if is_offered(context, cls) and cls not in _pressed:
                 cls.check_offer(context)
         except Refused as refusal:
             cls.poll_message_set(str(refusal))
@@ -101,7 +149,7 @@ class Operator:
             self.run(context)
         except Refused as refusal:
             return self.refuse(refusal)
-        if is_offered(context):
+        if is_offered(context, type(self)):
             _pressed.add(type(self))
         return {'FINISHED'}
 
@@ -128,6 +176,39 @@ class Operator:
     def given(self, names):
         """The keywords of these that the caller gave, by name."""
         return {name: getattr(self, name) for name in names if self.is_given(name)}
+
+
+class FindsValues(Operator):
+    """Mixin of operators that find values which the caller did not give, so that the redo panel shows the values that were used.
+
+    A found value is set in the operator, for the redo panel shows nothing else, and noted: it does not count as given until it
+    is changed.
+    """
+
+    found_values: bpy.props.StringProperty(options={'HIDDEN'})
+
+    def is_given(self, name):
+        return super().is_given(name) and not self._is_found(name)
+
+    def show_used(self, settings, names):
+        """Take over from the settings that were made all of these keywords that nobody gave."""
+        found = {}
+        for name in names:
+            if not self.is_given(name):
+                setattr(self, name, getattr(settings, name))
+                found[name] = _plain(getattr(self, name))
+        self.found_values = json.dumps(found)
+
+    def _is_found(self, name):
+        found = json.loads(self.found_values or "{}")
+        return name in found and found[name] == _plain(getattr(self, name))
+
+
+def _plain(value):
+    """The value of a property as JSON has it."""
+    if isinstance(value, set):
+        return sorted(value)
+    return value if isinstance(value, (str, bool, int, float)) else list(value)
 
 
 class OfAnObject(Operator):

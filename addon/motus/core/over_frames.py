@@ -10,8 +10,8 @@ from .refusals import Refused, check_finite
 from .rows import Row, Rows, is_not, is_one_of
 from .translations import tr
 
-SLICE = 0.05
-"""Seconds of work between two redraws."""
+SLICE = 0.1
+"""Seconds of work between two redraws: drawn more often, a heavy scene takes more time for the progress than for the work."""
 
 
 def frame_range(start, end, step):
@@ -92,8 +92,11 @@ class Job(Operator):
 
     def _run(self, context):
         self._start(context)
+        shown = time.perf_counter()
         for done in self._steps:
-            context.window_manager.progress_update(done)
+            if time.perf_counter() > shown + SLICE:
+                context.window_manager.progress_update(done)
+                shown = time.perf_counter()
         return self._finish(context)
 
     def _run_in_window(self, context):
@@ -136,7 +139,7 @@ class OverFrames(Job):
     """
 
     range: bpy.props.EnumProperty(
-        name="Frames", description="Which frames", items=RANGES, default='GIVEN', options={'SKIP_SAVE'})
+        name="Frames", description="Frames that are gone through", items=RANGES, default='GIVEN', options={'SKIP_SAVE'})
     frame_start: bpy.props.IntProperty(
         name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
     frame_end: bpy.props.IntProperty(

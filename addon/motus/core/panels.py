@@ -11,7 +11,7 @@ import bpy
 
 from . import native, operators, overlay, ui
 from .bake import state
-from .system import registered
+from .system import described, registered, title
 
 
 @dataclass(frozen=True)
@@ -39,7 +39,8 @@ class SystemPanel:
     system is for such. is_used(owner): whether it is used there; where this is None, it is a tool, whose panel is there for all
     that suits, and closed at first. has_settings(owner): whether the owner's own settings are shown, with all parts; else
     `draw` alone is. draw, readouts and actions: (layout, context). adders:
-    operators that add it, or draw_add(layout, context), which draws them. refresh: operator that wires the owner anew.
+    operators that add it, or draw_add(layout, context), which draws them, the same buttons whatever is selected.
+    draw_about(layout, context): what is told of the active object below all these buttons. refresh: operator that wires the owner anew.
     labels: {end of the prefix: label} of editors where it is another one.
     """
 
@@ -59,6 +60,7 @@ class SystemPanel:
     presets: Any = None
     adders: tuple = ()
     draw_add: Optional[Callable] = None
+    draw_about: Optional[Callable] = None
     translation_context: str = "*"
     labels: dict = field(default_factory=dict)
 
@@ -84,12 +86,6 @@ def classes(panel):
     for end, editor in panel.editors.items():
         found += _of_editor(panel, end, editor)
     return tuple(found)
-
-
-def described(system):
-    """The SystemPanels that the classes of a system are of."""
-    found = (getattr(cls, "of_system", None) for cls in system.classes)
-    return list(dict.fromkeys(one for one in found if one is not None))
 
 
 def _of_editor(panel, end, editor):
@@ -121,8 +117,8 @@ def _common(panel):
 def _menu(panel, name):
     """What is seldom needed."""
 
-    def draw(self, context):
-        operators.offer(self.layout, context).operator(panel.refresh, icon='FILE_REFRESH')
+    def draw(self, _context):
+        operators.offer(self.layout).operator(panel.refresh, icon='FILE_REFRESH')
 
     return type(name, (bpy.types.Menu,), {"bl_label": "More", "draw": draw, **_common(panel)})
 
@@ -219,26 +215,37 @@ def _actions(panel, menu):
 
 
 class _Adding:
-    """What is selected, and the systems that it can be given: below those that it has."""
+    """What is selected, and all that it can be given, or that can be begun without it.
+
+    The buttons are the same whatever is selected, so that each keeps its place; those that do not suit are grey, and say why.
+    """
 
     def draw(self, context):
         layout = self.layout
         if not ui.draw_native_status(layout):
             return
         if context.object is None:
-            layout.label(text="Select an object", icon='INFO')
+            layout.label(text="Nothing is selected", icon='INFO')
         else:
             layout.label(text=context.object.name, icon='OBJECT_DATA', translate=False)
-        column = operators.offer(layout.column(), context)
+        column = operators.offer(layout.column())
         for system in registered.values():
             for panel in described(system):
-                owner = panel.owner(context)
-                if owner is not None and panel.suits(owner) and not (panel.is_used and panel.is_used(owner)):
-                    draw_add(panel, column, context)
+                draw_add(panel, column, context)
+        for name in menus_of_scenes:
+            column.menu(name, icon='SCENE_DATA')
+        for panel in (panel for system in registered.values() for panel in described(system)):
+            if panel.draw_about and context.object is not None:
+                panel.draw_about(column, context)
+
+
+menus_of_scenes = []
+"""Names of menus, at the end of the panel *Add*, that make whole scenes; set by registration."""
 
 
 class MOTUS_PT_sidebar(_Adding, ui.Sidebar, bpy.types.Panel):
     bl_label = "Add"
+    bl_translation_context = "Operator"  # where Blender's Spanish has the verb that its buttons have
     bl_order = 90
 
 
@@ -295,12 +302,6 @@ def draw_add(panel, layout, context):
     layout.operator_context = 'INVOKE_DEFAULT'
     for identifier in panel.adders:
         layout.operator(identifier, icon='ADD')
-
-
-def title(system):
-    """(label, context of its translation) under which the system stands in menus."""
-    panel = next(iter(described(system)), None)
-    return (panel.label, panel.translation_context) if panel and panel.label == system.label else (system.label, "*")
 
 
 classes_of_core = (MOTUS_PT_sidebar, MOTUS_PT_overlay)

@@ -26,7 +26,8 @@ def classes(name, label, values, brought=(), settings_of=None):
     that uses one too, last.
 
     name: the folder below Blender's presets/motus, and in the classes' names. values: Python expressions of the settings.
-    settings_of(context): the settings that a brought Preset changes, or None.
+    settings_of(context): the settings that a brought Preset changes, or None; a list of them where a preset is given to all
+    that is selected.
     Blender's preset_defines, which would make these shorter, do not work with Python 3.13 (Blender 4.3 on Debian).
     """
     operator, menu, folder = f"motus.{name}_preset_add", f"MOTUS_PT_{name}_presets", f"motus/{name}"
@@ -43,7 +44,7 @@ def classes(name, label, values, brought=(), settings_of=None):
         "bl_idname": f"motus.{name}_preset_use", "bl_label": f"Use {label} Preset", "brought": brought,
         "settings_of": staticmethod(settings_of),
         "__annotations__": {"preset": bpy.props.EnumProperty(
-            name="Preset", description="Which one", items=[preset[:3] for preset in brought])}})
+            name="Preset", description="Preset that gives the settings their values", items=[preset[:3] for preset in brought])}})
     return add, panel, use
 
 
@@ -52,13 +53,16 @@ class _Use(Operator):
     redo = (Rows(("preset",)),)
 
     def run(self, context):
-        settings = self.settings_of(context)
-        if settings is None:
+        found = self.settings_of(context)
+        if not found:
             raise Refused(tr("There are no settings here for this preset"))
-        check_local(settings.id_data)
+        every = found if isinstance(found, list) else [found]
+        for settings in every:
+            check_local(settings.id_data)
         values = next(preset.values for preset in self.brought if preset.identifier == self.preset)
-        for name in dict.fromkeys(name for preset in self.brought for name in preset.values):
-            setattr(settings, name, values.get(name, _default(settings, name)))
+        for settings in every:
+            for name in dict.fromkeys(name for preset in self.brought for name in preset.values):
+                setattr(settings, name, values.get(name, _default(settings, name)))
 
 
 def _default(settings, name):

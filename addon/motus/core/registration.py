@@ -3,7 +3,7 @@
 import bpy
 
 from . import (
-    bake, deleted, handlers, menus, overlay, panels, preferences, read_keys, settings, system, teardown, tracks, translations, ui, viewports, wiring)
+    bake, bone_entries, deleted, handlers, menus, overlay, panels, playback, preferences, read_keys, settings, system, teardown, tracks, translations, ui, viewports, wiring)
 from .scenery import meshes
 
 _undo = []
@@ -33,7 +33,7 @@ def _register(systems, extra_classes, extra_add_menu):
         _undo.append(lambda name=one.name: system.registered.pop(name))
         _register_classes(one.classes)
     _register_classes(
-        preferences.classes + ui.classes + bake.classes + tracks.classes + panels.classes_of_core + menus.classes + extra_classes)
+        preferences.classes + ui.classes + bake.classes + tracks.classes + panels.classes_of_core + bone_entries.classes + menus.classes + extra_classes)
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
@@ -43,7 +43,9 @@ def _register(systems, extra_classes, extra_add_menu):
         _call(one.register, one.unregister)
     _call(viewports.register, viewports.unregister)
     _call(overlay.register, overlay.unregister)
+    _call(playback.register, playback.unregister)
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
+    _call(lambda: panels.menus_of_scenes.extend(extra_add_menu), panels.menus_of_scenes.clear)
     _call(translations.register, translations.unregister)
     for one in systems:
         for extra in one.extras:

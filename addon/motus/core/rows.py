@@ -3,6 +3,10 @@
 from dataclasses import dataclass
 from typing import Callable, Optional
 
+import bpy
+
+from . import widths
+
 
 def is_one_of(name, *values):
     """A condition: the setting has one of the values."""
@@ -48,6 +52,18 @@ class Row:
     def names(self):
         """Of all properties that the row draws."""
         return (self.switch, self.name) if self.switch else (self.name,)
+
+    def fits(self, settings):
+        """Whether the region that is drawn has room for the label, or the items, beside or among the fields."""
+        prop = _properties(settings)[self.name]
+        label = bpy.app.translations.pgettext_iface(
+            prop.name if self.text is None else self.text, self.text_ctxt or prop.translation_context)
+        if prop.type == 'BOOLEAN' and not prop.is_array:
+            return widths.switch_fits(label)
+        if self.expand and not self.stacks:
+            items = [bpy.app.translations.pgettext_iface(item.name, prop.translation_context) for item in prop.enum_items]
+            return widths.label_fits(label) and widths.items_fit(items)
+        return widths.label_fits(label)
 
     def draw(self, layout, settings):
         """Draw the row, if it matters."""
@@ -99,6 +115,8 @@ class Rows:
         if not shown or (self.when and not self.when(settings)):
             return
         column = layout.column()
+        if column.use_property_split and not all(row.fits(settings) for row in shown):
+            column.use_property_split = False  # labels stand within the fields then
         if has_title and self.title:
             column.label(text=self.title, text_ctxt=self.text_ctxt)
         for row in shown:

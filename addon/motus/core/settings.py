@@ -10,7 +10,7 @@ OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
 EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
 """Options of properties: keyed or driven, changed by overrides, and lists that overrides add to."""
 
-NO_KEYS = ". No keys: the whole motion follows from it"
+NO_KEYS = ". Cannot be keyed: the whole motion follows from it"
 """Ends the description of a number that is not ANIMATED since each frame of another one would be a frame of another motion."""
 
 
@@ -43,7 +43,7 @@ class MOTUS_PG_helper(bpy.types.PropertyGroup):
     """A hidden object that the wiring has made."""
 
     object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Hidden object that works for this one",
+        type=bpy.types.Object, name="Object", description="Hidden object that computes for this one",
         override={'LIBRARY_OVERRIDABLE'})
 
 

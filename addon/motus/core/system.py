@@ -312,7 +312,8 @@ class System(Feature):
     influence then. same_bits: the members have the same matrices in every Blender, to the last bit, by sinks that all Blenders
     have. lays_pose: its members, bones of the owner, are posed by their own transforms alone, as keys pose them: its sinks come
     before all other constraints, and all other systems start from what it makes of the bones, which solve() tells rigs.lay().
-    reads_keys: its solver reads keys of other frames, and is called again when these are edited (core/read_keys.py). owner_of: called with an object
+    reads_keys: its solver reads keys of other frames, and is called again when these are edited (core/read_keys.py). entry_settings: names of
+    the settings of a bone's entry that *To All Selected* copies (core/bone_entries.py). owner_of: called with an object
     that may belong to an owner without being driven; gives that owner or None.
     """
 
@@ -338,6 +339,7 @@ class System(Feature):
     over_time: Optional[Callable] = None
     unbakeable: str = ""
     shared: tuple = ()
+    entry_settings: tuple = ()
     owner_of: Optional[Callable] = None
 
     @property
@@ -466,3 +468,15 @@ def input_variables(system, owner) -> Iterable:
     """(input, Variable or None) for each declared input that is an argument of solve."""
     settings = of_owner(system, owner)
     return [(declared, declared.variable(owner, settings)) for declared in system.inputs]
+
+
+def described(system):
+    """The SystemPanels (core/panels.py) that the classes of a system are of."""
+    found = (getattr(cls, "of_system", None) for cls in system.classes)
+    return list(dict.fromkeys(one for one in found if one is not None))
+
+
+def title(system):
+    """(label, context of its translation) under which a system stands in menus, panels and dialogs."""
+    panel = next(iter(described(system)), None)
+    return (panel.label, panel.translation_context) if panel and panel.label == system.label else (system.label, "*")

@@ -27,6 +27,11 @@ def tr(text):
     return translate(text)
 
 
+def counted(number, one, many):
+    """A translated text for a number of things: `one` for 1, else `many` with the number for its {count}."""
+    return one if number == 1 else many.format(count=number)
+
+
 def unregister():
     """Forget all languages."""
     bpy.app.translations.unregister(_KEY)

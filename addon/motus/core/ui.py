@@ -1,20 +1,14 @@
 """Panel parts that all systems share."""
 
-import math
 from typing import NamedTuple
 
 import bpy
 
-from . import native, wiring
+from . import native, playback, widths, wiring
 
 TAB = "Motus"
-CHARACTER_WIDTH = 6.5  # pixels, of the interface's font at a scale of 1
 FEWEST = 16
 """Characters in a line, however narrow the region."""
-NARROW = 210.0
-"""Pixels at a scale of 1: a region that is no wider has no room for labels beside fields."""
-MARGINS, LABELS = 46.0, 0.4
-"""Pixels at a scale of 1 beside labels and fields, and the share of the rest that labels have."""
 
 
 class Sidebar:
@@ -94,9 +88,12 @@ def draw_problem(layout, context, system, owner, tell=None):
     return problem
 
 
-def draw_bake(layout, system):
-    """The button that bakes; what is baked has a box with the one that unbakes (panels.py)."""
-    layout.operator("motus.bake", icon='KEYFRAME').system = system.name
+def draw_bake(layout):
+    """The button that bakes all that Motus does to the object; what is baked has a box with the one that unbakes (panels.py).
+
+    A system that stayed live would act once more on top of the keyframes, which hold what all systems together do.
+    """
+    layout.operator("motus.bake", icon='KEYFRAME').system = ""
 
 
 def draw_list(layout, kind, settings, name, active, add, remove, rows=3):
@@ -120,10 +117,14 @@ class Readout(NamedTuple):
 
 def draw_readouts(layout, readouts):
     """A box of Readouts."""
-    grid = layout.box().grid_flow(columns=2, row_major=True, align=True)
-    for readout in readouts:
-        grid.label(text=readout.text)
-        grid.label(text=readout.value, translate=False)
+    playback.note()
+    labels = [bpy.app.translations.pgettext_iface(readout.text) for readout in readouts]
+    texts, values = (max(map(len, words), default=1) for words in (labels, [readout.value for readout in readouts]))
+    column = layout.box().column(align=True)
+    for label, readout in zip(labels, readouts):
+        row = column.split(factor=texts / (texts + values))
+        row.label(text=label, translate=False)
+        row.label(text=readout.value, translate=False)
 
 
 def length(context, value):
@@ -138,10 +139,7 @@ def split(layout, longest=""):
 
     longest: a label that needs more room than most.
     """
-    region = bpy.context.region
-    width = region.width / bpy.context.preferences.system.ui_scale if region else math.inf
-    needed = max(NARROW, MARGINS + CHARACTER_WIDTH * len(longest) / LABELS)
-    layout.use_property_split = width > needed
+    layout.use_property_split = widths.label_fits(longest)
     return layout.column()
 
 
@@ -165,7 +163,7 @@ def _characters(context):
     if context.region is None:
         return FEWEST
     scale = context.preferences.system.ui_scale
-    return max(FEWEST, int((context.region.width / scale - 90.0) / CHARACTER_WIDTH))
+    return max(FEWEST, int((context.region.width / scale - 90.0) / widths.CHARACTER_WIDTH))
 
 
 classes = (MOTUS_OT_copy_text,)

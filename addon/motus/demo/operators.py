@@ -26,6 +26,10 @@ class MOTUS_OT_demo_scene(Operator, bpy.types.Operator):
     redo = (Rows(("system",)),)
 
     @classmethod
+    def description(cls, _context, properties):
+        return tr(next(scene.description for scene in SCENES if scene.identifier == properties.system))
+
+    @classmethod
     def check_place(cls, context):
         super().check_place(context)
         if context.window is None:
@@ -54,4 +58,12 @@ def _discard(window, previous, unfinished):
         bpy.data.scenes.remove(scene)
 
 
-classes = (MOTUS_OT_demo_scene,)
+class MOTUS_MT_demo(bpy.types.Menu):
+    bl_label = "Demo Scene"
+
+    def draw(self, _context):
+        for scene in SCENES:
+            self.layout.operator(MOTUS_OT_demo_scene.bl_idname, text=scene.label, text_ctxt="*").system = scene.identifier
+
+
+classes = (MOTUS_OT_demo_scene, MOTUS_MT_demo)

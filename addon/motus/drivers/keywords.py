@@ -17,13 +17,13 @@ class DriverKeywords:
     """Mixin of an operator: which function, and its arguments."""
 
     function: bpy.props.EnumProperty(
-        name="Motion", description="What moves the property",
+        name="Motion", description="Motion that the property is given",
         items=[(one.identifier, one.label, one.description) for one in expressions.FUNCTIONS])
     base: bpy.props.FloatProperty(
         name="Base", description="Value that the motion is added to; the property's own where it is not given",
         options={'SKIP_SAVE'})
     amplitude: bpy.props.FloatProperty(
-        name="Amplitude", description="What the motion is multiplied by", default=1.0)
+        name="Amplitude", description="Factor that the motion is multiplied by", default=1.0)
     start: bpy.props.FloatProperty(
         name="Start", description="Frame at which the time begins", subtype='TIME')
     theta: bpy.props.FloatProperty(
@@ -31,31 +31,31 @@ class DriverKeywords:
     omega: bpy.props.FloatProperty(
         name="Push", description="Angular velocity at the start, per second", subtype='ANGLE')
     length: bpy.props.FloatProperty(
-        name="Length", description="Of the rod: a long pendulum swings slowly", subtype='DISTANCE', default=1.0, min=0.0,
+        name="Length", description="Length of the rod: a long pendulum swings slowly", subtype='DISTANCE', default=1.0, min=0.0,
         soft_min=0.01)
-    which: bpy.props.EnumProperty(name="Value", description="What of the double pendulum moves the property", items=WHICH)
+    which: bpy.props.EnumProperty(name="Value", description="Value of the double pendulum that the property is given", items=WHICH)
     theta1: bpy.props.FloatProperty(
-        name="Upper Angle", description="Of the upper rod at the start, from hanging down", subtype='ANGLE', default=2.0)
+        name="Upper Angle", description="Angle of the upper rod at the start, from hanging down", subtype='ANGLE', default=2.0)
     theta2: bpy.props.FloatProperty(
-        name="Lower Angle", description="Of the lower rod at the start, from hanging down", subtype='ANGLE', default=2.0)
+        name="Lower Angle", description="Angle of the lower rod at the start, from hanging down", subtype='ANGLE', default=2.0)
     omega1: bpy.props.FloatProperty(
         name="Upper Push", description="Angular velocity of the upper rod at the start, per second", subtype='ANGLE')
     omega2: bpy.props.FloatProperty(
         name="Lower Push", description="Angular velocity of the lower rod at the start, per second", subtype='ANGLE')
     mass1: bpy.props.FloatProperty(
-        name="Upper Mass", description="Of the upper bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
+        name="Upper Mass", description="Mass of the upper bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
     mass2: bpy.props.FloatProperty(
-        name="Lower Mass", description="Of the lower bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
+        name="Lower Mass", description="Mass of the lower bob", unit='MASS', default=1.0, min=0.0, soft_min=0.01)
     length1: bpy.props.FloatProperty(
-        name="Upper Length", description="Of the upper rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
+        name="Upper Length", description="Length of the upper rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
     length2: bpy.props.FloatProperty(
-        name="Lower Length", description="Of the lower rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
+        name="Lower Length", description="Length of the lower rod", subtype='DISTANCE', default=1.0, min=0.0, soft_min=0.01)
     gravity: bpy.props.FloatProperty(
-        name="Gravity", description="What pulls the bobs down", unit='ACCELERATION', default=9.81, min=0.0)
+        name="Gravity", description="Gravity that pulls the bobs down", unit='ACCELERATION', default=9.81, min=0.0)
     damping: bpy.props.FloatProperty(
         name="Damping", description="Rate at which velocity is lost, in 1/s; 0 swings for ever", default=0.0, min=0.0, soft_max=5.0)
     speed: bpy.props.FloatProperty(
-        name="Speed", description="Of time; of noise about how often it goes up and down in a second", default=1.0,
+        name="Speed", description="Speed of time; for noise the approximate number of ups and downs per second", default=1.0,
         soft_min=0.0, soft_max=10.0)
     frame_start: bpy.props.FloatProperty(name="Start", description="Frame with the value 0", default=1.0)
     frame_end: bpy.props.FloatProperty(name="End", description="Frame with the value 1", default=50.0)
@@ -71,7 +71,7 @@ class DriverKeywords:
     source_index: bpy.props.IntProperty(
         name="Source Index", description="Component of the source where it is an array", default=0, min=0)
     frequency: bpy.props.FloatProperty(
-        name="Frequency", description="How fast it reacts, in swings a second", default=1.0, min=0.0, soft_min=0.1,
+        name="Frequency", description="Swings per second", default=1.0, min=0.0, soft_min=0.1,
         soft_max=10.0)
     damping_ratio: bpy.props.FloatProperty(
         name="Damping Ratio", description="0 rings for ever, 1 comes to rest without a swing", default=0.5, min=0.0,

@@ -17,7 +17,7 @@ class _OnProperty(datablocks.OfADatablock):
     """Mixin: which property is meant."""
 
     channel: bpy.props.EnumProperty(
-        name="Channel", description="Which property of the object, where no data path is given", items=places.CHANNELS,
+        name="Channel", description="Property of the object that is driven, if no data path is given", items=places.CHANNELS,
         default=places.BY_PATH, options={'SKIP_SAVE'})
 
     def properties_meant(self, context):
@@ -105,7 +105,8 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             except TypeError as error:
                 raise Refused(str(error)) from error
         function = expressions.BY_IDENTIFIER[self.function]
-        self.report({'INFO'}, tr("{path} is driven by {function}").format(path=found[0].path, function=tr(function.label)))
+        self.report({'INFO'}, tr("{property} is now driven by {function}").format(
+            property=places.label(found), function=tr(function.label)))
 
     def _text(self, place, number):
         keywords = self._keywords(place, number)

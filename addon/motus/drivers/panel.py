@@ -10,7 +10,7 @@ from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 def _draw(layout, context):
     for found in places.of_object(context.object):
         _draw_driver(layout, context.object, found)
-    operators.offer(layout.column(), context).operator(MOTUS_OT_driver_add.bl_idname, icon='ADD')
+    operators.offer(layout.column()).operator(MOTUS_OT_driver_add.bl_idname, icon='ADD')
 
 
 def _draw_driver(layout, obj, found):

@@ -6,6 +6,7 @@ from typing import Any
 
 import bpy
 
+from ..core import datablocks
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import expressions
@@ -14,9 +15,10 @@ _PATH = re.compile(r'(?:(?P<owner>.*)\.)?(?P<name>\w+)$|(?P<holder>.*?)(?P<key>\
 _INDEX = re.compile(r"\[(\d{1,9})\]$")
 _NUMBERS = {'FLOAT', 'INT', 'BOOLEAN'}
 BY_PATH, FIRST = 'PATH', 'ROTATION_X'
-CHANNELS = [(BY_PATH, "By Path", "The property of the data path")] + [
-    (f"{kind}_{axis}", f"{label} {axis}", f"{label} along or about this axis of the object")
-    for kind, label in (('LOCATION', "Location"), ('ROTATION', "Rotation"), ('SCALE', "Scale")) for axis in "XYZ"]
+CHANNELS = [(BY_PATH, "By Path", "The property that the data path names")] + [
+    (f"{kind}_{axis}", f"{label} {axis}", f"{label} {where} this axis of the object")
+    for kind, label, where in (('LOCATION', "Location", "along"), ('ROTATION', "Rotation", "about"), ('SCALE', "Scale", "along"))
+    for axis in "XYZ"]
 """Items: what an object's motion drivers are put on where nothing is under the mouse."""
 
 
@@ -82,6 +84,12 @@ class Place:
     def remove(self):
         """Drive it no more."""
         self.struct.driver_remove(self.name, self.index)
+
+
+def label(found):
+    """What the interface calls the property of these Places: one number, or all of an array."""
+    first = found[0]
+    return datablocks.label_of(first.holder, first.path, first.index if len(found) == 1 else -1)
 
 
 def of_channel(obj, channel):

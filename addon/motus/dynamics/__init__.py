@@ -11,6 +11,7 @@ SYSTEM = System(
     solve=solve.solve,
     problems=solve.PROBLEMS,
     reads_keys=True,
+    entry_settings=(*properties.KEYWORDS, "mass", "shape"),
     groups=groups.groups,
     entries=groups.entries,
     bone_renamed=groups.bone_renamed,

@@ -22,7 +22,7 @@ def _bones(description):
 
 def _only_active():
     return bpy.props.BoolProperty(
-        name="Only Active", description="Take the entry that the object's list has marked, and no other one", default=False,
+        name="Only Active", description="Act on the active entry of the list alone", default=False,
         options={'SKIP_SAVE', 'HIDDEN'})
 
 
@@ -50,27 +50,26 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
     object: object_keyword("Name of the object; empty takes the selected ones, in Pose Mode the selected bones")
     bones: _bones("Names of bones of the object, with commas between")
     style: bpy.props.EnumProperty(
-        name="Style", description="Frequency, damping and response that go by a name, in place of those that are given",
+        name="Style", description="Named set of frequency, damping and response, in place of those that are given",
         items=styles.ITEMS, default=styles.CUSTOM)
     whole_chains: bpy.props.BoolProperty(
-        name="Whole Chains", description="Take all bones below along", default=False)
+        name="Whole Chains", description="Add dynamics to all bones below the selected ones too", default=False)
     chain_delay: bpy.props.FloatProperty(
-        name="Delay per Bone", description="How much later each bone of a chain follows than the one above it", default=0.0,
+        name="Delay per Bone", description="Time by which each bone of a chain follows later than its parent", default=0.0,
         min=0.0, soft_max=0.2, unit='TIME_ABSOLUTE', precision=3)
     # Not in presets, which keep all that is saved: each of these ways says what frequency and damping say as well.
     overshoot: bpy.props.FloatProperty(
-        name="Overshoot", description="How far it goes beyond a step, as a part of the step: with Settling in place of "
-        "frequency and damping", default=0.2, min=0.0, max=0.95, options={'SKIP_SAVE'})
+        name="Overshoot", description="How far the motion goes beyond a step, as a part of the step; with Settling in place of frequency and damping", default=0.2, min=0.0, max=0.95, options={'SKIP_SAVE'})
     settling: bpy.props.FloatProperty(
-        name="Settling", description="How long it takes to come to rest", default=1.0, min=filters.LEAST_SETTLING,
+        name="Settling", description="Time until the motion comes to rest", default=1.0, min=filters.LEAST_SETTLING,
         unit='TIME_ABSOLUTE', options={'SKIP_SAVE'})
     mass: bpy.props.FloatProperty(
-        name="Mass", description="What hangs on a spring, in place of frequency, damping and response", default=1.0,
+        name="Mass", description="Mass that hangs on a spring, in place of frequency, damping and response", default=1.0,
         min=1e-3, unit='MASS', options={'SKIP_SAVE'})
     stiffness: bpy.props.FloatProperty(
-        name="Stiffness", description="Of the spring, N/m", default=100.0, min=1e-6, options={'SKIP_SAVE'})
+        name="Stiffness", description="Stiffness of the spring, in N/m", default=100.0, min=1e-6, options={'SKIP_SAVE'})
     resistance: bpy.props.FloatProperty(
-        name="Resistance", description="Of the damper, N s/m", default=5.0, min=0.0, options={'SKIP_SAVE'})
+        name="Resistance", description="Damping of the damper, in N·s/m", default=5.0, min=0.0, options={'SKIP_SAVE'})
 
     @classmethod
     def check_offer(cls, context):
@@ -163,9 +162,11 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
             (owner, found), = made.items()
             settings = owner.motus.dynamics
             entry = settings.entries[setup.find(settings, next(iter(found)))]
-            self.report({'INFO'}, tr("{object} has dynamics").format(object=setup.label(entry)))
+            self.report({'INFO'}, tr("Dynamics added to {object}").format(object=setup.label(entry)))
         else:
-            self.report({'INFO'}, tr("{count} things have dynamics").format(count=count))
+            are_bones = all(isinstance(name, str) and name for found in made.values() for name in found)
+            sentence = tr("Dynamics added to {count} bones") if are_bones else tr("Dynamics added to {count} objects")
+            self.report({'INFO'}, sentence.format(count=count))
         context.view_layer.update()
         depsgraph = context.view_layer.depsgraph
         problems = [(owner, wiring.problem(setup.system(), owner, depsgraph)) for owner in made
@@ -184,7 +185,7 @@ def _what_to_follow(thing):
 class MOTUS_OT_dynamics_remove(Operator, _OnProperty, bpy.types.Operator):
     bl_idname = "motus.dynamics_remove"
     bl_label = "Remove Dynamics"
-    bl_description = "Leave objects, bones or properties to their own animation again"
+    bl_description = "Remove dynamics from objects, bones or properties"
     modes = OBJECT_OR_POSE_MODE
 
     object: object_keyword("Name of the object; empty takes the selected ones, in Pose Mode the selected bones")
@@ -242,7 +243,7 @@ class MOTUS_OT_dynamics_loop(Operator, _OnProperty, bpy.types.Operator):
 class MOTUS_OT_dynamics_refresh(Operator, bpy.types.Operator):
     bl_idname = "motus.dynamics_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the object again, after its bones or parents were changed"
+    bl_description = "Rebuild after bones or parents changed"
     modes = OBJECT_OR_POSE_MODE
 
     object: object_keyword("Name of the object; empty takes the active one")

@@ -2,10 +2,10 @@
 
 import bpy
 
-from ..core import graph, native, panels, tracks, ui
+from ..core import bone_entries, graph, native, panels, tracks, ui, widths
 from ..core.lazy import numpy as np
 from ..core.translations import OWN_SENSE, tr
-from . import filters, presets, rows, told
+from . import filters, presets, rows, styles, told
 from .groups import units
 from .setup import active_entry, label, system
 
@@ -27,9 +27,14 @@ def draw_main(layout, context):
     remove.object, remove.only_active = owner.name, True
     ui.draw_problem(layout, context, system(), owner, lambda problem: told.sentence(owner, problem, context.scene))
     if entry:
+        bone_entries.draw_shown(layout, system(), label(entry), _icon_of(entry))
         column = ui.split(layout)
         rows.FOLLOW.draw(column, entry)
         rows.AMOUNT.draw(column, entry)
+
+
+def _icon_of(entry):
+    return 'FCURVE' if entry.data_path else 'BONE_DATA' if entry.name else 'OBJECT_DATA'
 
 
 def draw_motion(layout, context):
@@ -38,7 +43,12 @@ def draw_motion(layout, context):
     if entry is None:
         return
     column = ui.split(layout)
-    column.prop(entry, "style")
+    row = column.split(factor=widths.LABELS)
+    label_of_row = row.row()
+    label_of_row.alignment = 'RIGHT'
+    label_of_row.label(text="Style")
+    # An operator, and not the property, since the style is given to all that is selected.
+    row.operator_menu_enum(presets.USE.bl_idname, "preset", text=styles.label_of(entry), translate=False)
     column.prop(entry, "shape")
     rows.MOTION.draw(column, entry)
     draw_graph(layout, filters.numbers(entry))
@@ -113,7 +123,7 @@ def input_of(owner, entry, scene):
 def draw_actions(layout, context):
     """Baking and removing."""
     column = layout.column(align=True)  # a row would be too narrow in a narrow editor
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     column.operator("motus.dynamics_remove", text="Remove All", icon='X').object = context.object.name
 
 
@@ -122,17 +132,17 @@ def draw_add(layout, context):
     column = layout.column(align=True)
     # Said in so many words, or it would be what was chosen last.
     column.operator("motus.dynamics_add", icon='FORCE_HARMONIC').whole_chains = False
-    if context.mode == 'POSE':
-        column.operator("motus.dynamics_add", text="Add to Whole Chains", icon='FORCE_HARMONIC').whole_chains = True
+    row = column.row(align=True)
+    row.enabled = context.mode == 'POSE'
+    row.operator("motus.dynamics_add", text="Dynamics of Whole Chains", icon='FORCE_HARMONIC').whole_chains = True
 
 
 class MOTUS_UL_dynamics_entries(bpy.types.UIList):
     def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
         row = layout.row(align=True)
         row.active = not entry.is_muted
-        icon = 'FCURVE' if entry.data_path else 'BONE_DATA' if entry.name else 'OBJECT_DATA'
         columns = row.split(factor=0.65, align=True)  # a narrow sidebar has room for the name all the same
-        columns.label(text=label(entry), icon=icon, translate=False)
+        columns.label(text=label(entry), icon=_icon_of(entry), translate=False)
         columns.prop(entry, "weight", text="", slider=True, emboss=False, text_ctxt=OWN_SENSE)
         row.prop(entry, "is_muted", text="", icon='HIDE_ON' if entry.is_muted else 'HIDE_OFF', emboss=False)
 

@@ -1,7 +1,7 @@
 """Presets of an entry's settings."""
 
 from ..core import presets
-from ..core.entries import active
+from ..core.bone_entries import selected
 from ..core.presets import Preset
 from . import filters, styles
 
@@ -12,6 +12,6 @@ OF_A_STYLE = "frequency", "damping", "response", "mass", "shape"
 BROUGHT = [Preset(identifier, label, told, dict(zip(filters.NUMBERS, numbers)))
            for identifier, label, told, numbers in styles.STYLES]
 
-classes = OPERATOR, PANEL, _ = presets.classes(
+classes = OPERATOR, PANEL, USE = presets.classes(
     "dynamics", "Dynamics", (f"{ENTRY}.{name}" for name in OF_A_STYLE), BROUGHT,
-    lambda context: active(context.object, "dynamics"))
+    lambda context: selected(context, "dynamics"))

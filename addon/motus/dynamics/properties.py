@@ -2,12 +2,13 @@
 
 import bpy
 
+from ..core import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import filters, styles
 
 FOLLOWS = (
-    ('OWN', "Own Animation", "The thing's own location, rotation and scale, whatever its parents do"),
-    ('WORLD', "World Motion", "Where it is carried in the world as well; a bone turns to where its tail has come"),
+    ('OWN', "Local", "The object's or bone's own location, rotation and scale; the motion of parents does not count"),
+    ('WORLD', "World", "The motion in the world, that of parents included; a bone turns to where its tail has come"),
 )
 CHANNELS = (
     ('LOCATION', "Location", "The location follows"),
@@ -15,9 +16,9 @@ CHANNELS = (
     ('SCALE', "Scale", "The scale follows"),
 )
 SHAPES = (
-    ('FREQUENCY', "Frequency", "By frequency, damping and response"),
-    ('OVERSHOOT', "Overshoot", "By how far it overshoots, and how long it takes to settle"),
-    ('SPRING', "Spring", "By a mass on a spring and a damper"),
+    ('FREQUENCY', "Frequency", "Set frequency, damping and response"),
+    ('OVERSHOOT', "Overshoot", "Set how far the motion overshoots, and how long it takes to settle"),
+    ('SPRING', "Spring", "Set a mass on a spring and a damper"),
 )
 
 # The state on a frame is made of the whole past, so that a number that changes would have to be known at all times.
@@ -39,13 +40,13 @@ class DynamicsKeywords:
     """What both the entries and the operator have: the names are the keywords of scripts."""
 
     follow: bpy.props.EnumProperty(
-        name="Follow", description="Which motion is followed", items=FOLLOWS, default='OWN', update=rewire, options=set(),
+        name="Follow", description="Motion that the dynamics follow", items=FOLLOWS, default='OWN', update=rewire, options=set(),
         override=OVERRIDABLE)
     channels: bpy.props.EnumProperty(
-        name="Channels", description="What of it follows", items=CHANNELS, options={'ENUM_FLAG'},
+        name="Channels", description="Channels that the dynamics act on", items=CHANNELS, options={'ENUM_FLAG'},
         default={'LOCATION', 'ROTATION'}, update=rewire, override=OVERRIDABLE)
     frequency: _number(
-        "Frequency", "How many times a second it swings", 2.0, min=filters.LEAST_FREQUENCY,
+        "Frequency", "Swings per second", 2.0, min=filters.LEAST_FREQUENCY,
         max=filters.GREATEST_FREQUENCY, soft_max=10.0, precision=3, step=5)
     damping: _number(
         "Damping", "0 swings for ever, 1 comes to rest soonest without swinging", 0.4, min=0.0, max=filters.GREATEST_DAMPING,
@@ -54,9 +55,9 @@ class DynamicsKeywords:
         "Response", "0 starts slowly, 1 starts at once, above 1 it overshoots, below 0 it winds up first", 0.0,
         min=-filters.GREATEST_RESPONSE, max=filters.GREATEST_RESPONSE, soft_min=-3.0, soft_max=3.0, precision=3, step=5)
     delay: _number(
-        "Delay", "How much later it follows", 0.0, min=0.0, max=3600.0, soft_max=1.0, unit='TIME_ABSOLUTE', precision=3)
+        "Delay", "Time by which the motion follows later", 0.0, min=0.0, max=3600.0, soft_max=1.0, unit='TIME_ABSOLUTE', precision=3)
     weight: bpy.props.FloatProperty(
-        name="Weight", description="From the animation (0) to what follows it (1)", default=1.0, min=0.0, max=1.0,
+        name="Weight", description="Blend from the animation (0) to the dynamics (1)", default=1.0, min=0.0, max=1.0,
         subtype='FACTOR', update=touch, options=ANIMATED, override=OVERRIDABLE)
     use_loop: bpy.props.BoolProperty(
         name="Loop", description="Let the motion close without a seam over a range of frames" + NO_KEYS, default=False, **_STILL)
@@ -66,7 +67,7 @@ class DynamicsKeywords:
         name="End", description="Frame on which the loop begins again, which looks like its first one" + NO_KEYS, default=251,
         **_STILL)
     jump: _number(
-        "Teleport", "What moves farther than this in a frame has jumped there, and starts anew at rest; 0 never does", 0.0,
+        "Teleport", "A motion of more than this in a frame is a jump, after which the dynamics start anew at rest; 0 for none", 0.0,
         min=0.0, unit='LENGTH', soft_max=100.0)
 
 
@@ -75,46 +76,46 @@ KEYWORDS = tuple(DynamicsKeywords.__annotations__)
 
 class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
-        name="Bone", description="Bone that follows; empty is the object itself, or a property", update=rewire,
+        name="Bone", description="Bone that has the dynamics; empty for the object itself, or a property", update=rewire,
         override=OVERRIDABLE)
     data_path: bpy.props.StringProperty(
-        name="Property", description="Path of a single property from the object that follows; empty is the object itself, "
-        "or its bone", update=rewire, override=OVERRIDABLE)
+        name="Property", description="Data path of the property that has the dynamics; empty for the object itself, or its bone", update=rewire, override=OVERRIDABLE)
     index: bpy.props.IntProperty(
-        name="Index", description="Which number of an array property; -1 is all of them", default=-1, min=-1, update=rewire,
+        name="Index", description="Index of a number in an array property; -1 for all of them", default=-1, min=-1, update=rewire,
         options=set(), override=OVERRIDABLE)
     chain: bpy.props.StringProperty(
         name="Chain", description="Topmost bone of the chain that it was added with", options=set(), override=OVERRIDABLE)
     mass: bpy.props.FloatProperty(
-        name="Mass", description="What hangs on the spring", default=1.0, min=1e-3, soft_max=100.0, unit='MASS',
+        name="Mass", description="Mass that hangs on the spring", default=1.0, min=1e-3, soft_max=100.0, unit='MASS',
         options=set(), override=OVERRIDABLE)
     style: bpy.props.EnumProperty(
-        name="Style", description="Frequency, damping and response that go by a name", items=styles.ITEMS,
+        name="Style", description="Named set of frequency, damping and response", items=styles.ITEMS,
         options={'SKIP_SAVE'}, get=styles.of, set=styles.put)
     shape: bpy.props.EnumProperty(
-        name="Set By", description="In which numbers the motion is shown and set; it stays the same", items=SHAPES,
+        name="Set By", description="Numbers by which the motion is shown and set; the motion stays the same", items=SHAPES,
         default='FREQUENCY', options=set(), override=OVERRIDABLE)
     overshoot: _seen(
-        "Overshoot", "How far it goes beyond a step, as a part of the step", "overshoot", min=0.0, max=0.95,
+        "Overshoot", "How far the motion goes beyond a step, as a part of the step", "overshoot", min=0.0, max=0.95,
         subtype='FACTOR', precision=3)
     settling: _seen(
-        "Settling", "How long it takes to come to rest, to a fiftieth of a step", "settling", min=filters.LEAST_SETTLING,
+        "Settling", "Time until the motion stays within a fiftieth of a step", "settling", min=filters.LEAST_SETTLING,
         max=filters.GREATEST_SETTLING, soft_max=5.0, unit='TIME_ABSOLUTE', precision=3)
     stiffness: _seen(
-        "Stiffness", "Of the spring, N/m", "stiffness", min=1e-6, soft_max=1000.0, precision=2)
+        "Stiffness", "Stiffness of the spring, in N/m", "stiffness", min=1e-6, soft_max=1000.0, precision=2)
     resistance: _seen(
-        "Resistance", "Of the damper, N s/m", "resistance", min=0.0, soft_max=100.0, precision=2)
+        "Resistance", "Damping of the damper, in N·s/m", "resistance", min=0.0, soft_max=100.0, precision=2)
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Leave it to its animation", default=False, update=touch, options=ANIMATED,
+        name="Mute", description="Switch the dynamics of this entry off", default=False, update=touch, options=ANIMATED,
         override=OVERRIDABLE)
 
 
 class MOTUS_PG_dynamics(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        name="Influence", description="How much all dynamics of the object act; 0 leaves it to its animation", default=1.0,
+        name="Influence", description="How much all dynamics of the object act; 0 leaves the object to its animation", default=1.0,
         min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=touch)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_dynamics_entry, name="Dynamics", override=EXTENDABLE)
-    active_entry: bpy.props.IntProperty(name="Active Entry", options=set())
+    chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
+    active_entry: bone_entries.active_property("Active Entry", lambda settings, bone: settings.entries.find(bone))
 
 
 classes = (MOTUS_PG_dynamics_entry, MOTUS_PG_dynamics)

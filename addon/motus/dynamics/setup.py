@@ -22,7 +22,7 @@ def add(owner, wanted):
                 entry.data_path, entry.index = name
             for key, value in changes.items():
                 setattr(entry, key, value)
-            settings.active_entry = find(settings, name)
+            settings.chosen_entry = find(settings, name)
 
 
 def remove(owner, indices):

@@ -13,10 +13,10 @@ from ..core.tracks import strips, transforms, world_track
 from . import inputs, motion
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
-NEEDS_RECORDING = Problem("Some of what is followed is not known ahead: record it", blocking=False)
+NEEDS_RECORDING = Problem("Some of the followed motion cannot be read from keys: record it", blocking=False)
 NOT_KNOWN = Problem("Some of what is followed is not known on other frames, and cannot be recorded", blocking=False)
 LOOP_IS_OPEN = Problem("A rotation does not come back to where its loop began", blocking=False)
-BAD_NUMBERS = Problem("Some numbers are none that a motion can be made of", blocking=False)
+BAD_NUMBERS = Problem("Some numbers are outside of what a motion can be computed from", blocking=False)
 JUMPS_LOOPED = Problem("Where the motion loops, jumps of what it follows are swung through", blocking=False)
 CONSTRAINED = Problem(
     "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics", blocking=False)

@@ -1,5 +1,7 @@
 """Filters that go by a name."""
 
+import bpy
+
 from . import filters
 
 CUSTOM = 'CUSTOM'
@@ -14,7 +16,7 @@ STYLES = (  # identifier, label, description, (frequency, damping, response)
     ('SMOOTH', "Smooth", "Takes the jerks out of a motion", (3.0, 1.6, 1.0)),
 )
 NUMBERS = {identifier: numbers for identifier, _, _, numbers in STYLES}
-ITEMS = ((CUSTOM, "Custom", "Numbers of one's own"), *((name, label, told) for name, label, told, _ in STYLES))
+ITEMS = ((CUSTOM, "Custom", "Numbers that no style has"), *((name, label, told) for name, label, told, _ in STYLES))
 SAME = 1e-5
 
 
@@ -25,6 +27,11 @@ def of(entry):
         if all(abs(one - other) < SAME for one, other in zip(present, numbers)):
             return index + 1
     return 0
+
+
+def label_of(entry):
+    """Label of the style, in the user's language."""
+    return bpy.app.translations.pgettext_iface(ITEMS[of(entry)][1])
 
 
 def put(entry, index):

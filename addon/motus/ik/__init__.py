@@ -19,6 +19,7 @@ SYSTEM = System(
         *matching_operators.classes, *switching_operators.classes, *dragging_operators.classes, *checking_operators.classes,
     ),
     solve=solve.solve,
+    entry_settings=presets.STYLE,
     problems=solve.PROBLEMS,
     groups=groups.groups,
     entries=groups.entries,

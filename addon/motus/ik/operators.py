@@ -51,8 +51,7 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         name="Make a Pole", description="Make an empty at the side that the chain bends to", default=False,
         options={'SKIP_SAVE'})
     keep_rotation: bpy.props.BoolProperty(
-        name="Keep Rotation", description="Set the rotation offset so that the target's orientation means that of the "
-        "bone as it stands now", default=True, options={'SKIP_SAVE'})
+        name="Keep Rotation", description="Set the rotation offset so that the bone keeps its present rotation", default=True, options={'SKIP_SAVE'})
     make_control_bone: bpy.props.BoolProperty(
         name="New Control Bone", description="Make a bone of the armature itself the target, which stands at the end of the "
         "chain, has no parent and deforms nothing; a pole that is made is such a bone too", default=False, options={'SKIP_SAVE'})
@@ -68,9 +67,7 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
 
     def run(self, context):
         rig, entry, chain = self._add(context)
-        target = f"{entry.target.name}: {entry.target_bone}" if entry.target_bone else entry.target.name
-        self.report({'INFO'}, tr("{bone} of {object} reaches for {target}").format(
-            bone=entry.name, object=rig.name, target=target))
+        self.report({'INFO'}, status.added(entry))
         context.view_layer.update()
         for sentence in targets.warnings(rig, chain, entry.chain_length) + status.warnings(context, rig, entry):
             self.report({'WARNING'}, sentence)
@@ -185,13 +182,13 @@ class MOTUS_OT_ik_control_bone_add(OfABone, bpy.types.Operator):
         with setup.at_once(rig):
             entry = rig.motus.ik.entries[name]
             entry.target, entry.target_bone = rig, made
-        self.report({'INFO'}, tr("{bone} of {object} reaches for {target}").format(bone=name, object=rig.name, target=made))
+        self.report({'INFO'}, status.added(entry))
 
 
 class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
     bl_idname = "motus.ik_remove"
     bl_label = "Remove Inverse Kinematics"
-    bl_description = "Leave chains to their own animation again"
+    bl_description = "Remove Inverse Kinematics, so that the chains have their own animation again"
 
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the last bone of the chain; empty takes all chains of the object",
@@ -247,7 +244,7 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
 class MOTUS_OT_ik_refresh(OfARig, bpy.types.Operator):
     bl_idname = "motus.ik_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the rig again, after its bones or what moves the targets were changed"
+    bl_description = "Rebuild after bones or the parents of targets changed"
 
     def run(self, context):
         rig = targets.rig_with_ik(context, self.object)
@@ -287,7 +284,7 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
     bl_description = "Take a further target off the chain"
 
     index: bpy.props.IntProperty(
-        name="Index", description="Which of the further targets; -1 is the active one", default=-1, min=-1,
+        name="Index", description="Index of the further target; -1 is the active one", default=-1, min=-1,
         options={'SKIP_SAVE'})
 
     def run(self, context):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import panels, ui
+from ..core import bone_entries, panels, ui
 from . import limits_panel, presets, rows, status, tools_panel
 from .setup import system
 from .shown import shown_entry
@@ -18,6 +18,7 @@ def draw_main(layout, context):
     _, remove, _ = ui.draw_list(
         layout, "MOTUS_UL_ik_entries", settings, "entries", "active_entry", "motus.ik_add", "motus.ik_remove")
     remove.object, remove.bone = rig.name, entry.name
+    bone_entries.draw_shown(layout, system(), entry.name)
     icon, sentence = status.sentence(context, rig, entry)
     if sentence:
         ui.draw_message(layout, sentence, icon)
@@ -31,19 +32,19 @@ def draw_main(layout, context):
 def draw_actions(layout, context):
     """Baking and removing."""
     column = layout.column(align=True)
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     column.operator("motus.ik_remove", text="Remove All", icon='X').object = context.object.name
 
 
 def draw_add(layout, context):
     """The bone that a chain would end with, and the buttons that add it."""
-    active = context.object.data.bones.active
+    rig = context.object
+    active = rig.data.bones.active if rig and rig.type == 'ARMATURE' else None
     column = layout.column(align=True)
-    if active:
-        column.label(text=active.name, icon='BONE_DATA', translate=False)
+    column.label(text=active.name if active else "", icon='BONE_DATA' if active else 'BLANK1', translate=False)
     column.operator("motus.ik_add", icon='CON_KINEMATIC')
-    column.operator("motus.ik_add", text="Add with a Pole", icon='EMPTY_AXIS').make_pole = True
-    column.operator("motus.ik_add", text="Add with a Control Bone", icon='BONE_DATA').make_control_bone = True
+    column.operator("motus.ik_add", text="IK with Pole", icon='EMPTY_AXIS').make_pole = True
+    column.operator("motus.ik_add", text="IK with Control Bone", icon='BONE_DATA').make_control_bone = True
 
 
 def draw_goal(column, owner, pointer, bone):
@@ -59,7 +60,7 @@ def draw_target(layout, context):
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
     if entry.target != context.object:
-        _of_chain(layout, "motus.ik_control_bone_add", context.object, entry, icon='BONE_DATA')
+        _of_chain(layout.operator("motus.ik_control_bone_add", icon='BONE_DATA'), context.object, entry)
     rows.OFFSET.draw(ui.split(layout), entry)
     layout.use_property_split = False
     layout.label(text="Further Targets")
@@ -75,9 +76,8 @@ def draw_target(layout, context):
     ui.split(layout).prop(entry, "target_blend")
 
 
-def _of_chain(layout, operator, rig, entry, **look):
-    """A button for a chain."""
-    button = layout.operator(operator, **look)
+def _of_chain(button, rig, entry):
+    """Let a button mean a chain."""
     button.object, button.bone = rig.name, entry.name
     return button
 
@@ -88,8 +88,8 @@ def draw_pole(layout, context):
     draw_goal(layout.column(), entry, "pole", "pole_bone")
     if entry.pole is None:
         row = layout.row(align=True)
-        _of_chain(row, "motus.ik_pole_add", context.object, entry, icon='EMPTY_AXIS')
-        _of_chain(row, "motus.ik_pole_add", context.object, entry, text="As Bone", icon='BONE_DATA').as_bone = True
+        _of_chain(row.operator("motus.ik_pole_add", icon='EMPTY_AXIS'), context.object, entry)
+        _of_chain(row.operator("motus.ik_pole_add", text="As Bone", icon='BONE_DATA'), context.object, entry).as_bone = True
     rows.POLE.draw(ui.split(layout), entry)
 
 

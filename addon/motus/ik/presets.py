@@ -1,7 +1,7 @@
 """Presets of a chain's settings."""
 
 from ..core import presets
-from ..core.entries import active
+from ..core.bone_entries import selected
 from ..core.presets import Preset
 from .properties import KEYWORDS
 
@@ -15,11 +15,13 @@ OF_THE_CHAIN = {
 BROUGHT = (
     Preset('LIMB', "Limb", "Slows down a little before it is straight, so that the knee does not snap", {"softness": 0.03}),
     Preset('EXACT', "Exact", "Reaches as far as its bones are long", {}),
-    Preset('CARTOON', "Cartoon", "Lengthens to whatever it reaches for", {"softness": 0.05, "stretch": 1.0}),
-    Preset('ELASTIC', "Elastic", "Lengthens by half of what is missing", {"softness": 0.1, "stretch": 0.5}),
+    Preset('CARTOON', "Cartoon", "Lengthens until it reaches the target", {"softness": 0.05, "stretch": 1.0}),
+    Preset('ELASTIC', "Elastic", "Lengthens by half of the missing distance", {"softness": 0.1, "stretch": 0.5}),
     Preset('JOINTED', "Jointed", "Keeps the limits that the bones have", {"use_limits": True}),
 )
 
+STYLE = tuple(name for name in KEYWORDS if name not in OF_THE_CHAIN)
+
 classes = OPERATOR, PANEL, _ = presets.classes(
-    "ik", "Inverse Kinematics", (f"{ENTRY}.{name}" for name in KEYWORDS if name not in OF_THE_CHAIN), BROUGHT,
-    lambda context: active(context.object, "ik"))
+    "ik", "Inverse Kinematics", (f"{ENTRY}.{name}" for name in STYLE), BROUGHT,
+    lambda context: selected(context, "ik"))

@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import chains
 from .checking import results as check_results
@@ -66,20 +67,19 @@ class IkKeywords:
         default='TOWARDS', override=OVERRIDABLE, update=touch, options=ANIMATED)
     pole_angle: _angle("Pole Angle", "Turns the chain about the line from its root to the target")
     hinge_angle: _angle(
-        "Bend Axis", "Direction about the first bone's length, from its X axis, about which the chain bends where the "
-        "animated pose is straight")
+        "Bend Axis", "Angle about the first bone, from its X axis, of the axis that a chain bends about if its animated pose is straight")
     softness: _factor(
         "Softness", "Share of the chain's length over which it slows down before it is straight", 0.0)
-    stretch: _factor("Stretch", "How much of what is missing the bones lengthen by", 0.0, update=_change_stretch)
+    stretch: _factor("Stretch", "Share of the missing distance by which the bones lengthen", 0.0, update=_change_stretch)
     use_limits: bpy.props.BoolProperty(
         name="Use Limits", description="Keep the limits that the bones have for inverse kinematics", default=False,
         override=OVERRIDABLE, update=touch, options=ANIMATED)
     position_weight: _factor(
-        "Position", "From the animated pose (0) to the one that reaches the target (1)", 1.0)
+        "Position", "Blend from the animated pose (0) to the one that reaches the target (1)", 1.0)
     rotation_weight: _factor(
         "Rotation", "How far the last bone takes the target's orientation; the rest of the chain still reaches", 0.0)
     rotation_offset: bpy.props.FloatVectorProperty(
-        name="Offset", description="Turns the orientation that is taken, in the target's own space", size=3,
+        name="Offset", description="Turns the last bone away from the target's orientation, in the target's own space", size=3,
         subtype='EULER', update=touch, options=ANIMATED, override=OVERRIDABLE)
     target_blend: _number(
         "Blend", "0 is the target, 1 the first of the further targets, and between them the way from one to the other",
@@ -88,10 +88,10 @@ class IkKeywords:
         "Tolerance", "Distance from the target that counts as reached, as a fraction of the chain's length", 1e-6,
         min=1e-12, max=1.0, soft_min=1e-7, soft_max=0.01, precision=7, **_WIRED)
     iterations: bpy.props.IntProperty(
-        name="Iterations", description="When the search of a chain of more than two bones gives up", default=100, min=1,
+        name="Iterations", description="Number of iterations after which the search for a chain of more than two bones stops", default=100, min=1,
         max=10000, soft_max=500, override=OVERRIDABLE, **_WIRED)
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Leave this chain to its animation", default=False, update=touch, options=ANIMATED,
+        name="Mute", description="Switch the chain off: it keeps its own animation", default=False, update=touch, options=ANIMATED,
         override=OVERRIDABLE)
 
 
@@ -106,39 +106,24 @@ class MOTUS_PG_ik_target(bpy.types.PropertyGroup):
 class MOTUS_PG_ik_entry(IkKeywords, check_results.CheckResults, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
         name="Bone", description="Bone at the end of the chain", update=rewire, override=OVERRIDABLE)
-    target: _object("Target", "What the end of the chain goes to")
+    target: _object("Target", "Object that the end of the chain goes to")
     target_bone: _bone("Bone of the target; empty takes its origin")
     extra_targets: bpy.props.CollectionProperty(
         type=MOTUS_PG_ik_target, name="Further Targets", override=EXTENDABLE)
     active_extra_target: bpy.props.IntProperty(name="Active Further Target", options=set())
-    pole: _object("Pole", "What the middle of the chain bends towards; without one it keeps the animated pose's plane")
+    pole: _object("Pole", "Object that the middle of the chain bends towards; without a pole the chain bends in the plane of the animated pose")
     pole_bone: _bone("Bone of the pole; empty takes its origin")
     is_elastic: bpy.props.BoolProperty(
         name="Elastic", description="Stretch is not 0", options={'HIDDEN'}, override=OVERRIDABLE)
 
 
-def _get_active(settings):
-    """In Pose Mode the entry of the active bone's chain, else the one chosen last."""
-    rig = settings.id_data
-    active = rig.data.bones.active if rig.mode == 'POSE' else None
-    index = chains.entry_with(rig, active.name) if active else -1
-    return min(settings.chosen_entry if index < 0 else index, len(settings.entries) - 1)
-
-
-def _set_active(settings, index):
-    settings.chosen_entry = index
-    rig = settings.id_data
-    if rig.mode == 'POSE' and index < len(settings.entries):
-        rig.data.bones.active = rig.data.bones.get(settings.entries[index].name)
-
-
 class MOTUS_PG_ik(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        name="Influence", description="How much all chains of the rig act; 0 leaves it to its animation", default=1.0,
+        name="Influence", description="How much all chains of the rig act; 0 leaves the rig to its animation", default=1.0,
         min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE, update=touch)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_ik_entry, name="Chains", override=EXTENDABLE)
     chosen_entry: bpy.props.IntProperty(name="Chosen Chain", options={'HIDDEN'})
-    active_entry: bpy.props.IntProperty(name="Active Chain", options={'SKIP_SAVE'}, get=_get_active, set=_set_active)
+    active_entry: bone_entries.active_property("Active Chain", lambda settings, bone: chains.entry_with(settings.id_data, bone))
 
 
 classes = (MOTUS_PG_ik_target, MOTUS_PG_ik_entry, MOTUS_PG_ik)

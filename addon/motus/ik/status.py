@@ -32,6 +32,13 @@ def report(owner, name, depsgraph):
     return None if values is None else Report(*values)
 
 
+def added(entry):
+    """What is reported of a chain that was given its target."""
+    if entry.target_bone:
+        return tr("IK added: {bone} follows bone {target}").format(bone=entry.name, target=entry.target_bone)
+    return tr("IK added: {bone} follows {target}").format(bone=entry.name, target=entry.target.name)
+
+
 def sentence(context, owner, entry):
     """(icon, sentence in the user's language) of why an entry does not reach, or of a pole or limits that do not count;
     the sentence is "" where all is well."""

@@ -24,16 +24,16 @@ class FitKeywords:
         name="Margin", description="Room that is left on each side, as a share of the largest side", default=0.02,
         min=0.0, soft_max=1.0, subtype='FACTOR')
     orientation: bpy.props.EnumProperty(
-        name="Orientation", description="Which way the lattice's axes point", default='LOCAL', items=(
-            ('LOCAL', "Local", "Along the axes of the active object"),
-            ('GLOBAL', "Global", "Along the axes of the world"),
-            ('FIT', "Fit", "However the lattice becomes smallest")))
+        name="Orientation", description="Orientation of the lattice's axes", default='LOCAL', items=(
+            ('LOCAL', "Local", "The lattice's axes are those of the active object"),
+            ('GLOBAL', "Global", "The lattice's axes are those of the world"),
+            ('FIT', "Fit", "The lattice is turned so that it becomes smallest")))
     interpolation: bpy.props.EnumProperty(
-        name="Interpolation", description="What shape the lattice gives between its points", default='BSPLINE', items=(
-            ('LINEAR', "Linear", "Straight from point to point"),
-            ('CARDINAL', "Cardinal", "Smooth and tight, through the points"),
-            ('CATMULL_ROM', "Catmull-Rom", "Smooth, through the points"),
-            ('BSPLINE', "BSpline", "Smoothest; near the points, not through them")))
+        name="Interpolation", description="Interpolation between the lattice's points", default='BSPLINE', items=(
+            ('LINEAR', "Linear", "Straight lines from point to point"),
+            ('CARDINAL', "Cardinal", "A smooth and tight shape through the points"),
+            ('CATMULL_ROM', "Catmull-Rom", "A smooth shape through the points"),
+            ('BSPLINE', "BSpline", "The smoothest shape, near the points, not through them")))
     use_parent: bpy.props.BoolProperty(
         name="Parent to Object", default=True,
-        description="Where the lattice deforms one object only, let it move along as the object's child")
+        description="Parent the lattice to the object, if it deforms one object only, so that it moves along")

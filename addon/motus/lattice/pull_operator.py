@@ -48,7 +48,7 @@ class MOTUS_OT_lattice_pull(PointDrag, Operator, bpy.types.Operator):
         name="Location", description="Place in the world whose nearest vertex is pulled, where no vertex is named",
         size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     displacement: bpy.props.FloatVectorProperty(
-        name="Displacement", description="How far it is pulled, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        name="Displacement", description="Displacement of the vertex, in the world", size=3, subtype='XYZ', unit='LENGTH',
         options={'SKIP_SAVE'})
     held: bpy.props.StringProperty(
         name="Held", description="Indices, with commas between, of vertices that stay where they are",

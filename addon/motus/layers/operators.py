@@ -69,7 +69,7 @@ class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator
         name="Layer", description="Name of the layer; empty takes the action's. One that is there is changed",
         options={'SKIP_SAVE'})
     mask: bpy.props.EnumProperty(
-        name="Mask", description="On which bones the layer acts, where neither bones nor collections are named", items=MASKS,
+        name="Mask", description="Bones that the layer acts on if neither bones nor collections are named", items=MASKS,
         default='SELECTED')
     redo = (Rows((Row("mask"), Row("with_children")), title="Mask"), *rows.ALL)
 
@@ -104,7 +104,7 @@ class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator
 class MOTUS_OT_layer_remove(OfALayer, bpy.types.Operator):
     bl_idname = "motus.layer_remove"
     bl_label = "Remove Layer"
-    bl_description = "Take a layer off the rig; its action stays in the file"
+    bl_description = "Remove a layer from the rig; its action stays in the file"
 
     def run(self, context):
         rig, index = self.chosen(context)
@@ -118,7 +118,7 @@ class MOTUS_OT_layer_remove(OfALayer, bpy.types.Operator):
 class MOTUS_OT_layers_refresh(OfARig, bpy.types.Operator):
     bl_idname = "motus.layers_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the rig again, after its bones or bone collections were changed"
+    bl_description = "Rebuild after bones or bone collections changed"
 
     def run(self, context):
         rig = targets.layered_rig(context, self.object)

@@ -22,7 +22,7 @@ def fault(rig, entry):
         return tr("Choose an action for this layer")
     missing = [item.name for item in entry.mask if not mask.is_there(rig, item)]
     if missing:
-        return tr("{object} has not what the mask names: {names}").format(object=rig.name, names=", ".join(missing))
+        return tr("{object} lacks bones or collections of the mask: {names}").format(object=rig.name, names=", ".join(missing))
     return ""
 
 
@@ -87,7 +87,7 @@ def draw_actions(layout, context):
     name = context.object.name
     column = layout.column(align=True)  # a row would be too narrow in a narrow editor
     column.operator("motus.layers_flatten", icon='NLA_PUSHDOWN').object = name
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     column.operator("motus.layer_remove", text="Remove", icon='X').object = name
 
 

@@ -6,12 +6,12 @@ from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSe
 
 MODES = (
     ('OVERRIDE', "Override", "The layer takes the place of what lies beneath it"),
-    ('ADDITIVE', "Additive", "What the action does beyond its reference comes on top of what lies beneath"),
+    ('ADDITIVE', "Additive", "The difference between the action and its reference is added to what lies beneath"),
 )
 REFERENCES = (
-    ('FIRST', "First Frame", "What the action does beyond its own first frame counts"),
-    ('FRAME', "Frame", "What it does beyond the pose of a frame of the action counts"),
-    ('REST', "Rest Pose", "The whole pose of the action counts"),
+    ('FIRST', "First Frame", "The action is compared with its own first frame"),
+    ('FRAME', "Frame", "The action is compared with its pose at a frame of its own"),
+    ('REST', "Rest Pose", "The action is compared with the rig's rest pose"),
 )
 AFTERS = (
     ('STOP', "Stop", "The layer ends with its action"),
@@ -42,29 +42,29 @@ class LayerKeywords:
 
     mode: _enum("Mode", "How the layer acts on what lies beneath it", MODES, 'OVERRIDE')
     weight: bpy.props.FloatProperty(
-        name="Weight", description="How much of the layer there is; 0 leaves what lies beneath as it is", default=1.0, min=0.0,
+        name="Weight", description="How much the layer acts; 0 leaves what lies beneath as it is", default=1.0, min=0.0,
         max=1.0, subtype='FACTOR', update=touch, options=ANIMATED, override=OVERRIDABLE)
     start: _frames("Start", "Frame of the scene on which the action begins to play", 1.0)
     speed: bpy.props.FloatProperty(
-        name="Speed", description="How fast the action plays; below 0 backwards, from its last frame" + NO_KEYS, default=1.0,
+        name="Speed", description="How fast the action plays; a negative speed plays it backwards, from its last frame" + NO_KEYS, default=1.0,
         soft_min=-4.0, soft_max=4.0, update=touch, options=set(), override=OVERRIDABLE)
     after: _enum("After", "What follows the last frame of the action", AFTERS, 'STOP')
-    blend_in: _frames("Blend In", "Frames from the start on, over which the weight grows", 0.0, min=0.0)
-    blend_out: _frames("Blend Out", "Frames before the end, over which the weight fades; of a layer that stops", 0.0, min=0.0)
-    reference: _enum("Reference", "What an additive layer is compared with", REFERENCES, 'FIRST')
-    reference_frame: _frames("Reference Frame", "Frame of the action whose pose does nothing", 1.0)
+    blend_in: _frames("Blend In", "Number of frames from the start over which the weight grows", 0.0, min=0.0)
+    blend_out: _frames("Blend Out", "Number of frames before the end over which the weight of a layer that stops fades", 0.0, min=0.0)
+    reference: _enum("Reference", "Pose that an additive layer is compared with", REFERENCES, 'FIRST')
+    reference_frame: _frames("Reference Frame", "Frame of the action whose pose an additive layer is compared with", 1.0)
     in_armature: bpy.props.BoolProperty(
         name="Steady in Armature",
         description="Blend rotations as they are in the armature, so that hips outside of the mask do not swing the bones in it",
         default=False, update=touch, options=set(), override=OVERRIDABLE)
     feather: bpy.props.IntProperty(
-        name="Feather", description="Over how many bones from the border of the mask on the weight rises" + NO_KEYS, default=0,
+        name="Feather", description="Number of bones from the border of the mask over which the weight rises" + NO_KEYS, default=0,
         min=0, soft_max=8, max=255, update=touch, options=set(), override=OVERRIDABLE)
     use_range: bpy.props.BoolProperty(
         name="Frame Range", description="Play a part of the action, and not all of its frames", default=False, update=touch,
         options=set(), override=OVERRIDABLE)
-    first_frame: _frames("First", "Frame of the action that the part begins with", 1.0)
-    last_frame: _frames("Last", "Frame of the action that the part ends with", 25.0)
+    first_frame: _frames("First", "First frame of the part of the action that is played", 1.0)
+    last_frame: _frames("Last", "Last frame of the part of the action that is played", 25.0)
 
 
 KEYWORDS = tuple(LayerKeywords.__annotations__)
@@ -75,26 +75,26 @@ class MOTUS_PG_layers_mask(bpy.types.PropertyGroup):
 
     name: bpy.props.StringProperty(
         name="Name", description="Name of the bone or the collection", update=rewire, override=OVERRIDABLE)
-    kind: _enum("Kind", "What the name is of", KINDS, 'BONE', rewire)
+    kind: _enum("Kind", "Whether the name is that of a bone or of a collection", KINDS, 'BONE', rewire)
     with_children: bpy.props.BoolProperty(
         name="With Children", description="All bones below count as well", default=True, update=rewire, options=set(),
         override=OVERRIDABLE)
     weight: bpy.props.FloatProperty(
-        name="Weight", description="How much of the layer these bones take" + NO_KEYS, default=1.0, min=0.0, max=1.0,
+        name="Weight", description="How much the layer acts on these bones" + NO_KEYS, default=1.0, min=0.0, max=1.0,
         subtype='FACTOR', update=touch, options=set(), override=OVERRIDABLE)
 
 
 class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Layer", description="Name of the layer", override=OVERRIDABLE)
     action: bpy.props.PointerProperty(
-        type=bpy.types.Action, name="Action", description="What the layer plays", update=touch, override=OVERRIDABLE)
+        type=bpy.types.Action, name="Action", description="Action that the layer plays", update=touch, override=OVERRIDABLE)
     slot: bpy.props.StringProperty(
         name="Slot", description="Slot of the action, where it has several; empty takes the first one of an object",
         update=touch, override=OVERRIDABLE)
     mask: bpy.props.CollectionProperty(type=MOTUS_PG_layers_mask, name="Mask", override=EXTENDABLE)
     active_mask: bpy.props.IntProperty(name="Active Mask", options=set())
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Leave out this layer", default=False, update=touch, options=ANIMATED, override=OVERRIDABLE)
+        name="Mute", description="Switch the layer off", default=False, update=touch, options=ANIMATED, override=OVERRIDABLE)
 
 
 class MOTUS_PG_layers(SystemSettings, bpy.types.PropertyGroup):

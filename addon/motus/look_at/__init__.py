@@ -13,6 +13,7 @@ SYSTEM = System(
         *operators.classes, *presets.classes, *panel.classes,
     ),
     solve=solve.solve,
+    entry_settings=presets.STYLE,
     problems=solve.PROBLEMS,
     members=groups.members,
     groups=groups.groups,

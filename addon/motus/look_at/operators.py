@@ -99,7 +99,7 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
 class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_remove"
     bl_label = "Remove Look At"
-    bl_description = "Leave the head to its own animation again; a target that was made stays"
+    bl_description = "Remove Look At, so that the head has its own animation again; a target that was made stays"
 
 
     def run(self, context):
@@ -116,7 +116,7 @@ class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):
 class MOTUS_OT_look_at_refresh(OfARig, bpy.types.Operator):
     bl_idname = "motus.look_at_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the rig again, after its bones or what moves the target were changed"
+    bl_description = "Rebuild after bones or the parents of the target changed"
 
 
     def run(self, context):

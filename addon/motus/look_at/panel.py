@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ..core import panels, ui, wiring
+from ..core import bone_entries, panels, ui, wiring
 from ..core.translations import OWN_SENSE, tr
 from . import presets, reasons, rows
 from .groups import OUTPUTS, shared_bone
@@ -34,6 +34,7 @@ def draw_main(layout, context):
     remove.object, remove.bone = rig.name, entry.name if entry else ""
     ui.draw_problem(layout, context, system(), rig)
     if entry:
+        bone_entries.draw_shown(layout, system(), entry.name)
         _draw_fault(layout, context, rig, entry)
         _draw_entry(layout, entry)
 
@@ -81,7 +82,7 @@ def draw_readouts(layout, context):
 def draw_actions(layout, context):
     """Baking and removing."""
     column = layout.column(align=True)  # a row would be too narrow in a narrow editor
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     column.operator("motus.look_at_remove", text="Remove", icon='X').object = context.object.name
 
 

@@ -3,7 +3,7 @@
 import math
 
 from ..core import presets
-from ..core.entries import active
+from ..core.bone_entries import selected
 from ..core.presets import Preset
 from .properties import KEYWORDS
 
@@ -28,6 +28,8 @@ BROUGHT = (
         "body_weight": 0.8, "head_weight": 1.0, "eyes_weight": 0.0, "clamp": 0.3} | _degrees(150.0, 60.0, 0.0)),
 )
 
+STYLE = tuple(name for name in KEYWORDS if name not in OF_THE_HEAD)
+
 classes = OPERATOR, PANEL, _ = presets.classes(
-    "look_at", "Look At", (f"{ENTRY}.{name}" for name in KEYWORDS if name not in OF_THE_HEAD), BROUGHT,
-    lambda context: active(context.object, "look_at"))
+    "look_at", "Look At", (f"{ENTRY}.{name}" for name in STYLE), BROUGHT,
+    lambda context: selected(context, "look_at"))

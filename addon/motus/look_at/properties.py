@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core import bone_entries
 from ..core.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
@@ -37,7 +38,7 @@ def _forward(name, description):
 class LookAtKeywords:
     """What both the entries and the operator have: the names are the keywords of scripts."""
 
-    weight: _weight("Weight", "How much of the whole look is done; 0 leaves the animation as it is", 1.0)
+    weight: _weight("Weight", "How much eyes, head and body turn to the target; 0 leaves the animation as it is", 1.0)
     body_weight: _weight("Body", "Share of the turn that the spine takes, spread over its bones", 0.3)
     head_weight: _weight("Head", "Share of what the body leaves that the head takes", 1.0)
     eyes_weight: _weight("Eyes", "Share of what the head leaves that the eyes take", 0.0)
@@ -61,7 +62,7 @@ class MOTUS_PG_look_at_eye(bpy.types.PropertyGroup):
 class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Head", description="Bone of the head", update=rewire, override=OVERRIDABLE)
     target: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Target", description="What to look at", update=rewire, override=OVERRIDABLE)
+        type=bpy.types.Object, name="Target", description="Object to look at", update=rewire, override=OVERRIDABLE)
     target_bone: bpy.props.StringProperty(
         name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire,
         override=OVERRIDABLE)
@@ -70,14 +71,21 @@ class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
         min=0, max=255, update=rewire, options=set(), override=OVERRIDABLE)
     eyes: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_eye, name="Eyes", override=EXTENDABLE)
     is_muted: bpy.props.BoolProperty(
-        name="Mute", description="Leave this head to its animation", default=False, update=touch, options=ANIMATED,
+        name="Mute", description="Switch the entry off: the head keeps its own animation", default=False, update=touch, options=ANIMATED,
         override=OVERRIDABLE)
+
+
+def _entry_with(settings, bone):
+    """Index of the entry of a head, or of the head whose eye a bone is; -1 without."""
+    index = settings.entries.find(bone)
+    return index if index >= 0 else next((index for index, entry in enumerate(settings.entries) if bone in entry.eyes), -1)
 
 
 class MOTUS_PG_look_at(SystemSettings, bpy.types.PropertyGroup):
     influence: bpy.props.FloatProperty(
-        name="Influence", description="How much all heads of the rig look; 0 leaves it to its animation", default=1.0,
+        name="Influence", description="How much all heads of the rig turn to their targets; 0 leaves the rig to its animation", default=1.0,
         min=0.0, max=1.0, subtype='FACTOR', options=ANIMATED, override=OVERRIDABLE,
         update=touch)
     entries: bpy.props.CollectionProperty(type=MOTUS_PG_look_at_entry, name="Entries", override=EXTENDABLE)
-    active_entry: bpy.props.IntProperty(name="Active Entry", options=set())
+    chosen_entry: bpy.props.IntProperty(name="Chosen Entry", options={'HIDDEN'})
+    active_entry: bone_entries.active_property("Active Entry", _entry_with)

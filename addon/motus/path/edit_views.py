@@ -77,11 +77,11 @@ class MOTUS_OT_path_edit_views(Operator, bpy.types.Operator):
         options={'SKIP_SAVE'})
     view: bpy.props.EnumProperty(
         name="View", description="Which view to show", default='NEXT', options={'SKIP_SAVE'}, items=(
-            ('NEXT', "Next", "From the top or from the side, whichever is not shown"),
-            ('TOP', "Top", "From above"),
-            ('SIDE', "Side", "From the side"),
-            ('ALL', "All", "From the top, the front and the right, and the viewport's own view"),
-            ('LEAVE', "Leave", "Back to what the viewport showed before"),
+            ('NEXT', "Next", "View from the top or from the side, whichever is not shown"),
+            ('TOP', "Top", "View from above"),
+            ('SIDE', "Side", "View from the side"),
+            ('ALL', "All", "Views from the top, the front and the right, beside the viewport's own"),
+            ('LEAVE', "Leave", "Go back to what the viewport showed before"),
         ))
 
     redo = (Rows(("view",)),)

@@ -23,7 +23,7 @@ class MOTUS_OT_path_pin_add(Operator, bpy.types.Operator):
     bl_description = "Be at a place of the path at a frame; without one, here and now"
 
     object: object_keyword("Name of the object; empty takes the active one")
-    frame: bpy.props.FloatProperty(name="Frame", description="When to be there", options={'SKIP_SAVE'})
+    frame: bpy.props.FloatProperty(name="Frame", description="Frame at which the object is at the pin's place", options={'SKIP_SAVE'})
     fraction: bpy.props.FloatProperty(
         name="Fraction", description="Fraction of the path's length", options={'SKIP_SAVE'})
     distance: bpy.props.FloatProperty(
@@ -54,7 +54,7 @@ class MOTUS_OT_path_pin_remove(Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the object; empty takes the active one")
     index: bpy.props.IntProperty(
-        name="Index", description="Which pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
     def run(self, context):
         obj = follower_for(context, self.object)
@@ -104,7 +104,7 @@ class WagonOperator(Operator):
 
     object: object_keyword("Name of the leader; empty takes the active one")
     index: bpy.props.IntProperty(
-        name="Index", description="Which wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the wagon; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
     def chosen(self, context):
         """(the leader, index of the wagon); refuses where there is none."""
@@ -135,7 +135,7 @@ class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
     bl_description = "Let a wagon change places with the one in front of it or behind it; the gaps stay where they are"
 
     direction: bpy.props.EnumProperty(
-        name="Direction", description="Which way", items=(('UP', "Up", ""), ('DOWN', "Down", "")), default='UP')
+        name="Direction", description="Direction in which the item moves in the list", items=(('UP', "Up", ""), ('DOWN', "Down", "")), default='UP')
     redo = (Rows(("direction",)),)
 
     def run(self, context):

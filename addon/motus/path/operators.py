@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
 from . import members, rows, setup, targets
@@ -19,12 +19,11 @@ def follower_for(context, name=""):
     return obj
 
 
-def with_ends(operator, owner, curve, keywords, is_train=False):
-    """The keywords of a NewFollowKeywords, and where the owner is new and `extend` not given what the curve asks for."""
+def with_ends(owner, curve, keywords, is_train=False):
+    """The keywords of a NewFollowKeywords; of a new owner also `extend`, as the curve asks for it if it is not given."""
     if "extend" in keywords or owner.motus.path.is_active:
         return keywords
-    operator.extend = targets.ends_for(curve, keywords.get("spline", 0), is_train)
-    return keywords | {"extend": operator.extend}
+    return keywords | {"extend": targets.ends_for(curve, keywords.get("spline", 0), is_train)}
 
 
 def make_active(context, obj):
@@ -33,7 +32,7 @@ def make_active(context, obj):
         context.view_layer.objects.active = obj
 
 
-class MOTUS_OT_path_follow_add(Operator, NewFollowKeywords, bpy.types.Operator):
+class MOTUS_OT_path_follow_add(FindsValues, NewFollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_follow_add"
     bl_label = "Follow Path"
     bl_description = "Let the selected objects follow a curve"
@@ -72,7 +71,8 @@ class MOTUS_OT_path_follow_add(Operator, NewFollowKeywords, bpy.types.Operator):
             targets.check_free(owner, curve)
             targets.check_settings(owner, curve, keywords)
         for owner in owners:
-            setup.attach(owner, curve, with_ends(self, owner, curve, keywords))
+            setup.attach(owner, curve, with_ends(owner, curve, keywords))
+        self.show_used(owners[0].motus.path, KEYWORDS)
         self.curve = curve.name
         if not self.object:
             make_active(context, owners[0])
@@ -87,7 +87,7 @@ def _check_any(owners):
 class MOTUS_OT_path_follow_remove(Operator, bpy.types.Operator):
     bl_idname = "motus.path_follow_remove"
     bl_label = "Remove Follow Path"
-    bl_description = "Let the objects stand at their own transforms again"
+    bl_description = "Remove Follow Path, so that the objects stand at their own transforms again"
 
     object: object_keyword("Name of the object; empty takes the selected ones")
 
@@ -109,7 +109,7 @@ class MOTUS_OT_path_follow_remove(Operator, bpy.types.Operator):
 class MOTUS_OT_path_refresh(Operator, bpy.types.Operator):
     bl_idname = "motus.path_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the object again, after its curve was given other data"
+    bl_description = "Rebuild after the curve was given different data"
 
     object: object_keyword("Name of the object; empty takes the active one")
 

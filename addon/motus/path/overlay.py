@@ -146,7 +146,7 @@ def _whiskers(curve, distances, directions, size, color):
 
 
 overlay = Overlay(_batches, (
-    Switch("show_curve", "Curve", "Draw the curve that is really followed"),
+    Switch("show_curve", "Curve", "Draw the curve that is followed"),
     Switch("show_control_points", "Control Points", "Draw the control polygon"),
     Switch("show_tangents", "Tangents", "Draw the tangent at equal distances", default=False),
     Switch("show_frames", "Path Frames", "Draw the orientation at equal distances"),

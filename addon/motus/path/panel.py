@@ -29,23 +29,26 @@ def draw_main(layout, context):
 
 
 def draw_add(layout, context):
-    """A curve, and the button that lets the object follow it; a curve can be looked at."""
+    """A curve, and the buttons that make one or let what is selected follow it; a curve can be looked at."""
     obj = context.object
-    if obj.type == 'CURVE':
-        _draw_curve(layout, context, obj)
-        return
     column = layout.column(align=True)
-    column.prop(obj.motus.path, "curve", text="", icon='CURVE_DATA')
+    column.operator("motus.path_new_bezier", icon='CURVE_BEZCURVE')
+    if obj is None or obj.type == 'CURVE':
+        row = column.row()
+        row.enabled = False
+        row.label(text=obj.name if obj else "", icon='CURVE_DATA' if obj else 'BLANK1', translate=False)
+    else:
+        column.prop(obj.motus.path, "curve", text="", icon='CURVE_DATA')
     column.operator("motus.path_follow_add", icon='CON_FOLLOWPATH')
+    column.operator("motus.path_train_add", icon='LINKED')
+    edit_views.draw_buttons(column, context)
 
 
-def _draw_curve(layout, context, curve):
-    others = len([obj for obj in context.selected_objects if obj != curve])
-    if others:
-        column = layout.column(align=True)
-        column.operator("motus.path_follow_add", icon='CON_FOLLOWPATH')
-        if others > 1:
-            column.operator("motus.path_train_add", icon='LINKED')
+def draw_about(layout, context):
+    """Who follows the active curve."""
+    curve = context.object
+    if curve.type != 'CURVE':
+        return
     followers = targets.followers_of(curve)
     if followers:
         column = layout.column(align=True)
@@ -55,13 +58,12 @@ def _draw_curve(layout, context, curve):
                             translate=False).object = follower.name
         if len(followers) > MOST_SHOWN:
             column.label(text=tr("and {count} more").format(count=len(followers) - MOST_SHOWN), translate=False)
-    edit_views.draw_buttons(layout, context)
 
 
 def draw_actions(layout, context):
     """Baking, looking and removing."""
     column = layout.column(align=True)  # a row would be too narrow in a narrow editor
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     edit_views.draw_buttons(column, context)
     column.operator("motus.path_follow_remove", text="Remove", icon='X').object = context.object.name
 
@@ -158,6 +160,6 @@ PANEL = panels.SystemPanel(
         panels.Part("train", "Train", draw_train, is_open=True),
     ),
     readouts=draw_readouts, actions=draw_actions, refresh="motus.path_refresh", presets=presets.PANEL,
-    draw_add=draw_add)
+    draw_add=draw_add, draw_about=draw_about)
 
 classes = (MOTUS_UL_path_pins, MOTUS_UL_path_wagons, *panels.classes(PANEL))

@@ -10,8 +10,8 @@ DEFAULT_GAP = 2.0  # m
 
 TIMINGS = (
     ('DURATION', "Duration", "The whole path takes a given time"),
-    ('SPEED', "Speed", "Metres per second, which may be keyed"),
-    ('PINS', "Pins", "Be at given places at given frames"),
+    ('SPEED', "Speed", "The object goes at a speed, which may be keyed"),
+    ('PINS', "Pins", "Pins say where the object is at given frames"),
     ('MANUAL', "Manual", "The distance is keyed or driven as a fraction of the path"),
 )
 EXTENDS = (
@@ -30,8 +30,8 @@ ORIENTATIONS = (
     ('TILT', "Curve Tilt", "Up is turned by the tilt of the curve's points"),
 )
 LAGS = (
-    ('ACCELERATION', "Acceleration", "The rate follows the length of the curve's second derivative by its parameter"),
-    ('CURVATURE', "Curvature", "The rate follows the curvature, which does not depend on how the curve is made"),
+    ('ACCELERATION', "Acceleration", "Turns lag more on large curves and long handles; Curvature depends on the shape alone"),
+    ('CURVATURE', "Curvature", "Turns lag by the curvature, which depends on the shape of the curve alone"),
 )
 PIN_UNITS = (
     ('FRACTION', "Fraction", "Pins give a fraction of the path's length"),
@@ -100,7 +100,7 @@ class FollowKeywords:
     forward_axis: _choice("Forward", "Axis of the object that points along the path", AXES, 'POS_Y')
     up_axis: _choice("Up", "Axis of the object that points up", AXES, 'POS_Z')
     lag_rate: _number(
-        "Lag", "Rate, per second and unit of bend, at which the orientation trails behind; 0 is exact", 0.0,
+        "Lag", "Rate, per second and unit of curvature, at which the orientation trails behind; 0 is exact", 0.0,
         min=0.0, soft_max=10.0)
     lag_by: _choice("Lag By", "What the rate of the lag is proportional to", LAGS, 'ACCELERATION')
 
@@ -109,7 +109,7 @@ class FollowKeywords:
     bank_limit: _number(
         "Limit", "Largest roll; 180 degrees is no limit", 3.1415927, min=0.0, max=3.1415927, subtype='ANGLE')
     bank_smoothing: _number(
-        "Smooth", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
+        "Smoothing", "Length of path over which the bend is averaged", 0.0, min=0.0, soft_max=50.0, subtype='DISTANCE')
     gravity: _number(
         "Gravity", "Acceleration that the bank is measured against", 9.81, min=1e-3, soft_max=30.0,
         unit='ACCELERATION')
@@ -125,7 +125,7 @@ class NewFollowKeywords(FollowKeywords):
     """What the operators have that let something follow, which see by the curve what its ends are for."""
 
     extend: _choice(
-        "Ends", "What happens beyond the ends of the path; unless it is chosen, what is closed loops and a train lines up",
+        "Ends", "What happens beyond the ends of the path; if it is not given, a closed path loops and a train lines up",
         EXTENDS, 'CLAMP', options={'SKIP_SAVE'})
 
 
@@ -135,7 +135,7 @@ def _is_curve(_settings, candidate):
 
 class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
     frame: bpy.props.FloatProperty(
-        name="Frame", description="When to be there", default=1.0, step=100, options=set(), update=touch,
+        name="Frame", description="Frame at which the object is at the pin's place", default=1.0, step=100, options=set(), update=touch,
         override=OVERRIDABLE)
     fraction: bpy.props.FloatProperty(
         name="Fraction", description="Fraction of the path's length", subtype='FACTOR', soft_min=0.0, soft_max=1.0,

@@ -7,7 +7,7 @@ from . import motion
 
 NO_CURVE = Problem("Choose a curve to follow")
 CURVE_DELETED = Problem("The curve is in no collection any more: choose another one")
-AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be across each other")
+AXES_NOT_ACROSS = Problem("The forward axis and the up axis must be perpendicular to each other")
 PROBLEMS = (NO_CURVE, CURVE_DELETED, AXES_NOT_ACROSS) + curves.PROBLEMS + motion.PROBLEMS
 
 NUMBERS = (

@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_MODE, Operator
+from ..core.operators import OBJECT_MODE, FindsValues
 from ..core.refusals import Refused, check_finite
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -13,7 +13,7 @@ from .operators import make_active, with_ends
 from .properties import KEYWORDS, NewFollowKeywords
 
 
-class MOTUS_OT_path_train_add(Operator, NewFollowKeywords, bpy.types.Operator):
+class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator):
     bl_idname = "motus.path_train_add"
     bl_label = "Follow Path as a Train"
     bl_description = "Let the selected objects follow a curve one behind the other, the active one first"
@@ -61,7 +61,8 @@ class MOTUS_OT_path_train_add(Operator, NewFollowKeywords, bpy.types.Operator):
             gaps = [self.gap] * len(wagons)
         else:
             gaps = touching_gaps(train, self.forward_axis)
-        setup.attach(leader, curve, with_ends(self, leader, curve, keywords, is_train=True), list(zip(wagons, gaps)))
+        setup.attach(leader, curve, with_ends(leader, curve, keywords, is_train=True), list(zip(wagons, gaps)))
+        self.show_used(leader.motus.path, KEYWORDS)
         if not self.objects:
             make_active(context, leader)
         self.curve = curve.name

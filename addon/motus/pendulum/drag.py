@@ -130,10 +130,10 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
 
     object: object_keyword("Name of the pivot, or of a rod or bob; empty takes the active one")
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Where the end bob goes, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        name="Location", description="Place in the world that the end bob is dragged to", size=3, subtype='XYZ', unit='LENGTH',
         options={'SKIP_SAVE'})
     number: bpy.props.IntProperty(
-        name="Number", description="Of the pendulum in its fan, from 0 on; the others keep their distances from it",
+        name="Number", description="Index of the pendulum in its fan; the other pendulums keep their angles to it",
         default=0, min=0, options={'SKIP_SAVE'})
 
     modes = OBJECT_MODE

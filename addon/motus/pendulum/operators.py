@@ -6,7 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import actions, libraries, wiring
-from ..core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
+from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.rows import Row, Rows, is_one_of
 from ..core.translations import tr
@@ -37,7 +37,7 @@ APART = 1.25
 _has_look = is_one_of("take", 'NEW', 'ACTIVE')
 
 
-class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
+class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
     bl_idname = "motus.pendulum_add"
     bl_label = "Add Pendulum"
     bl_description = "Hang a pendulum, a double pendulum or a fan of them on a pivot"
@@ -49,16 +49,16 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
     count: bpy.props.IntProperty(
         name="Count", description="How many pendulums the fan has", default=20, soft_min=1, soft_max=100)
     rod_radius: bpy.props.FloatProperty(
-        name="Rod Radius", description="Of the rods", default=build.Look().rod_radius, min=1e-4, soft_max=0.2,
+        name="Rod Radius", description="Radius of the rods", default=build.Look().rod_radius, min=1e-4, soft_max=0.2,
         subtype='DISTANCE')
     bob_radius: bpy.props.FloatProperty(
-        name="Bob Radius", description="Of a bob of 1 kg; heavier ones are larger", default=build.Look().bob_radius,
+        name="Bob Radius", description="Radius of a bob of 1 kg; heavier bobs are larger", default=build.Look().bob_radius,
         min=1e-4, soft_max=1.0, subtype='DISTANCE')
     spacing: bpy.props.FloatProperty(
-        name="Spacing", description="From one pendulum of the fan to the next, across the plane of the swing",
+        name="Spacing", description="Distance from one pendulum of the fan to the next, across the plane of the swing",
         default=build.Look().spacing, subtype='DISTANCE')
     hue: bpy.props.FloatProperty(
-        name="Hue", description="Of the first pendulum; a fan goes once around", default=build.Look().hue, min=0.0, max=1.0,
+        name="Hue", description="Hue of the first pendulum; the hues of a fan go once around", default=build.Look().hue, min=0.0, max=1.0,
         subtype='FACTOR')
     use_trails: bpy.props.BoolProperty(
         name="Trails", description="Show the ways that the end bobs have come; the demonstration always does", default=False)
@@ -67,7 +67,7 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
         name="Bobs", description="Names, with commas between, of one or two objects that are the bobs, from the pivot on",
         options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Of a new pivot; the 3D cursor's, where it is not given", size=3, subtype='XYZ',
+        name="Location", description="Location of a new pivot; that of the 3D cursor if it is not given", size=3, subtype='XYZ',
         unit='LENGTH', options={'SKIP_SAVE'})
 
     modes = OBJECT_MODE
@@ -85,6 +85,7 @@ class MOTUS_OT_pendulum_add(Operator, PendulumKeywords, bpy.types.Operator):
         for pivot in pivots if self.use_trails or self.kind == 'CHAOS' else ():
             trail.add(libraries.collection_for(context, pivot), pivot, {})
         select_only(context, *pivots)
+        self.show_used(pivots[0].motus.pendulum, KEYWORDS)
         self.object = pivots[0].name if self.object else ""
         wiring.report_problems(self, context, build.system(), pivots)
 
@@ -214,9 +215,9 @@ class _OfAPivot(OfAnObject):
 class MOTUS_OT_pendulum_play(_OfAPivot, bpy.types.Operator):
     bl_idname = "motus.pendulum_play"
     bl_label = "Play or Pause Pendulum"
-    bl_description = "Key whether the pendulum's time runs from the present frame on"
+    bl_description = "Key on the present frame whether the pendulum's time runs"
 
-    play: bpy.props.EnumProperty(name="Play", description="What is keyed", items=PLAYS, default='TOGGLE')
+    play: bpy.props.EnumProperty(name="Play", description="Whether the time runs or stands still from the present frame on", items=PLAYS, default='TOGGLE')
 
     redo = (Rows((Row("play", expand=True),)),)
 
@@ -274,7 +275,7 @@ def _check_trail(pivot):
 class MOTUS_OT_pendulum_refresh(_OfAPivot, bpy.types.Operator):
     bl_idname = "motus.pendulum_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the pendulum again"
+    bl_description = "Rebuild the pendulum after its parts changed"
 
     def run(self, context):
         pivot = self.found(context, self.object)

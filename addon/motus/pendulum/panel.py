@@ -63,8 +63,9 @@ def draw_readouts(layout, context):
     values = {name: wiring.output(system(), pivot, name, depsgraph) for name in ("angle1", "angle2", "seconds")}
     if None in values.values():
         return
-    found = [ui.Readout(text="Angle", value=_degrees(values["angle1"]))]
-    if settings.kind != 'SINGLE':
+    has_two = settings.kind != 'SINGLE'
+    found = [ui.Readout(text="Upper Angle" if has_two else "Angle", value=_degrees(values["angle1"]))]
+    if has_two:
         found.append(ui.Readout(text="Lower Angle", value=_degrees(values["angle2"])))
     found.append(ui.Readout(text="Time", value=f"{values['seconds']:.3f} s"))
     period = _period(settings, context.scene)
@@ -93,16 +94,17 @@ def draw_actions(layout, context):
     is_playing = pivot.motus.pendulum.is_playing
     column.operator("motus.pendulum_play", text="Pause" if is_playing else "Play", icon='PAUSE' if is_playing else 'PLAY')
     column.operator("motus.pendulum_drag", icon='VIEW_PAN')
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     column.operator("motus.pendulum_remove", text="Remove", icon='X').object = context.object.name
 
 
 def draw_add(layout, context):
-    """A pendulum on the object, or of the selected ones."""
+    """A pendulum on the object, at the 3D cursor where there is none, or of the selected ones."""
     column = layout.column(align=True)
-    column.operator("motus.pendulum_add", icon='ADD').take = 'ACTIVE'
-    if len(context.selected_objects) in {2, 3}:
-        column.operator("motus.pendulum_add", text="Pendulum of the Selected", icon='ADD').take = 'PLACED'
+    column.operator("motus.pendulum_add", icon='ADD').take = 'ACTIVE' if context.object else 'NEW'
+    row = column.row(align=True)
+    row.enabled = len(context.selected_objects) in {2, 3}
+    row.operator("motus.pendulum_add", text="Pendulum of the Selected", icon='ADD').take = 'PLACED'
 
 
 def _has_settings(obj):

@@ -37,54 +37,54 @@ class PendulumKeywords:
     """
 
     length1: _number(
-        "Length", "Of the upper rod, before the pivot's scale", 1.0,
+        "Upper Length", "Length of the upper rod, before the pivot's scale", 1.0,
         soft_min=0.1, soft_max=10.0, subtype='DISTANCE', update=_fit)
     length2: _number(
-        "Lower Length", "Of the lower rod, before the pivot's scale", 1.0,
+        "Lower Length", "Length of the lower rod, before the pivot's scale", 1.0,
         soft_min=0.1, soft_max=10.0, subtype='DISTANCE', update=_fit)
     mass1: _number(
-        "Mass", "Of the upper bob; counts beside the lower one's", 1.0,
+        "Upper Mass", "Mass of the upper bob; it counts beside that of the lower bob", 1.0,
         soft_min=0.1, soft_max=10.0, unit='MASS')
     mass2: _number(
-        "Lower Mass", "Of the lower bob", 1.0, soft_min=0.1, soft_max=10.0,
+        "Lower Mass", "Mass of the lower bob", 1.0, soft_min=0.1, soft_max=10.0,
         unit='MASS')
     angle1: _number(
-        "Angle", "Of the upper rod from hanging down, when the motion starts",
+        "Upper Angle", "Angle of the upper rod when the motion starts, from hanging down",
         math.radians(120.0), soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
     angle2: _number(
-        "Lower Angle", "Of the lower rod from hanging down, when the motion starts",
+        "Lower Angle", "Angle of the lower rod when the motion starts, from hanging down",
         math.radians(90.0), soft_min=-math.pi, soft_max=math.pi, subtype='ANGLE')
     angle_step: _number(
-        "Angle Step", "By how much the lower angle differs from one pendulum of the fan to the next",
+        "Angle Step", "Difference of the lower angle from one pendulum of the fan to the next",
         math.radians(0.5), soft_min=-0.1, soft_max=0.1, step=5, subtype='ANGLE')
     velocity1: _number(
-        "Velocity", "By how much the upper rod turns in a second, when the motion starts", 0.0, soft_min=-20.0,
+        "Upper Velocity", "Angular velocity of the upper rod when the motion starts, per second", 0.0, soft_min=-20.0,
         soft_max=20.0, subtype='ANGLE')
     velocity2: _number(
-        "Lower Velocity", "By how much the lower rod turns in a second, when the motion starts", 0.0, soft_min=-20.0,
+        "Lower Velocity", "Angular velocity of the lower rod when the motion starts, per second", 0.0, soft_min=-20.0,
         soft_max=20.0, subtype='ANGLE')
     use_scene_gravity: _switch(
         "Scene Gravity", "Take the strength of the scene's gravity", True)
     gravity: _number(
-        "Gravity", "Acceleration along the pivot's -Z axis", 9.81, soft_min=0.0,
+        "Gravity", "Acceleration by gravity along the pivot's -Z axis", 9.81, soft_min=0.0,
         soft_max=30.0, unit='ACCELERATION')
     damping: _number(
         "Damping", "Rate at which velocity is lost, in 1/s; 0 swings for ever", 0.0,
         soft_min=0.0, soft_max=2.0)
     use_limits: _switch("Limits", "Keep velocities and accelerations below limits that no real pendulum has", False)
     most_velocity: _number(
-        "Velocity Limit", "Largest turn in a second", 10.0, soft_min=0.1, soft_max=50.0, subtype='ANGLE')
+        "Velocity Limit", "Largest angular velocity, per second", 10.0, soft_min=0.1, soft_max=50.0, subtype='ANGLE')
     most_acceleration: _number(
-        "Acceleration Limit", "Largest change of the velocity in a second", 100.0, soft_min=1.0, soft_max=1000.0,
+        "Acceleration Limit", "Largest change of the angular velocity, per second", 100.0, soft_min=1.0, soft_max=1000.0,
         subtype='ANGLE')
     use_pivot_motion: _switch(
         "Driven Pivot", "Let the pivot's own motion swing the pendulum, rather than carry it along alone", False,
         update=rewire)
     start_frame: _number("Start", "Frame at which the motion starts; before it the pendulum waits", 1.0, step=100)
     speed: _number(
-        "Speed", "Of the pendulum's time; may be keyed, and negative, which runs backwards", 1.0, ANIMATED, soft_min=0.0,
+        "Speed", "Speed of the pendulum's time; it may be keyed, and a negative speed runs backwards", 1.0, ANIMATED, soft_min=0.0,
         soft_max=4.0)
-    is_playing: _switch("Playing", "The pendulum's time runs; keyed off it stands still", True, ANIMATED)
+    is_playing: _switch("Playing", "Whether the pendulum's time runs; keyed off it stands still", True, ANIMATED)
     influence: _number(
         "Influence", "How much the pendulum turns its rods; 0 lets them hang as they are placed", 1.0, ANIMATED, min=0.0,
         max=1.0, subtype='FACTOR')
@@ -101,7 +101,7 @@ class MOTUS_PG_pendulum_rod(bpy.types.PropertyGroup):
     is_placed: bpy.props.BoolProperty(
         name="Placed", description="The bob was there before, and is given back", options=set(), override=OVERRIDABLE)
     number: bpy.props.IntProperty(
-        name="Number", description="Of the pendulums in the fan, and of the rod in its pendulum", min=0, options=set(),
+        name="Number", description="Index of the rod in its pendulum and fan", min=0, options=set(),
         override=OVERRIDABLE)
     rest: bpy.props.FloatVectorProperty(
         name="Rest", description="Transform of the bob at the end of its rod", size=16, options=set(), override=OVERRIDABLE,
@@ -112,7 +112,7 @@ class MOTUS_PG_pendulum_rod(bpy.types.PropertyGroup):
 
 class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGroup):
     kind: bpy.props.EnumProperty(
-        name="Kind", description="How many rods there are", items=KINDS, options=set(), override=OVERRIDABLE)
+        name="Kind", description="Number of rods of each pendulum", items=KINDS, options=set(), override=OVERRIDABLE)
     count: bpy.props.IntProperty(
         name="Count", description="How many pendulums swing about the pivot", default=1, min=1,
         max=parts.LARGEST_FAN, options=set(), override=OVERRIDABLE)
@@ -142,9 +142,9 @@ TRAIL_KEYWORDS = tuple(TrailKeywords.__annotations__)
 
 class MOTUS_PG_pendulum_trail(SystemSettings, TrailKeywords, bpy.types.PropertyGroup):
     pivot: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Pivot", description="Whose pendulum it shows", update=rewire, override=OVERRIDABLE)
+        type=bpy.types.Object, name="Pivot", description="Pivot of the pendulum whose way the trail shows", update=rewire, override=OVERRIDABLE)
     rod: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Rod", description="A rod of the pendulum, by which it is found if the pivot is gone",
         override=OVERRIDABLE)
     influence: _number(
-        "Influence", "Whether the trail is there: it is not at 0", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
+        "Influence", "Whether the trail is shown: 0 hides it", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

@@ -13,14 +13,18 @@ def _has_two(settings):
     return settings.kind != 'SINGLE'
 
 
-def _lower(name):
-    """Below the same of the upper rod or bob: the whole name would not fit into the sidebar."""
-    return Row(name, when=_has_two, text="Lower")
+def _has_one(settings):
+    return settings.kind == 'SINGLE'
+
+
+def _of_rods(name, text):
+    """Rows of a number of each rod: the only rod's number needs no "Upper" before its name."""
+    return Row(f"{name}1", when=_has_one, text=text), Row(f"{name}1", when=_has_two), Row(f"{name}2", when=_has_two)
 
 
 SWING = Rows((
-    "length1", _lower("length2"), Row("mass1", when=_has_two), _lower("mass2"),
-    "angle1", _lower("angle2"), Row("angle_step", when=_is_fan), "velocity1", _lower("velocity2")), title="Pendulum")
+    *_of_rods("length", text="Length"), *_of_rods("mass", text="Mass")[1:], *_of_rods("angle", text="Angle"),
+    Row("angle_step", when=_is_fan), *_of_rods("velocity", text="Velocity")), title="Pendulum")
 FORCES = Rows((
     "use_scene_gravity",
     Row("gravity", when=lambda settings: not settings.use_scene_gravity),

@@ -28,7 +28,7 @@ class MOTUS_OT_grid_add(Operator, AddObjectHelper, bpy.types.Operator):
     height: bpy.props.IntProperty(
         name="Height", description="Number of vertices along Y", default=101, min=2, soft_max=2001)
     sizing: bpy.props.EnumProperty(
-        name="Sizing", description="What gives the grid its size", items=SIZINGS, default='SPACING')
+        name="Sizing", description="Number that gives the grid its size", items=SIZINGS, default='SPACING')
     spacing: bpy.props.FloatProperty(
         name="Spacing", description="Distance between neighbouring vertices", default=0.1, min=1e-6, soft_max=10.0,
         subtype='DISTANCE')

@@ -26,7 +26,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
         name="Vertex", description="Index of the vertex that is pulled; -1 takes the one nearest to the location",
         default=-1, min=-1, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Where it is pulled, in the world or in the object as the unit says", size=3,
+        name="Location", description="Place that is pulled, in the world or in the object as Unit says", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     displacement: bpy.props.FloatVectorProperty(
         name="Displacement", description="How far the root goes, instead of a direction and a strength", size=3,
@@ -36,7 +36,7 @@ class MOTUS_OT_pick_pull(modal.PickPullModal, Operator, BrushKeywords, bpy.types
                                   "without it, those of the scene's own curve",
         size=CURVE_SAMPLES, options={'HIDDEN', 'SKIP_SAVE'})
     dabs: bpy.props.CollectionProperty(
-        type=properties.MOTUS_PG_dab, name="Dabs", description="What was done with the mouse",
+        type=properties.MOTUS_PG_dab, name="Dabs", description="Dabs of the stroke",
         options={'HIDDEN', 'SKIP_SAVE'})
 
     redo = rows.PULL

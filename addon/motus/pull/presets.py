@@ -12,10 +12,10 @@ BROUGHT = (
     Preset('SOFT', "Soft", "Rounded bumps and dents", {}),
     Preset('GRAB', "Grab", "Takes the surface along with the cursor", {"direction": 'CURSOR'}),
     Preset('HILL', "Hill", "A wide bell, straight up", {"falloff": 'GAUSSIAN', "direction": 'Z'}),
-    Preset('PLATEAU', "Plateau", "Moves all within the radius alike", {"falloff": 'CONSTANT', "direction": 'Z'}),
+    Preset('PLATEAU', "Plateau", "Moves all vertices within the radius alike", {"falloff": 'CONSTANT', "direction": 'Z'}),
     Preset('THORN', "Thorn", "A sharp tip on a wide foot", {"falloff": 'SHARP'}),
-    Preset('SKIN', "Skin", "Along the surface, so that lips and fingers stay apart", {"distance": 'SURFACE'}),
-    Preset('FACE', "Face", "Along the surface, on both sides of X", {"distance": 'SURFACE', "mirror": {'X'}}),
+    Preset('SKIN', "Skin", "Measured along the surface, so that lips and fingers stay apart", {"distance": 'SURFACE'}),
+    Preset('FACE', "Face", "Pulls along the surface, on both sides of X", {"distance": 'SURFACE', "mirror": {'X'}}),
 )
 
 classes = OPERATOR, PANEL, _ = presets.classes(

@@ -25,17 +25,17 @@ FALLOFFS = (
     ('CURVE', "Curve", "A curve of your own"),
 )
 DISTANCES = (
-    ('STRAIGHT', "Straight", "In a straight line through space"),
-    ('SURFACE', "Surface", "Along the surface, so that lips and fingers stay apart"),
-    ('EDGES', "Edges", "The number of edges; the radius counts them"),
+    ('STRAIGHT', "Straight", "Measured in a straight line through space"),
+    ('SURFACE', "Surface", "Measured along the surface, so that lips and fingers stay apart"),
+    ('EDGES', "Edges", "Measured by the number of edges, which the radius counts"),
 )
 DIRECTIONS = (
-    ('NORMAL', "Normal", "Out of the surface at the root"),
-    ('VIEW', "View", "Towards the viewer"),
-    ('X', "X", "Along the X axis"),
-    ('Y', "Y", "Along the Y axis"),
-    ('Z', "Z", "Along the Z axis"),
-    ('CURSOR', "Cursor", "Along with the cursor: the drag itself is how far the root goes"),
+    ('NORMAL', "Normal", "Pull out of the surface at the root"),
+    ('VIEW', "View", "Pull towards the viewer"),
+    ('X', "X", "Pull along the X axis"),
+    ('Y', "Y", "Pull along the Y axis"),
+    ('Z', "Z", "Pull along the Z axis"),
+    ('CURSOR', "Cursor", "Pull along with the cursor: the root goes as far as the drag"),
 )
 AXES = (('X', "X", ""), ('Y', "Y", ""), ('Z', "Z", ""))
 DAB_KINDS = (('PULL', "Pull", ""), ('SMOOTH', "Smooth", ""), ('DRAG', "Drag", ""))
@@ -45,10 +45,10 @@ class BrushKeywords:
     """What the brush, the operator and the record of a pull have: the names are the keywords of scripts."""
 
     radius: bpy.props.FloatProperty(
-        name="Radius", description="How far from the root it reaches; for edges, how many of them", default=1.0,
+        name="Radius", description="Distance from the root that the pull reaches; a number of edges if the distance counts edges", default=1.0,
         min=1e-6, soft_min=0.01, soft_max=100.0, subtype='DISTANCE', options=set())
     unit: bpy.props.EnumProperty(
-        name="Unit", description="Whose lengths and directions count", items=UNITS, default='WORLD', options=set())
+        name="Unit", description="Space in which lengths and directions are given", items=UNITS, default='WORLD', options=set())
     strength: bpy.props.FloatProperty(
         name="Strength", description="How far one dab moves the root; negative pushes", default=0.1, soft_min=-10.0,
         soft_max=10.0, subtype='DISTANCE', options=set())
@@ -62,7 +62,7 @@ class BrushKeywords:
         name="Distance", description="How the distance to the root is measured", items=DISTANCES, default='STRAIGHT',
         options=set())
     direction: bpy.props.EnumProperty(
-        name="Direction", description="Which way it pulls", items=DIRECTIONS, default='NORMAL', options=set())
+        name="Direction", description="Direction of the pull", items=DIRECTIONS, default='NORMAL', options=set())
     accumulate: bpy.props.BoolProperty(
         name="Accumulate", description="Each pull builds on the last; otherwise each starts from the original shape",
         default=True, options=set())
@@ -81,7 +81,7 @@ class BrushKeywords:
         name="Height Axis", description="Axis along which the height is measured", items=AXES, default='Z',
         options=set())
     vertex_group: bpy.props.StringProperty(
-        name="Vertex Group", description="Its weights tell how far each vertex follows; empty moves all", options=set())
+        name="Vertex Group", description="Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike", options=set())
 
 
 KEYWORDS = tuple(BrushKeywords.__annotations__)
@@ -101,7 +101,7 @@ class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
         name="Shape", description="The stroke did more than a pull at one root: a pin of it keeps the shape", options=set())
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
     place: bpy.props.FloatVectorProperty(
-        name="Place", description="Where the root was before, in the object", size=3, subtype='XYZ', options=set())
+        name="Place", description="Position of the root before the pull, in the object", size=3, subtype='XYZ', options=set())
     displacement: bpy.props.FloatVectorProperty(
         name="Displacement", description="How far the root went, in the object", size=3, subtype='XYZ', options=set())
     metric: bpy.props.FloatVectorProperty(
@@ -115,18 +115,18 @@ class MOTUS_PG_pull_record(BrushKeywords, bpy.types.PropertyGroup):
 class MOTUS_PG_dab(bpy.types.PropertyGroup):
     """One dab of a session, so that Redo can do it again."""
 
-    kind: bpy.props.EnumProperty(name="Kind", description="What the dab did", items=DAB_KINDS, options=set())
+    kind: bpy.props.EnumProperty(name="Kind", description="Kind of change that the dab made", items=DAB_KINDS, options=set())
     vertex: bpy.props.IntProperty(name="Vertex", description="Index of the root", options=set())
     displacement: bpy.props.FloatVectorProperty(
         name="Displacement", description="How far the root went, in the object", size=3, subtype='XYZ', options=set())
-    radius: bpy.props.FloatProperty(name="Radius", description="How far it reached", options=set())
-    strength: bpy.props.FloatProperty(name="Strength", description="How much it smoothed", options=set())
+    radius: bpy.props.FloatProperty(name="Radius", description="Distance from the root that the pull reached", options=set())
+    strength: bpy.props.FloatProperty(name="Strength", description="Strength of the smoothing", options=set())
     is_first: bpy.props.BoolProperty(name="First", description="A stroke begins with it", options=set())
 
 
 class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
     edge_count: bpy.props.IntProperty(
-        name="Radius", description="How many edges from the root it reaches", min=1, soft_max=100, options=set(),
+        name="Radius", description="Number of edges from the root that the pull reaches", min=1, soft_max=100, options=set(),
         get=lambda brush: max(1, round(brush.radius)), set=lambda brush, count: setattr(brush, "radius", float(count)))
     fitted_radius: bpy.props.FloatProperty(
         name="Fitted Radius", description="The radius that was set by an object's size", options={'HIDDEN'})
@@ -142,7 +142,7 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
         name="Inset View", description="Show a perspective view in the corner while pulling", default=False,
         options=set(), update=lambda _brush, _context: viewports.redraw())
     last: bpy.props.PointerProperty(
-        type=MOTUS_PG_pull_record, name="Last Pull", description="What was pulled last")
+        type=MOTUS_PG_pull_record, name="Last Pull", description="Last pull, which a pin can be made of")
 
 
 def is_finite(value):

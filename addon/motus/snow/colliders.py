@@ -14,7 +14,7 @@ from ..core.system import Problem, is_owner, pointed, registered
 from . import flakes
 
 GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)
-NO_FACES = Problem("What flakes are to land on has no faces: they fall through it", blocking=False)
+NO_FACES = Problem("The collider has no faces: flakes fall through it", blocking=False)
 MOVING = Problem("Flakes fall through colliders that may move, until Record Colliders keeps them as on one frame", blocking=False)
 PROBLEMS = GONE, NO_FACES, MOVING
 

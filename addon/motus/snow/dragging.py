@@ -74,9 +74,9 @@ class MOTUS_OT_snow_drag(PointDrag, Operator, bpy.types.Operator):
     bl_options = {'REGISTER', 'UNDO'}
 
     object: object_keyword("Name of the emitter; empty takes the active object")
-    setting: bpy.props.EnumProperty(name="Setting", description="Which handle", items=SETTINGS, options={'SKIP_SAVE'})
+    setting: bpy.props.EnumProperty(name="Setting", description="Handle that is dragged", items=SETTINGS, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Where the handle goes, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        name="Location", description="Place in the world that the handle is dragged to", size=3, subtype='XYZ', unit='LENGTH',
         options={'SKIP_SAVE'})
     redo = (Rows(("setting", Row("location", when=is_given("location")))),)
 

@@ -6,7 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import libraries, viewports, wiring
-from ..core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
+from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -22,28 +22,28 @@ def _name(name, description):
 
 def _preset():
     return bpy.props.EnumProperty(
-        name="Preset", description="Settings that go by a name", items=presets.ITEMS, default=presets.PLAIN)
+        name="Preset", description="Preset whose settings the emitter is given", items=presets.ITEMS, default=presets.PLAIN)
 
 
 def _is_custom(operator):
     return operator.preset == presets.PLAIN
 
 
-class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
+class MOTUS_OT_snow_add(FindsValues, SnowKeywords, bpy.types.Operator):
     bl_idname = "motus.snow_add"
     bl_label = "Add Snow"
-    bl_description = "Let flakes fall from an emitter, or leave the faces of a mesh, without a cache"
+    bl_description = "Let an emitter, or the faces of a mesh, emit flakes, without a cache"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     preset: _preset()
-    surface: _name("Mesh", "Name of a mesh object whose faces flakes leave")
+    surface: _name("Mesh", "Name of the mesh that emits the flakes")
     collider: _name("Collider", "Name of a mesh object that flakes land on")
     colliders: _name("Colliders", "Name of a collection whose mesh objects flakes land on")
-    camera: _name("Camera", "Name of a camera in whose view flakes come into being")
+    camera: _name("Camera", "Name of a camera in whose view the flakes are born")
     flake: _name("Flake", "Name of the object that flakes are instances of")
     flakes: _name("Flakes", "Name of the collection whose objects flakes are instances of")
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Of the emitter; the 3D cursor's, where it is not given", size=3, subtype='XYZ',
+        name="Location", description="Location of the emitter; that of the 3D cursor if it is not given", size=3, subtype='XYZ',
         unit='LENGTH', options={'SKIP_SAVE'})
 
     modes = OBJECT_MODE
@@ -86,6 +86,7 @@ class MOTUS_OT_snow_add(Operator, SnowKeywords, bpy.types.Operator):
             build.remove(emitter, False)
             raise
         build.wire(emitter)
+        self.show_used(settings, KEYWORDS)
         select_only(context, emitter)
         wiring.report_problems(self, context, build.system(), [emitter])
 
@@ -178,7 +179,7 @@ class _OnEmitter(OfAnObject):
 class MOTUS_OT_snow_preset(_OnEmitter, bpy.types.Operator):
     bl_idname = "motus.snow_preset"
     bl_label = "Kind of Snow"
-    bl_description = "Give an emitter the settings that go by a name"
+    bl_description = "Give an emitter the settings of a preset"
 
     preset: _preset()
 
@@ -213,7 +214,7 @@ class MOTUS_OT_snow_stop_remove(_OnEmitter, bpy.types.Operator):
     bl_description = "Remove a colour from the gradient"
 
     index: bpy.props.IntProperty(
-        name="Index", description="Of the colour in the list; -1 for the last one", default=-1, min=-1,
+        name="Index", description="Index of the color in the list; -1 for the last one", default=-1, min=-1,
         options={'SKIP_SAVE'})
 
     def run(self, context):
@@ -231,7 +232,7 @@ class MOTUS_OT_snow_stop_remove(_OnEmitter, bpy.types.Operator):
 class MOTUS_OT_snow_colliders_record(_OnEmitter, bpy.types.Operator):
     bl_idname = "motus.snow_colliders_record"
     bl_label = "Record Colliders"
-    bl_description = "Keep what flakes land on as it is on this frame, in the file, whatever moves later"
+    bl_description = "Keep the colliders in the file as they are on this frame"
 
     def run(self, context):
         emitter = self.found(context, self.object)
@@ -243,7 +244,7 @@ class MOTUS_OT_snow_colliders_record(_OnEmitter, bpy.types.Operator):
 class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):
     bl_idname = "motus.snow_colliders_clear"
     bl_label = "Clear Recorded Colliders"
-    bl_description = "Let flakes land on the colliders themselves again"
+    bl_description = "Forget the recorded colliders, so that flakes land on the colliders themselves again"
 
     def run(self, context):
         emitter = self.found(context, self.object)
@@ -255,7 +256,7 @@ class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):
 class MOTUS_OT_snow_refresh(_OnEmitter, bpy.types.Operator):
     bl_idname = "motus.snow_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the emitter again"
+    bl_description = "Rebuild the emitter after its parts changed"
 
     def run(self, context):
         emitter = self.found(context, self.object)

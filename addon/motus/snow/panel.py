@@ -105,14 +105,16 @@ def draw_actions(layout, context):
 
 
 def draw_add(layout, context):
-    """Snow, or snow from the active mesh."""
+    """Snow, snow from the active mesh, or in the view of the active camera."""
     layout.operator_context = 'INVOKE_DEFAULT'
     column = layout.column(align=True)
     column.operator("motus.snow_add", icon='ADD')
-    if context.object.type == 'MESH':
-        column.operator("motus.snow_add", text="Snow from its Surface", icon='ADD').surface = context.object.name
-    if context.object.type == 'CAMERA':
-        column.operator("motus.snow_add", text="Snow in its View", icon='ADD').camera = context.object.name
+    obj = context.object
+    on_mesh, in_view = column.row(align=True), column.row(align=True)
+    on_mesh.enabled = obj is not None and obj.type == 'MESH'
+    on_mesh.operator("motus.snow_add", text="Emit from Surface", icon='ADD').surface = obj.name if on_mesh.enabled else ""
+    in_view.enabled = obj is not None and obj.type == 'CAMERA'
+    in_view.operator("motus.snow_add", text="Emit in Camera View", icon='ADD').camera = obj.name if in_view.enabled else ""
 
 
 PANEL = panels.SystemPanel(

@@ -10,11 +10,11 @@ from . import look
 SHAPES = (
     ('SQUARE', "Square", "Flakes leave a square along the emitter's +Z"),
     ('DISC', "Disc", "Flakes leave a disc along the emitter's +Z"),
-    ('BOX', "Box", "Flakes come into being within a cube and leave along the emitter's +Z"),
-    ('SPHERE', "Sphere", "Flakes come into being within a ball and leave its middle"),
+    ('BOX', "Box", "Flakes are born within a cube and leave along the emitter's +Z"),
+    ('SPHERE', "Sphere", "Flakes are born within a ball and leave its middle"),
     ('CONE', "Cone", "Flakes leave a disc, leaning outwards, at its edge by the cone angle"),
-    ('SURFACE', "Mesh Surface", "Flakes leave the faces of a mesh along their normals, evenly over their area"),
-    ('CAMERA', "Camera View", "Flakes come into being evenly in what a camera sees, and fall down"),
+    ('SURFACE', "Mesh Surface", "A mesh emits the flakes from its faces along their normals, evenly over their area"),
+    ('CAMERA', "Camera View", "Flakes are born evenly in the view of a camera, and fall down"),
 )
 LOOKS = (
     ('FLAKE', "Six-Armed Flake", "A flat crystal with six arms"),
@@ -67,12 +67,12 @@ class SnowKeywords:
     """
 
     start_speed: _number(
-        "Speed", "With which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
+        "Speed", "Speed at which flakes leave the emitter", 5.0, soft_min=0.0, soft_max=10.0, unit='VELOCITY')
     lifetime: _number(
         "Lifetime", "Seconds after which a flake is gone", 2.0, min=0.0, soft_min=0.1, soft_max=100.0,
         unit='TIME_ABSOLUTE')
     start_size: _number(
-        "Size", "Of flakes: times the flake's width, or the scale of an object", 1.0, min=0.0, soft_min=0.1,
+        "Size", "Size of the flakes, as a multiple of Flake Width or the scale of an object", 1.0, min=0.0, soft_min=0.1,
         soft_max=10.0)
     rate: _number("Rate", "Flakes that are born in a second", 5.0, min=0.0, soft_max=1000.0, step=1000)
     delay: _number(
@@ -90,19 +90,19 @@ class SnowKeywords:
         "there", 1.0, step=100)
 
     shape: bpy.props.EnumProperty(
-        name="Emitter", description="Where flakes are born", items=SHAPES, default='SQUARE', options=set(), update=rewire,
+        name="Emitter", description="Shape in which the flakes are born", items=SHAPES, default='SQUARE', options=set(), update=rewire,
         override=OVERRIDABLE)
     cone_radius: _number(
-        "Radius", "Of the disc, ball or cone; half the width of the square or box", 1.0, min=0.0, soft_max=10.0,
+        "Radius", "Radius of the disc, ball or cone; half the width of the square or box", 1.0, min=0.0, soft_max=10.0,
         subtype='DISTANCE')
     cone_angle: _number(
-        "Cone Angle", "By how much flakes lean outwards at the edge of a cone, or at random at most", 0.0, min=0.0,
+        "Cone Angle", "Largest angle by which flakes lean outwards: at the edge of a cone, or at random", 0.0, min=0.0,
         max=math.pi, soft_max=0.5 * math.pi, subtype='ANGLE')
 
     closest: _number(
-        "Closest", "To the camera that flakes come into being, along its view", 0.5, min=0.0, soft_max=10.0, subtype='DISTANCE')
+        "Closest", "Smallest distance from the camera at which flakes are born", 0.5, min=0.0, soft_max=10.0, subtype='DISTANCE')
     farthest: _number(
-        "Farthest", "From the camera that flakes come into being, along its view", 20.0, min=1e-3, soft_max=100.0,
+        "Farthest", "Largest distance from the camera at which flakes are born", 20.0, min=1e-3, soft_max=100.0,
         subtype='DISTANCE')
 
     random_speed: _switch("Random Speed", "Vary the speed by up to 1 m/s")
@@ -110,16 +110,16 @@ class SnowKeywords:
     random_lifetime: _switch("Random Lifetime", "Vary the lifetime by up to 1 s")
     random_size: _switch("Random Size", "Vary the size by up to 10 %")
     random_color: _switch("Random Color", "Each flake has a colour from anywhere on the gradient, not its first one")
-    seed: _whole("Seed", "Of all that is random", 0, min=0)
+    seed: _whole("Seed", "Seed of all random numbers", 0, min=0)
 
     snow: _switch("Snow", "Flakes steer through the air, as a smooth noise of their age turns them")
     max_angle: _number(
-        "Max Angle", "By which flakes turn about the world's X and Y axes, at most", math.radians(80.0), min=0.0,
+        "Max Angle", "Largest angle by which steering turns the flakes' way about the world's X and Y axes", math.radians(80.0), min=0.0,
         soft_max=math.pi, subtype='ANGLE')
     snow_frequency: _number(
-        "Frequency", "About how often a second a flake turns another way", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
+        "Frequency", "Approximate number of turns of a flake per second", 1.0, min=1e-3, max=1000.0, soft_max=5.0)
     snow_offsets: _switch(
-        "Own Ways", "Each flake steers in its own way; otherwise all flakes of an age turn alike")
+        "Individual Paths", "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike")
 
     gravity: _switch("Gravity", "The scene's gravity pulls flakes down")
     drag: _number(
@@ -128,34 +128,34 @@ class SnowKeywords:
     wind: bpy.props.FloatVectorProperty(
         name="Wind", description="Velocity of the air in world space; it may be keyed", size=3, subtype='XYZ', unit='VELOCITY',
         options=ANIMATED, update=touch, override=OVERRIDABLE)
-    gusts: _number("Gusts", "By which part of it the wind varies", 0.0, min=0.0, soft_max=1.0)
+    gusts: _number("Gusts", "Share of the wind by which gusts vary it", 0.0, min=0.0, soft_max=1.0)
     gust_frequency: _number(
-        "Gust Frequency", "About how often a second the wind varies", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
+        "Gust Frequency", "Approximate number of gusts per second", 0.3, min=1e-3, max=1000.0, soft_max=5.0)
     turbulence: _number(
         "Turbulence", "Velocity of the eddies that carry flakes along", 0.0, min=0.0, max=1e6, soft_max=5.0,
         unit='VELOCITY')
     turbulence_size: _number(
-        "Eddy Size", "Of the eddies", 1.0, min=1e-6, soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
+        "Eddy Size", "Diameter of the eddies", 1.0, min=1e-6, soft_min=0.1, soft_max=10.0, subtype='DISTANCE')
     tumble: _number(
-        "Tumble", "How far flakes turn about axes of their own in a second, at most", 0.0, min=0.0, max=1e6,
+        "Tumble", "Largest angle per second by which flakes turn about their own axes", 0.0, min=0.0, max=1e6,
         soft_max=20.0, subtype='ANGLE')
 
     use_ground: _switch("Ground", "Flakes land on a level plane")
-    ground: _number("Height", "Of the ground, along the world's Z axis", 0.0, subtype='DISTANCE')
+    ground: _number("Height", "Height of the ground, along the world's Z axis", 0.0, subtype='DISTANCE')
     collision: bpy.props.EnumProperty(
-        name="Landed", description="What flakes do that have landed", items=COLLISIONS, default='STAY', options=set(),
+        name="Landed", description="Behavior of flakes that have landed", items=COLLISIONS, default='STAY', options=set(),
         update=touch, override=OVERRIDABLE)
     melt_time: _number(
         "Melt Time", "Seconds in which landed flakes melt", 1.0, min=0.01, max=1e6, soft_max=10.0, unit='TIME_ABSOLUTE')
     friction: _number(
-        "Friction", "Of what flakes land on: on slopes whose tangent is less they do not slide", 0.5, min=0.0, max=1e3,
+        "Friction", "Friction of what flakes land on; flakes do not slide on slopes whose tangent is smaller", 0.5, min=0.0, max=1e3,
         soft_max=2.0)
 
     look: bpy.props.EnumProperty(
-        name="Flakes", description="What flakes look like", items=LOOKS, default='FLAKE', options=set(), update=_redress,
+        name="Flakes", description="Geometry that the flakes are shown as", items=LOOKS, default='FLAKE', options=set(), update=_redress,
         override=OVERRIDABLE)
     flake_width: _number(
-        "Flake Width", "Of flakes and points of size 1", 0.05, min=0.0, soft_min=0.001, soft_max=1.0,
+        "Flake Width", "Width of flakes and points of size 1", 0.05, min=0.0, soft_min=0.001, soft_max=1.0,
         subtype='DISTANCE')
     all_attributes: _switch(
         "All Attributes", "For nodes of your own, flakes also have what Blender does not need of them: instances a velocity, "
@@ -164,7 +164,7 @@ class SnowKeywords:
         "Preview", "Percentage of the flakes that the viewport shows; they are some of those that are rendered", 100.0,
         min=0.0, max=100.0, subtype='PERCENTAGE')
     influence: _number(
-        "Influence", "Whether there is snow: there is none at 0", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
+        "Influence", "Whether it snows: 0 hides the snow", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')
 
 
 KEYWORDS = tuple(SnowKeywords.__annotations__)
@@ -172,10 +172,10 @@ KEYWORDS = tuple(SnowKeywords.__annotations__)
 
 class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
     position: bpy.props.FloatProperty(
-        name="Position", description="On the gradient, from 0 to 1", min=0.0, max=1.0, options=set(), update=touch,
+        name="Position", description="Position on the gradient, from 0 to 1", min=0.0, max=1.0, options=set(), update=touch,
         override=OVERRIDABLE, subtype='FACTOR')
     color: bpy.props.FloatVectorProperty(
-        name="Color", description="Of the gradient at this position", size=4, subtype='COLOR', default=WHITE, min=0.0,
+        name="Color", description="Color of the gradient at this position", size=4, subtype='COLOR', default=WHITE, min=0.0,
         soft_max=1.0, options=set(), update=touch, override=OVERRIDABLE)
 
 
@@ -189,7 +189,7 @@ class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
 class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
     surface: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Mesh", description="Object whose faces flakes leave", update=rewire,
+        type=bpy.types.Object, name="Mesh", description="Mesh that emits the flakes", update=rewire,
         override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
     collider: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Collider", description="Mesh object that flakes land on", update=rewire,
@@ -198,19 +198,19 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
         type=bpy.types.Collection, name="Colliders", description="Collection whose mesh objects flakes land on",
         update=rewire, override=OVERRIDABLE)
     recorded: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Recorded", description="What flakes land on, as it was on one frame", update=rewire,
+        type=bpy.types.Object, name="Recorded", description="Recorded mesh that flakes land on", update=rewire,
         override=OVERRIDABLE)
     recorded_of: bpy.props.CollectionProperty(
         type=MOTUS_PG_snow_recorded, name="Recorded Colliders",
-        description="Of what was recorded: whose its faces are, in their order", override=EXTENDABLE)
+        description="Colliders of the recorded mesh, in the order of its faces", override=EXTENDABLE)
     recorded_frame: bpy.props.FloatProperty(
-        name="Recorded Frame", description="On which the colliders were as flakes land on them", options=set(),
+        name="Recorded Frame", description="Frame on which the colliders were recorded", options=set(),
         override=OVERRIDABLE)
     camera: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Camera", description="In whose view flakes come into being", update=rewire,
+        type=bpy.types.Object, name="Camera", description="Camera in whose view the flakes are born", update=rewire,
         override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'CAMERA')
     flake: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Flake", description="Object that each flake is an instance of", update=_dress,
+        type=bpy.types.Object, name="Flake", description="Object that flakes are instances of", update=_dress,
         override=OVERRIDABLE)
     flakes: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Flakes", description="Collection whose objects flakes are instances of",

@@ -5,9 +5,9 @@ from ..core.scenery import meshes
 from ..core.system import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
 from . import births, colliders, flakes, landings, view
 
-NO_SURFACE = Problem("Choose a mesh that flakes leave")
-SURFACE_DELETED = Problem("The mesh that flakes leave is in no collection any more: choose another one")
-NO_FACES = Problem("The mesh that flakes leave has no faces")
+NO_SURFACE = Problem("Choose the mesh that emits the flakes")
+SURFACE_DELETED = Problem("The mesh that emits the flakes is in no collection any more: choose another one")
+NO_FACES = Problem("The mesh that emits the flakes has no faces")
 UNKNOWN = Problem(
     "The emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it", False)
 NO_FLAKES = Problem("Choose what flakes look like: there is no such object or collection", False)

@@ -7,9 +7,9 @@ from ..core import deleted, tracks
 from ..core.lazy import numpy as np
 from ..core.system import Problem, Variable, pointed
 
-NO_CAMERA = Problem("Choose a camera in whose view flakes come into being")
+NO_CAMERA = Problem("Choose a camera in whose view the flakes are born")
 CAMERA_DELETED = Problem("The camera is in no collection any more: choose another one")
-NO_PERSPECTIVE = Problem("Flakes come into being in the view of a perspective camera alone")
+NO_PERSPECTIVE = Problem("Flakes are born only in the view of a perspective camera")
 LENS_UNKNOWN = Problem(
     "The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it", False)
 PROBLEMS = NO_CAMERA, CAMERA_DELETED, NO_PERSPECTIVE, LENS_UNKNOWN

@@ -46,12 +46,17 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
         "where convergence is an object's",
         options={'SKIP_SAVE'})
     mode: bpy.props.EnumProperty(name="Mode", description="How the images meet on the screen", items=MODES, default='OFFAXIS')
+    make_camera: bpy.props.BoolProperty(
+        name="New Camera", description="Make a camera at the viewport's view if the scene has none", options={'SKIP_SAVE'})
+    for_scripts = ("make_camera",)
 
     @classmethod
     def check_offer(cls, context):
-        targets.check_free(targets.camera_for(context, ""))
+        if not targets.lacks_camera(context):
+            targets.check_free(targets.camera_for(context, ""))
 
     def invoke(self, context, _event):
+        self.make_camera = self.make_camera or not self.object and targets.lacks_camera(context)
         # By hand: a rig that fits what the camera sees.
         if not any(self.is_given(name) for name in ("convergence", "focus", *LENGTHS, *PARALLAXES)):
             self._fit(context)
@@ -71,6 +76,8 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
             self.near_parallax, self.far_parallax = budget.parallaxes(self.near, self.far, seen_by, screens.of(self))
 
     def run(self, context):
+        if self.make_camera and targets.lacks_camera(context):
+            targets.new_camera(context)
         camera = targets.camera_for(context, self.object)
         targets.check_free(camera)
         focus = targets.focus_for(context, camera, self.focus) if self.focus or self.convergence == 'OBJECT' else None
@@ -143,7 +150,7 @@ class MOTUS_OT_stereo_rig_remove(OfARig, Operator, bpy.types.Operator):
 class MOTUS_OT_stereo_refresh(OfARig, Operator, bpy.types.Operator):
     bl_idname = "motus.stereo_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the rig again, after the camera was given another lens"
+    bl_description = "Rebuild after the camera was given different lens data"
     modes = OBJECT_MODE
 
     def run(self, context):

@@ -11,9 +11,9 @@ from .operators import OfARig
 
 FORMATS = (
     ('PAIR', "Pair", "A file for each eye"),
-    ('SIDEBYSIDE', "Side by Side", "Both in one image, beside each other"),
-    ('TOPBOTTOM', "Top-Bottom", "Both in one image, one above the other"),
-    ('ANAGLYPH', "Anaglyph", "Both on top of each other, for red and cyan glasses"),
+    ('SIDEBYSIDE', "Side by Side", "Both eyes in one image, beside each other"),
+    ('TOPBOTTOM', "Top-Bottom", "Both eyes in one image, one above the other"),
+    ('ANAGLYPH', "Anaglyph", "Both eyes on top of each other, for red and cyan glasses"),
     ('INTERLACE', "Interlaced", "The rows of one image, in turns"),
 )
 

@@ -18,11 +18,12 @@ MARKS = 0.015, 0.03
 MOST_RULED = 64
 """Selected objects that are shown on the ruler."""
 
-PLANES = Switch("show_stereo_planes", "Planes", "Near in red, the screen in white, far in blue")
-VOLUME = Switch("show_stereo_volume", "Safe Volume", "What an audience can look at without strain")
+PLANES = Switch("show_stereo_planes", "Planes", "Draw the planes of the depth budget: near in red, the screen in white, far in blue")
+VOLUME = Switch("show_stereo_volume", "Safe Volume", "Draw the volume that an audience can look at without strain")
 RULER = Switch(
     "show_stereo_ruler", "Ruler",
-    "Marks where parallax is a multiple of half a percent, and lines to the selected objects: green, strained ones in yellow, diverging ones in pink")
+    "Draw marks where parallax is a multiple of half a percent, and lines to the selected objects: "
+    "green, strained ones in yellow, diverging ones in pink")
 
 
 def _batches(context, owner):

@@ -93,7 +93,7 @@ def _draw_check(layout, owner):
         return
     box = layout.box().column()
     if found.shares.any():
-        box.label(text="Parallax of what is seen")
+        box.label(text="Measured Parallax")
         box.template_icon(graph.icon("stereo", np.repeat(found.shares, BAR)), scale=5.0)
         row = box.row()
         row.label(text=f"{100.0 * found.lowest:+.2f} %", translate=False)
@@ -110,7 +110,7 @@ def draw_actions(layout, context):
     column.operator("motus.stereo_view", icon='CAMERA_STEREO', depress=viewing.is_shown(context, context.object)).object = name
     column.operator("motus.stereo_check", icon='VIEWZOOM').object = name
     column.operator_menu_enum("motus.stereo_output", "format", icon='OUTPUT').object = name
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     column.operator("motus.stereo_rig_remove", text="Remove", icon='X').object = name
 
 

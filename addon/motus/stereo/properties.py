@@ -6,8 +6,8 @@ from ..core.settings import ANIMATED, OVERRIDABLE, SystemSettings, rewire, touch
 from . import screens
 
 CONVERGENCES = (
-    ('DISTANCE', "Distance", "A distance along the camera's axis"),
-    ('OBJECT', "Object", "Where an object stands along the camera's axis"),
+    ('DISTANCE', "Distance", "The screen is at a distance along the camera's axis"),
+    ('OBJECT', "Object", "The screen is where an object is along the camera's axis"),
     ('BUDGET', "Depth Budget",
      "Convergence and interocular distance follow from the depths of the scene and the parallax that they may have"),
 )
@@ -22,13 +22,13 @@ class StereoKeywords:
     """What both the settings and the operator have: the names are the keywords of scripts."""
 
     convergence: bpy.props.EnumProperty(
-        name="Convergence", description="What lies on the screen, neither in front of it nor behind it", items=CONVERGENCES,
+        name="Convergence", description="How the distance is found at which things are neither in front of the screen nor behind it", items=CONVERGENCES,
         default='DISTANCE', options=ANIMATED, update=touch, override=OVERRIDABLE)
     interocular: _number(
-        "Interocular", "Between the eyes, in the scene's units", 0.065, min=0.0, soft_max=1.0, subtype='DISTANCE',
+        "Interocular", "Distance between the camera's eyes, in the scene's units", 0.065, min=0.0, soft_max=1.0, subtype='DISTANCE',
         precision=4, step=0.1)
     distance: _number(
-        "Distance", "From the camera to what lies on the screen", 2.0, min=0.0, soft_min=0.1, soft_max=1000.0,
+        "Distance", "Distance from the camera to the screen", 2.0, min=0.0, soft_min=0.1, soft_max=1000.0,
         subtype='DISTANCE')
     near: _number(
         "Near", "Depth of the nearest thing that counts for the budget", 2.0, min=0.0, soft_min=0.01, soft_max=1000.0,
@@ -37,20 +37,20 @@ class StereoKeywords:
         "Far", "Depth of the farthest thing that counts for the budget", 10.0, min=0.0, soft_min=0.01, soft_max=10000.0,
         subtype='DISTANCE')
     near_parallax: _number(
-        "Near Parallax", "In front of the screen at most, in percent of the image's width", 1.0, min=0.0, max=100.0, soft_max=5.0,
+        "Near Parallax", "Largest parallax in front of the screen, in percent of the image's width", 1.0, min=0.0, max=100.0, soft_max=5.0,
         subtype='PERCENTAGE', precision=2)
     far_parallax: _number(
-        "Far Parallax", "Behind the screen at most, in percent of the image's width", 2.0, min=0.0, max=100.0, soft_max=5.0,
+        "Far Parallax", "Largest parallax behind the screen, in percent of the image's width", 2.0, min=0.0, max=100.0, soft_max=5.0,
         subtype='PERCENTAGE', precision=2)
     screen: bpy.props.EnumProperty(
-        name="Screen", description="What the audience looks at: warnings are about it", items=screens.ITEMS,
+        name="Screen", description="Screen that the audience looks at, which warnings are about", items=screens.ITEMS,
         default='TELEVISION', options=set(), override=OVERRIDABLE)
     screen_width: _number(
-        "Screen Width", "Of a screen of your own, in metres", 2.0, set(), min=0.01, soft_max=50.0)
+        "Screen Width", "Width of a custom screen, in metres", 2.0, set(), min=0.01, soft_max=50.0)
     screen_distance: _number(
-        "Seen From", "From the audience to a screen of your own, in metres", 3.0, set(), min=0.05, soft_max=50.0)
+        "Seen From", "Distance from the audience to a custom screen, in metres", 3.0, set(), min=0.05, soft_max=50.0)
     eye_separation: _number(
-        "Eye Separation", "Between the eyes of the audience, in metres", 0.065, set(), min=0.01, max=0.2, precision=3)
+        "Eye Separation", "Distance between the eyes of the audience, in metres", 0.065, set(), min=0.01, max=0.2, precision=3)
 
 
 KEYWORDS = tuple(StereoKeywords.__annotations__)
@@ -58,7 +58,7 @@ KEYWORDS = tuple(StereoKeywords.__annotations__)
 
 class MOTUS_PG_stereo(StereoKeywords, SystemSettings, bpy.types.PropertyGroup):
     focus: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Focus", description="What lies on the screen, where convergence is an object's",
+        type=bpy.types.Object, name="Focus", description="Object that lies on the screen, if Convergence is Object",
         update=rewire, override=OVERRIDABLE)
     influence: _number(
         "Influence", "How much the rig sets the camera's eyes; 0 leaves them at the camera's own values", 1.0, min=0.0, max=1.0,

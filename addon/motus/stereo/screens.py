@@ -8,7 +8,7 @@ ITEMS = (
     ('TELEVISION', "Television", "1.2 m wide, seen from 2.5 m"),
     ('CINEMA', "Cinema", "12 m wide, seen from 15 m"),
     ('DOME', "Dome", "18 m wide, seen from 9 m"),
-    ('CUSTOM', "Custom", "Width and viewing distance of your own"),
+    ('CUSTOM', "Custom", "Custom width and viewing distance"),
 )
 SIZES = {'PHONE': (0.14, 0.3), 'MONITOR': (0.6, 0.7), 'TELEVISION': (1.2, 2.5), 'CINEMA': (12.0, 15.0), 'DOME': (18.0, 9.0)}
 """Width and viewing distance, m."""

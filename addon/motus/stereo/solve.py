@@ -9,7 +9,7 @@ from . import lens, rig
 NOT_PERSPECTIVE = Problem("The rig needs a perspective camera: with this one the camera's own values count")
 NO_LENS = Problem("Focal length and sensor must be greater than 0")
 NO_FOCUS = Problem("Choose the object that lies on the screen")
-BEHIND = Problem("What shall lie on the screen is at the camera or behind it")
+BEHIND = Problem("The object that shall lie on the screen is at the camera or behind it")
 BAD_RANGE = Problem("Near must be greater than 0, and far greater than near")
 NO_BUDGET = Problem("Near and far parallax are both 0: there is no depth to spend")
 NOT_FINITE = Problem("A setting is not a finite number")

@@ -1,9 +1,17 @@
 """Which camera an operator works on. Refusals are sentences."""
 
+import math
+
+import bpy
+from mathutils import Matrix
+
 from ..core import wiring
 from ..core.refusals import Refused, check_evaluated, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import rig
+
+IN_FRONT = Matrix.Translation((0.0, -10.0, 1.5)) @ Matrix.Rotation(math.radians(90.0), 4, 'X')
+"""Where a new camera stands that no viewport has a view for: it looks along +Y."""
 
 
 def camera_for(context, name):
@@ -15,6 +23,21 @@ def camera_for(context, name):
     if found.type != 'CAMERA':
         raise Refused(tr("{object} is no camera").format(object=found.name))
     return found
+
+
+def lacks_camera(context):
+    """Whether the scene has no camera at all."""
+    return not any(obj.type == 'CAMERA' for obj in context.scene.objects)
+
+
+def new_camera(context):
+    """Give the scene a camera, where the viewport looks from; without a viewport in front of the origin."""
+    camera = bpy.data.objects.new(tr("Camera"), bpy.data.cameras.new(tr("Camera")))
+    context.scene.collection.objects.link(camera)
+    view = context.region_data
+    camera.matrix_world = view.view_matrix.inverted() if view else IN_FRONT
+    context.scene.camera = camera
+    context.view_layer.update()
 
 
 def rig_for(context, name):

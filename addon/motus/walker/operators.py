@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_OR_POSE_MODE, OfAnObject, Operator, object_keyword, select_only
+from ..core.operators import OBJECT_OR_POSE_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import check_finite, named_collection
 from ..core.system import is_owner
 from ..core.translations import tr
@@ -30,10 +30,10 @@ def ground_of(operator, owner=None):
     return found
 
 
-class MOTUS_OT_walker_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Operator):
+class MOTUS_OT_walker_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types.Operator):
     bl_idname = "motus.walker_add"
     bl_label = "Add Walker"
-    bl_description = "Let the feet of a body step by themselves where it is moved; they belong where they stand now"
+    bl_description = "Let the feet of a body step by themselves while the body moves; where they stand now become their rest positions"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
     object: object_keyword("Name of the body that is moved, such as the armature; empty takes the active object")
@@ -64,6 +64,7 @@ class MOTUS_OT_walker_add(Operator, WalkerKeywords, GroundKeywords, bpy.types.Op
         else:
             body = targets.body_for(owner, self.body, [leg.bone or leg.foot for leg in found])
             setup.attach(context, owner, found, body, changes)
+        self.show_used(owner.motus.walker, KEYWORDS)
         self.report({'INFO'}, tr("{object} walks on {count} legs").format(
             object=owner.name, count=len(owner.motus.walker.legs)))
         wiring.report_problems(self, context, setup.system(), [owner])
@@ -85,7 +86,7 @@ class _OfAWalker(OfAnObject):
 class MOTUS_OT_walker_remove(_OfAWalker, bpy.types.Operator):
     bl_idname = "motus.walker_remove"
     bl_label = "Remove Walker"
-    bl_description = "Leave feet and body to their own animation again"
+    bl_description = "Remove the walker, so that feet and body have their own animation again"
 
     def run(self, context):
         owner = self.found(context, self.object)
@@ -95,19 +96,19 @@ class MOTUS_OT_walker_remove(_OfAWalker, bpy.types.Operator):
 
 class MOTUS_OT_walker_rest(_OfAWalker, bpy.types.Operator):
     bl_idname = "motus.walker_rest"
-    bl_label = "Take Rest Places"
-    bl_description = "Let the feet belong where their own transforms have them on this frame"
+    bl_label = "Set Rest Positions from Pose"
+    bl_description = "Set the rest positions of the feet to where their own transforms have them on this frame"
 
     def run(self, context):
         owner = self.found(context, self.object)
         count = setup.take_rests(context, owner)
-        self.report({'INFO'}, tr("{count} feet belong where they were placed").format(count=count))
+        self.report({'INFO'}, tr("Rest positions of {count} feet updated").format(count=count))
 
 
 class MOTUS_OT_walker_refresh(_OfAWalker, bpy.types.Operator):
     bl_idname = "motus.walker_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the walker again, and plan its steps anew"
+    bl_description = "Rebuild the walker after its rig or ground changed, and plan its steps anew"
 
     def run(self, context):
         wiring.refresh(setup.system(), self.found(context, self.object))

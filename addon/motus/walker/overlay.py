@@ -84,5 +84,5 @@ def _rings(middles, normals, radius):
 
 
 overlay = Overlay(_batches, (
-    Switch("show_walker_footholds", "Footholds", "Where feet stand, and how they come there, around the present frame"),
-    Switch("show_walker_rests", "Rest Places", "Where each foot belongs below the body", False)))
+    Switch("show_walker_footholds", "Footholds", "Draw where feet stand, and how they come there, around the present frame"),
+    Switch("show_walker_rests", "Rest Positions", "Draw the rest position of each foot below the body", False)))

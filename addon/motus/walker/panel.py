@@ -94,13 +94,15 @@ def draw_readouts(layout, context):
 def draw_actions(layout, context):
     """Baking and removing."""
     column = layout.column(align=True)
-    ui.draw_bake(column, system())
+    ui.draw_bake(column)
     column.operator("motus.walker_remove", text="Remove", icon='X').object = _walker(context).name
 
 
 def draw_add(layout, context):
     """The button that lets what is selected walk."""
-    layout.operator("motus.walker_add", icon='ADD')
+    column = layout.column(align=True)
+    column.operator("motus.walker_add", icon='ADD')
+    column.operator("motus.spider_add", icon='ADD')
 
 
 PANEL = panels.SystemPanel(

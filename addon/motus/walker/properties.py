@@ -10,12 +10,12 @@ MOST_LEGS = 64
 
 GAITS = (
     ('TETRAPOD', "Tetrapod", "Every second leg of a side with the others of the other side, as spiders go"),
-    ('TRIPOD', "Tripod", "The same in two halves that take turns without a pause, as insects run"),
+    ('TRIPOD', "Tripod", "Every second leg of a side with the others of the other side, in two halves that take turns without a pause, as insects run"),
     ('RIPPLE', "Ripple", "One leg after the other from the back to the front, the sides half a cycle apart"),
     ('WAVE', "Wave", "A single leg at a time, slow and safe"),
     ('TROT', "Trot", "Diagonal halves take turns"),
     ('PACE', "Pace", "Left and right legs take turns"),
-    ('OWN', "Own", "The phase of each leg is a setting of its own"),
+    ('OWN', "Custom", "The phase of each leg is a setting of its own"),
 )
 
 
@@ -51,7 +51,7 @@ class WalkerKeywords:
     """
 
     gait: _choice("Gait", "Which legs step together, and which after them", GAITS, 'TETRAPOD')
-    use_duty: _switch("Own Duty", "Set how long feet stand, instead of what the gait says")
+    use_duty: _switch("Custom Duty", "Set how long feet stand, instead of what the gait says")
     duty: _number(
         "Duty", "Share of a cycle for which each foot stands", 0.6, min=0.05, max=0.95, subtype='FACTOR')
     stride: _length("Stride", "How far the body goes while a foot stands, at most", 0.5)
@@ -60,25 +60,24 @@ class WalkerKeywords:
         soft_min=0.2, soft_max=5.0)
     clearance: _length("Clearance", "How high feet are carried above the ground", 0.1)
     minimum_step: _length(
-        "Minimum Step", "Feet that are no further than this from where they belong stay, so that a body that trembles does not patter",
+        "Minimum Step", "Feet that are no further than this from their rest positions do not step, so that a trembling body does not patter",
         0.0)
-    reach_up: _length("Reach Up", "How far above the feet's rest places ground is looked for", 0.5)
-    reach_down: _length("Reach Down", "How far below the feet's rest places ground is looked for", 1.0)
+    reach_up: _length("Reach Up", "How far above the feet's rest positions ground is searched for", 0.5)
+    reach_down: _length("Reach Down", "How far below the feet's rest positions ground is searched for", 1.0)
     use_plane: _switch("Plane", "Walk on a level plane too, beside the meshes")
-    plane_height: _number("Height", "Of the plane, along the world's Z axis", 0.0, subtype='DISTANCE')
+    plane_height: _number("Height", "Height of the plane, along the world's Z axis", 0.0, subtype='DISTANCE')
     body_height: _factor("Rise", "How much the body rises and sinks with the feet that stand", 1.0)
     body_tilt: _factor("Tilt", "How much the body leans with the feet that stand", 0.7)
     frequency: _number(
         "Frequency", "How quickly the body follows its feet, in Hz", 1.5, min=1e-3, max=1000.0, soft_min=0.2, soft_max=5.0)
     damping: _number(
-        "Damping", "Below 1 the body swings about where its feet would have it", 1.0, min=0.0, max=100.0, soft_max=2.0)
+        "Damping", "Damping of the body over its feet; below 1 the body overshoots and swings", 1.0, min=0.0, max=100.0, soft_max=2.0)
     jump: _number(
-        "Jump", "A body that goes further than this from one frame to the next has been put there, and its feet with it; 0 takes "
-        "four strides", 0.0, min=0.0, soft_max=10.0, subtype='DISTANCE')
+        "Jump", "A body that goes further than this from one frame to the next jumps, and its feet with it; 0 takes four strides", 0.0, min=0.0, soft_max=10.0, subtype='DISTANCE')
     forward_axis: _choice("Forward", "Axis of the body that points ahead", AXES, 'POS_Y')
     up_axis: _choice("Up", "Axis of the body that points away from the ground", AXES, 'POS_Z')
     influence: _factor(
-        "Influence", "How much feet and body are where the walk has them; 0 leaves them to their own animation", 1.0, ANIMATED)
+        "Influence", "How much the walk moves feet and body; 0 leaves them to their own animation", 1.0, ANIMATED)
 
 
 KEYWORDS = tuple(WalkerKeywords.__annotations__)
@@ -98,10 +97,10 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
         override=OVERRIDABLE)
     foot: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE)
-    rest: _numbers("Rest", "Where the foot belongs, in the body's space, when the body stands on level ground")
-    hip: _numbers("Hip", "Where the leg begins, in the body's space")
-    length: _length("Length", "Of the whole leg, before the body's scale; 0 for one that reaches everywhere", 0.0)
-    phase: _factor("Phase", "Where in the cycle the leg is: those of one phase step together", 0.0)
+    rest: _numbers("Rest", "Position of the foot, in the body's space, if the body stands on level ground")
+    hip: _numbers("Hip", "Position where the leg begins, in the body's space")
+    length: _length("Length", "Length of the whole leg, before the body's scale; 0 for a leg that reaches everywhere", 0.0)
+    phase: _factor("Phase", "Position of the leg in the cycle: legs of the same phase step together", 0.0)
 
 
 class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):

@@ -11,7 +11,7 @@ from . import groups, ground, leaning, legs, plan, shared
 LOOPED = Problem("The body or the ground moves with what the walker drives: what would wait for itself is left alone", blocking=False)
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)
 BODILESS = Problem("The body that rises and leans is gone, or hangs on something else: choose it anew", blocking=False)
-UNREACHED = Problem("Some feet do not get to the ground where they should", blocking=False)
+UNREACHED = Problem("Some feet do not reach the ground at their footholds", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (*plan.PROBLEMS, LOOPED, LACKING, BODILESS, UNREACHED, BONES_CHANGED)
 

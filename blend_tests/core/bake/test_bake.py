@@ -257,7 +257,7 @@ wiring_cases.build_followers(toy_system.new_target(), count=3)
 bpy.ops.motus.bake(object={owner.name!r}, frame_start=1, frame_end=25)
 """)
         self.assertEqual(status, 0, output)
-        self.assertIn("Baked 25 frames of 3 objects", output)
+        self.assertIn("Baked 3 objects, 25 frames: ", output)
 
 
 class RefusalTest(BakeTestCase):

@@ -78,7 +78,7 @@ class FacesTest(PointsTestCase):
         frame_set(12)
         mesh = evaluated(owner)
         self.assertEqual((len(mesh.vertices), len(mesh.edges), len(mesh.polygons)), (0, 0, 0))
-        self.assertIn("More points", self.problem(owner, toy.SHEET).sentence)
+        self.assertIn("more points", self.problem(owner, toy.SHEET).sentence)
         owner.motus.sheet.rate = 10.0
         assert_sheet(owner, 12)
 

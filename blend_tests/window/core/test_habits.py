@@ -1,6 +1,7 @@
 """What every system shares in the interface, as an artist sees it: menus, the redo panel, what is baked, and a narrow sidebar."""
 
 import bpy
+import live_scenes
 import support
 from window import window_support
 
@@ -95,6 +96,55 @@ def test_redo_panel():
         bpy.ops.motus.ik_remove(object=rig.name) if name == "ik_add" else None
 
 
+def last():
+    """The properties of the last operator, which the redo panel shows."""
+    return bpy.context.window_manager.operators[-1].properties
+
+
+def test_redo_panel_shows_the_numbers_that_were_used():
+    """By the legs' size, by a preset, by the curve's ends, and by where bobs were placed."""
+    glider, course, _ = build()
+    course.data.splines[0].use_cyclic_u = True
+    with window_support.override():
+        bpy.ops.motus.spider_add('INVOKE_DEFAULT', True, size=0.5)
+    yield
+    spider = bpy.context.object.motus.walker
+    for name in ("stride", "clearance", "reach_up", "reach_down"):
+        assert abs(getattr(last(), name) - getattr(spider, name)) < 1e-6, (name, getattr(last(), name), getattr(spider, name))
+    assert spider.stride < 0.4, spider.stride
+    with window_support.override():
+        bpy.ops.motus.snow_add('INVOKE_DEFAULT', True, preset='BLIZZARD')
+    yield
+    assert last().rate == bpy.context.object.motus.snow.rate == 4000.0, last().rate
+    choose(glider, course)
+    with window_support.override():
+        bpy.ops.motus.path_follow_add('INVOKE_DEFAULT', True, duration=3.0)
+    yield
+    assert (last().extend, last().duration) == (glider.motus.path.extend, 3.0) and last().extend == 'LOOP', last().extend
+    # What was found for the last spider is no wish for the next one.
+    with window_support.override():
+        bpy.ops.motus.spider_add('INVOKE_DEFAULT', True, size=5.0)
+    yield
+    assert bpy.context.object.motus.walker.stride > 5.0 * spider.stride, bpy.context.object.motus.walker.stride
+
+
+def test_bake_says_what_it_bakes():
+    """The dialog names the object and all of its systems, whichever panel the button stands in."""
+    _, _, rig = build()
+    bpy.ops.motus.ik_add(object=rig.name, bone="shin")
+    choose(rig)
+    x, y = window_support.centre()
+    window_support.move(x, y)
+    yield
+    with window_support.override():
+        bpy.ops.motus.bake('INVOKE_DEFAULT')
+    yield
+    yield from window_support.picture("bake_dialog")
+    window_support.press('ESC', x, y)
+    yield
+    assert not rig.motus.ik.is_baked
+
+
 def baked_follower():
     glider, course, _ = build()
     bpy.ops.motus.path_follow_add(object=glider.name, curve=course.name)
@@ -158,3 +208,36 @@ def test_narrow_sidebar():
     assert width < before - 40 and abs(sidebar.width - before) < 10, (before, width, sidebar.width)
     wanted = {"show_path", "show_curve", "show_ik", "show_reach", "show_look_at"}
     assert wanted <= drawn["MOTUS_PT_overlay"], drawn
+
+
+def test_labels_fit_at_the_default_width():
+    """Of all systems' rows, in both languages: beside fields where there is room, else within them."""
+    rows, widths = support.addon("core.rows"), support.addon("core.widths")
+    live_scenes.build()
+    view, own_draw, noted = bpy.context.preferences.view, rows.Row.draw, {}
+
+    def noting(row, layout, settings):
+        if layout.use_property_split and bpy.context.region.type == 'UI' and not row.expand:
+            prop = getattr(settings, "properties", settings).bl_rna.properties[row.name]
+            label = bpy.app.translations.pgettext_iface(prop.name if row.text is None else row.text, row.text_ctxt or prop.translation_context)
+            noted[view.language, label] = prop.type == 'BOOLEAN'
+        own_draw(row, layout, settings)
+    rows.Row.draw = noting
+    view.use_translate_interface = True
+    scale = bpy.context.preferences.system.ui_scale
+    try:
+        for language in ("en_US", "es"):
+            view.language = language
+            yield from window_support.open_tab("Motus")
+            for obj in [obj for obj in bpy.context.scene.objects if not obj.name.startswith("Motus")]:
+                choose(obj)
+                window_support.draw_all()
+                yield
+        room = window_support.region('UI').width - widths.MARGINS * scale
+    finally:
+        rows.Row.draw = own_draw
+        view.language = "en_US"
+    assert len(noted) > 60, len(noted)
+    for (language, label), is_switch in noted.items():
+        share = (1.0 - widths.LABELS) * room - widths.BOX * scale if is_switch else widths.LABELS * room
+        assert window_support.text_width(label) <= share + 2.0, (language, label, window_support.text_width(label), share)

@@ -47,6 +47,23 @@ def test_sidebar_and_overlay():
     yield from window_support.picture("path_problem")
 
 
+def test_readouts_move_in_playback():
+    """The mouse stands still meanwhile: what passes under it has panels drawn anew."""
+    build()
+    drawn = yield from window_support.open_tab("Motus")
+    yield from window_support.until(lambda: "MOTUS_PT_path_readouts" in drawn)
+    with window_support.override():
+        bpy.ops.screen.animation_play()
+    yield
+    drawn.clear()
+    try:
+        yield from window_support.until(lambda: drawn.count("MOTUS_PT_path_readouts") > 2, seconds=20.0)
+        assert drawn.count("MOTUS_PT_path_readouts") > 2, drawn
+    finally:
+        with window_support.override():
+            bpy.ops.screen.animation_cancel(restore_frame=True)
+
+
 def test_constraint_properties():
     build()
     properties = window_support.area('PROPERTIES')

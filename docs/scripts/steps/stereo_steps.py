@@ -36,6 +36,6 @@ def steps(strip):
     yield from hand.click("Current Frame")
     yield from hand.click("OK", DIALOG)
     yield 1.0
-    yield from hand.on("Parallax of what is seen", hand.box('UI'))
+    yield from hand.on("Measured Parallax", hand.box('UI'))
     yield from hand.scroll(-6)
     yield from strip.shot(200, 180)

@@ -5,7 +5,8 @@ import bpy
 from ..operators import Operator, object_keyword
 from ..over_frames import OverFrames
 from ..refusals import Refused
-from ..translations import tr
+from ..system import title
+from ..translations import counted, tr
 from . import job
 
 
@@ -18,6 +19,10 @@ def _named_object(context, name):
     if found is None:
         raise Refused(tr("There is no object {object} in the scene").format(object=name))
     return found
+
+
+def _objects(count):
+    return counted(count, tr("1 object"), tr("{count} objects"))
 
 
 class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
@@ -36,16 +41,32 @@ class MOTUS_OT_bake(OverFrames, bpy.types.Operator):
         if thing.motus.bake.is_baked:
             raise Refused(tr("{object} is baked already: unbake it first").format(object=thing.name))
 
+    def draw_below(self, context):
+        super().draw_below(context)
+        try:
+            owner, systems = self._baked(context)
+        except Refused:
+            return  # what was selected has changed since
+        labels = ", ".join(bpy.app.translations.pgettext_iface(*title(one)) for one in systems)
+        column = self.layout.column(align=True)
+        column.label(text=f"{owner.name}: {labels}", icon='KEYFRAME', translate=False)
+        column.label(text=_objects(len(job.objects_of(owner, systems))), icon='BLANK1', translate=False)
+
+    def _baked(self, context):
+        """(owner, systems) that are baked. Raises Refused."""
+        return job.owner_and_systems(_named_object(context, self.object), self.system)
+
     def steps(self, context, frames):
-        owner, systems = job.owner_and_systems(_named_object(context, self.object), self.system)
+        owner, systems = self._baked(context)
         self._result = frames, len(job.objects_of(owner, systems))
         self._inexact = job.inexact(owner, systems)
         return job.bake(context.scene, context.view_layer, owner, systems, frames)
 
     def result(self, _context):
         frames, objects = self._result
-        self.report({'INFO'}, tr("Baked {frames} frames of {objects} objects: {first}-{last}").format(
-            frames=len(frames), objects=objects, first=f"{frames[0]:g}", last=f"{frames[-1]:g}"))
+        self.report({'INFO'}, tr("Baked {objects}, {frames}: {first}-{last}").format(
+            objects=_objects(objects), frames=counted(len(frames), tr("1 frame"), tr("{count} frames")),
+            first=f"{frames[0]:g}", last=f"{frames[-1]:g}"))
         if self._inexact:
             self.report({'WARNING'}, tr(
                 "Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}").format(
@@ -67,7 +88,7 @@ class MOTUS_OT_unbake(Operator, bpy.types.Operator):
 
     def run(self, context):
         baked, partial = job.unbake(_named_object(context, self.object), self.system)
-        self.report({'INFO'}, tr("Unbaked {objects} objects").format(objects=len(baked)))
+        self.report({'INFO'}, tr("Unbaked {objects}").format(objects=_objects(len(baked))))
         if partial:
             self.report({'WARNING'}, tr("Not all that these were before baking is in the file any more: {objects}").format(
                 objects=", ".join(one.name for one in partial)))

@@ -15,8 +15,8 @@ from . import digest, recordings
 from .track import own_track, property_track, world_track
 
 TRANSFORMS = (
-    ('WORLD', "World Matrix", "Where it stands, with parents and constraints"),
-    ('OWN', "Own Transform", "Its own location, rotation and scale"),
+    ('WORLD', "World Matrix", "World matrix, with parents and constraints"),
+    ('OWN', "Own Transform", "Location, rotation and scale of its own, without parents and constraints"),
 )
 
 
@@ -30,7 +30,7 @@ class _OfATrack(OfADatablock, Operator):
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of a bone; empty means the object itself", options={'SKIP_SAVE'})
     transform: bpy.props.EnumProperty(
-        name="Transform", description="Which transform, where no data path is given", items=TRANSFORMS,
+        name="Transform", description="Transform that is recorded if no data path is given", items=TRANSFORMS,
         options={'SKIP_SAVE'})
 
     def track(self, id_data, scene):
@@ -48,7 +48,7 @@ class _OfATrack(OfADatablock, Operator):
 class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):
     bl_idname = "motus.track_record"
     bl_label = "Record"
-    bl_description = "Go through the frames and keep in the file what is not known ahead, such as what constraints do"
+    bl_description = "Go through the frames and keep in the file the motion that cannot be read from keys, such as that of constraints"
     redo = (_WHAT, *OverFrames.redo)
 
     def steps(self, context, frames):
@@ -93,7 +93,7 @@ class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):
 class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
     bl_idname = "motus.track_clear"
     bl_label = "Clear Recording"
-    bl_description = "Take the recorded samples out of the file"
+    bl_description = "Remove the recorded samples from the file"
     redo = (_WHAT,)
 
     def run(self, context):

@@ -5,7 +5,7 @@ from ..system import Problem, groups_of, of_owner
 from ..translations import tr
 from . import hub_lookup, outbox, property_sink
 
-_DAMAGED_PROBLEM = Problem("What this file holds for the solver is damaged: press Refresh, or set it up again")
+_DAMAGED_PROBLEM = Problem("The data of this system in the file is damaged: press Refresh, or set it up again")
 _NEWER_PROBLEM = Problem(
     "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
@@ -14,7 +14,7 @@ _MIRRORED_PROBLEM = Problem(
 _PROPERTY_PROBLEM = Problem(
     "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven", blocking=False)
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
-_FULL_PROBLEM = Problem("More points than there is room for: only the first ones are there", blocking=False)
+_FULL_PROBLEM = Problem("There are more points than there is room for: only the first ones are shown", blocking=False)
 _OWN_PROBLEMS = {
     outbox.INTERNAL: _INTERNAL_PROBLEM, outbox.SILENT: _SILENT_PROBLEM, outbox.DAMAGED: _DAMAGED_PROBLEM,
     outbox.NEWER: _NEWER_PROBLEM, outbox.FULL: _FULL_PROBLEM}

@@ -39,7 +39,7 @@ class CheckResults:
         name="Short By", description="The largest distance that is left to the target", subtype='DISTANCE', min=0.0,
         options=set(), override=OVERRIDABLE)
     check_reason: bpy.props.EnumProperty(
-        name="Reason", description="Why, on the frame where most is left", items=WHY, options=set(),
+        name="Reason", description="Reason on the frame on which the chain falls shortest", items=WHY, options=set(),
         override=OVERRIDABLE)
 
 

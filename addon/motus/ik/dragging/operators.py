@@ -24,10 +24,10 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
     bone: bpy.props.StringProperty(
         name="Bone", description="Name of the bone that is pulled; empty takes the active one", options={'SKIP_SAVE'})
     factor: bpy.props.FloatProperty(
-        name="Factor", description="Where along the bone it is held, from its head (0) to its tail (1)", default=1.0,
+        name="Factor", description="Point of the bone that is pulled, from its head (0) to its tail (1)", default=1.0,
         min=0.0, max=1.0, subtype='FACTOR', options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Where that point is pulled to, in the world", size=3, subtype='XYZ',
+        name="Location", description="Place in the world that the point is pulled to", size=3, subtype='XYZ',
         unit='LENGTH', options={'SKIP_SAVE'})
     chain_length: bpy.props.IntProperty(
         name="Chain Length", default=0, min=0, max=255,

@@ -15,9 +15,9 @@ LASTS = 12
 """Frames of a switch whose end is not given."""
 
 EASES = (
-    ('BEZIER', "Smooth", "Starts and ends slowly"),
-    ('LINEAR', "Linear", "At the same pace all the way"),
-    ('CONSTANT', "At Once", "In one step"),
+    ('BEZIER', "Smooth", "The chain starts and ends slowly"),
+    ('LINEAR', "Linear", "The chain moves at an even speed"),
+    ('CONSTANT', "At Once", "The chain jumps to the new target"),
 )
 
 
@@ -58,26 +58,26 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
     target_bone: bpy.props.StringProperty(
         name="Target Bone", description="Name of a bone of the target", options={'SKIP_SAVE'})
     frame_start: bpy.props.IntProperty(
-        name="Start", description="Frame at which the way begins; the current one where it is not given",
+        name="Start", description="Frame at which the chain leaves its present target; the current frame if it is not given",
         options={'SKIP_SAVE'})
     frame_end: bpy.props.IntProperty(
         name="End", options={'SKIP_SAVE'},
         description="Frame at which the chain is at the other target; 12 after the start where it is not given")
     interpolation: bpy.props.EnumProperty(
-        name="Interpolation", description="How the way is gone", items=EASES, default='BEZIER')
+        name="Interpolation", description="How the chain moves from one target to the other", items=EASES, default='BEZIER')
     trigger_object: bpy.props.StringProperty(
         name="Trigger", options={'SKIP_SAVE'},
-        description="Name of an object; one of its numbers, instead of the frame, says how far the way is gone")
+        description="Name of an object, one of whose numbers, instead of the frame, says how far the chain has come")
     trigger_system: bpy.props.StringProperty(
         name="System", description="Name of the system whose output triggers", default="path")
     trigger_output: bpy.props.StringProperty(
         name="Output", default="parameter", description="Name of the system's output: parameter, fraction, distance or "
         "speed of a follower, and what others compute")
     trigger_data_path: bpy.props.StringProperty(
-        name="Data Path", description="Of any number of the trigger, instead of an output of a system",
+        name="Data Path", description="Data path of a number of the trigger, instead of an output of a system",
         options={'SKIP_SAVE'})
     trigger_start: bpy.props.FloatProperty(
-        name="From", description="Value of the trigger at which the way begins", default=0.05, options={'SKIP_SAVE'})
+        name="From", description="Value of the trigger at which the chain leaves its present target", default=0.05, options={'SKIP_SAVE'})
     trigger_end: bpy.props.FloatProperty(
         name="To", description="Value of the trigger at which the chain is at the other target", default=0.1,
         options={'SKIP_SAVE'})

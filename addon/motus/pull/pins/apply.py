@@ -25,9 +25,9 @@ class MOTUS_OT_pin_apply(PinOperator, bpy.types.Operator):
     bl_description = "Make what the pins do a part of the mesh, and remove them"
 
     object: mesh_keyword()
-    to: bpy.props.EnumProperty(name="To", description="What becomes of the pins", items=TARGETS, default='MESH')
+    to: bpy.props.EnumProperty(name="To", description="Form that the pins are applied in", items=TARGETS, default='MESH')
     index: bpy.props.IntProperty(
-        name="Index", description="Which pin; -1 means all of them", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the pin; -1 means all of them", default=-1, min=-1, options={'SKIP_SAVE'})
     redo = (Rows(("to",)),)
 
     def change(self, context, obj):

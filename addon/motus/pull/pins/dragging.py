@@ -96,7 +96,7 @@ class MOTUS_OT_pin_drag(PointDrag, PinOperator, bpy.types.Operator):
     object: mesh_keyword()
     index: index_keyword()
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Where the root goes, in the world", size=3, subtype='XYZ', unit='LENGTH',
+        name="Location", description="Place in the world that the root is dragged to", size=3, subtype='XYZ', unit='LENGTH',
         options={'SKIP_SAVE'})
     redo = (Rows((Row("location", when=is_given("location")),)),)
 

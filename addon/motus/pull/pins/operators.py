@@ -32,7 +32,7 @@ def mesh_keyword():
 def index_keyword():
     """The property that says which pin."""
     return bpy.props.IntProperty(
-        name="Index", description="Which pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the pin; -1 is the active one", default=-1, min=-1, options={'SKIP_SAVE'})
 
 
 class PinOperator(Operator):
@@ -61,21 +61,20 @@ class PinKeywords:
 class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
     bl_idname = "motus.pin_add"
     bl_label = "Add Pull Pin"
-    bl_description = "Keep a pull in the object's list, where it can be keyed, muted and removed again"
+    bl_description = "Add a pin: a pull in the object's list, which can be keyed, muted and removed"
 
     object: mesh_keyword()
     vertex: bpy.props.IntProperty(
         name="Vertex", description="Index of the root; -1 takes the vertex that is nearest to the location", default=-1,
         min=-1, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Where it is pulled, in the world or in the object as the unit says; "
-                                     "without vertex and location it is the 3D cursor",
+        name="Location", description="Place that is pulled, in the world or in the object as Unit says; without vertex and location the 3D cursor's",
         size=3, subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     displacement: bpy.props.FloatVectorProperty(
         name="Displacement", description="How far the root goes, instead of the brush's direction and strength", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
     strength: bpy.props.FloatProperty(
-        name="Strength", description="How much of its way the pin pulls; negative pushes", default=1.0, soft_min=-2.0,
+        name="Strength", description="Share of the pin's displacement that the root moves; negative pushes", default=1.0, soft_min=-2.0,
         soft_max=2.0, options={'SKIP_SAVE'})
     curve: bpy.props.FloatVectorProperty(
         name="Curve", description="Forces of the falloff Curve at equal steps from the radius to the root; "
@@ -129,7 +128,7 @@ class MOTUS_OT_pin_move(PinOperator, bpy.types.Operator):
 
     object: mesh_keyword()
     index: index_keyword()
-    direction: bpy.props.EnumProperty(name="Direction", description="Which way", items=DIRECTIONS, default='UP')
+    direction: bpy.props.EnumProperty(name="Direction", description="Direction in which the item moves in the list", items=DIRECTIONS, default='UP')
     place: bpy.props.IntProperty(
         name="Place", description="New index of the pin, instead of a direction", default=-1, min=-1, options={'SKIP_SAVE'})
     redo = (Rows((Row("direction", when=lambda operator: operator.place < 0),)),)
@@ -149,7 +148,7 @@ class MOTUS_OT_pin_mirror(PinOperator, bpy.types.Operator):
 
     object: mesh_keyword()
     index: index_keyword()
-    axis: bpy.props.EnumProperty(name="Axis", description="Across which of the object's axes", items=AXES, default='X')
+    axis: bpy.props.EnumProperty(name="Axis", description="Axis of the object across which the pin is mirrored", items=AXES, default='X')
     redo = (Rows(("axis",)),)
 
     def change(self, context, obj):
@@ -170,7 +169,7 @@ class MOTUS_OT_pin_rebind(PinOperator, bpy.types.Operator):
         name="Vertex", description="Index of the new root; -1 takes the vertex that is nearest to the location",
         default=-1, min=-1, options={'SKIP_SAVE'})
     location: bpy.props.FloatVectorProperty(
-        name="Location", description="Where the new root is in the object; without it, where the old one was", size=3,
+        name="Location", description="Position of the new root, in the object; that of the old root if it is not given", size=3,
         subtype='XYZ', unit='LENGTH', options={'SKIP_SAVE'})
 
     def change(self, context, obj):

@@ -35,10 +35,10 @@ def _choice(name, description, items, default, options=frozenset()):
 class MOTUS_PG_pin(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Name", description="Name of the pin", options=set(), override=OVERRIDABLE)
     strength: _number(
-        "Strength", "How much of its way the pin pulls; negative pushes", 1.0, animated=True, soft_min=-2.0, soft_max=2.0)
+        "Strength", "Share of the pin's displacement that the root moves; negative pushes", 1.0, animated=True, soft_min=-2.0, soft_max=2.0)
     is_muted: _flag("Mute", "Switch the pin off", animated=True)
     radius: _number(
-        "Radius", "How far from the root it reaches; for edges, how many of them", 1.0, min=1e-6, soft_min=0.01,
+        "Radius", "Distance from the root that the pull reaches; a number of edges if the distance counts edges", 1.0, min=1e-6, soft_min=0.01,
         soft_max=100.0)
     falloff: _choice("Falloff", "How the force fades from the root to the radius", FALLOFFS, 'SMOOTH')
     scale_factor: _number("Scale Factor", "Steepness of the classic falloff", 0.0, soft_min=-10.0, soft_max=10.0)
@@ -53,7 +53,7 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     maximum: _number("Maximum", "Largest height of what moves, in the object", 1.0)
     clamp_axis: _choice("Height Axis", "Axis along which the height is measured", AXES, 'Z')
     vertex_group: bpy.props.StringProperty(
-        name="Vertex Group", description="Its weights tell how far each vertex follows; empty moves all", options=set(),
+        name="Vertex Group", description="Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike", options=set(),
         update=touch, override=OVERRIDABLE)
     shape: bpy.props.StringProperty(
         name="Shape", description="Name of the mesh's attribute that says how far each vertex goes, where the pin was made of "
@@ -62,7 +62,7 @@ class MOTUS_PG_pin(bpy.types.PropertyGroup):
     metric: _vector(
         "Metric", "Matrix, row by row, that takes the object's vectors to those that are measured", 9,
         default=UNIT_METRIC)
-    place: _vector("Place", "Where the root stands in the mesh", 3, subtype='XYZ')
+    place: _vector("Place", "Position of the root in the mesh", 3, subtype='XYZ')
     anchor: bpy.props.IntProperty(
         name="Anchor", description="Number by which the mesh marks the root; 0 where it has no mark", options=set(),
         override=OVERRIDABLE)

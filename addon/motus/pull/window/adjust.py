@@ -9,7 +9,7 @@ from . import hover
 from .adjusting import MOVES, notched
 from .pulling import Pulling
 
-NUMBERS = (('RADIUS', "Radius", "How far it reaches"), ('STRENGTH', "Strength", "How far one dab moves the root"))
+NUMBERS = (('RADIUS', "Radius", "Distance from the root that the brush reaches"), ('STRENGTH', "Strength", "How far one dab moves the root"))
 
 
 class MOTUS_OT_pull_adjust(bpy.types.Operator):
@@ -19,7 +19,7 @@ class MOTUS_OT_pull_adjust(bpy.types.Operator):
     bl_options = {'INTERNAL'}
 
     number: bpy.props.EnumProperty(
-        name="Number", description="What is changed", items=NUMBERS, default='RADIUS', options={'SKIP_SAVE'})
+        name="Number", description="Number that is changed", items=NUMBERS, default='RADIUS', options={'SKIP_SAVE'})
     steps: bpy.props.IntProperty(
         name="Steps", description="Steps up or down; 0 lets the mouse decide", default=0,
         options={'SKIP_SAVE'})

@@ -176,8 +176,8 @@ class _OnCover(OfAnObject):
 class _InList(_OnCover):
     """Operators on one of a cover's lists."""
 
-    what: bpy.props.EnumProperty(name="List", description="Which list", items=(
-        ('SURFACES', "Surfaces", "What snow lies on"), ('EMITTERS', "Snow", "What snow falls from")), options={'SKIP_SAVE'})
+    what: bpy.props.EnumProperty(name="List", description="List that the objects are added to or removed from", items=(
+        ('SURFACES', "Surfaces", "Surfaces that snow lies on"), ('EMITTERS', "Snow", "Emitters that snow falls from")), options={'SKIP_SAVE'})
     for_scripts = ("what",)
 
     def entries(self, cover):
@@ -219,7 +219,7 @@ class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
     bl_description = "Take an object off the list"
 
     index: bpy.props.IntProperty(
-        name="Index", description="Of the object in the list; -1 for the last one", default=-1, min=-1, options={'SKIP_SAVE'})
+        name="Index", description="Index of the object in the list; -1 for the last one", default=-1, min=-1, options={'SKIP_SAVE'})
 
     def run(self, context):
         cover = self.found(context, self.object)
@@ -237,8 +237,8 @@ class MOTUS_OT_snow_cover_entry_remove(_InList, bpy.types.Operator):
 
 class MOTUS_OT_snow_cover_work_out(Job, bpy.types.Operator):
     bl_idname = "motus.snow_cover_work_out"
-    bl_label = "Work Out"
-    bl_description = "Find where all flakes land, which takes some time for so many; then any frame is there at once"
+    bl_label = "Calculate Snow"
+    bl_description = "Calculate where all flakes land, which takes some time for so many; then every frame is shown at once"
 
     object: object_keyword(_COVER)
 
@@ -246,7 +246,7 @@ class MOTUS_OT_snow_cover_work_out(Job, bpy.types.Operator):
         self._cover = cover_for(context, self.object).name
         self._plan = work.asked(self._cover)
         if self._plan is None:
-            raise Refused(tr("There is nothing to work out"))
+            raise Refused(tr("There is nothing to calculate"))
         return work.part_count(self._plan), work.steps(self._cover, self._plan)
 
     def result(self, context):
@@ -259,7 +259,7 @@ class MOTUS_OT_snow_cover_work_out(Job, bpy.types.Operator):
 class MOTUS_OT_snow_cover_refresh(_OnCover, bpy.types.Operator):
     bl_idname = "motus.snow_cover_refresh"
     bl_label = "Refresh"
-    bl_description = "Wire the snow cover again"
+    bl_description = "Rebuild the snow cover after surfaces or emitters changed"
 
     def run(self, context):
         build.wire(self.found(context, self.object))

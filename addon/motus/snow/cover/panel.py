@@ -80,7 +80,7 @@ PANEL = panels.SystemPanel(
     parts=(
         panels.Part("surfaces", "Surfaces", draw_surfaces, is_open=True),
         panels.Part("emitters", "Snow", draw_emitters, is_open=True),
-        panels.Part("layer", "Layer", draw_layer),
+        panels.Part("layer", "Snow Layer", draw_layer),
     ),
     readouts=draw_readouts, actions=draw_actions, refresh="motus.snow_cover_refresh", presets=PRESETS, draw_add=draw_add)
 

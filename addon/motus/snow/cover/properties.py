@@ -22,10 +22,10 @@ class SnowCoverKeywords:
     """What both the settings and the operator have: the names are the keywords of scripts."""
 
     lump: _number(
-        "Lump", "Edge of a cube of lying snow that each flake which lands stands for: snow grows faster with larger ones", 0.1,
+        "Snow per Flake", "Edge of the cube of snow that each flake that lands adds: with larger ones snow grows faster", 0.1,
         min=1e-5, max=1e3, soft_min=0.005, soft_max=0.5, subtype='DISTANCE')
     resolution: _number(
-        "Resolution", "Edges of the layer are no longer than that, however large the faces are that it lies on", 0.1, min=1e-4,
+        "Resolution", "Largest length of the edges of the layer, however large the faces are that it lies on", 0.1, min=1e-4,
         max=1e6, soft_min=0.02, soft_max=1.0, subtype='DISTANCE')
     repose: _number(
         "Slope", "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down",
@@ -37,7 +37,7 @@ class SnowCoverKeywords:
         "Thinnest", "Snow that is thinner is hidden, so that the surface shows between the first flakes", 0.004, min=0.0, max=1e3,
         soft_max=0.05, subtype='DISTANCE')
     influence: _number(
-        "Influence", "How much of the snow's depth there is: snow melts as it goes to 0", 1.0, ANIMATED, min=0.0, max=1.0,
+        "Influence", "Share of the snow's depth that is shown: snow melts as it goes to 0", 1.0, ANIMATED, min=0.0, max=1.0,
         subtype='FACTOR')
 
 
@@ -59,7 +59,7 @@ class MOTUS_PG_snow_cover(SystemSettings, SnowCoverKeywords, bpy.types.PropertyG
         override=OVERRIDABLE)
     emitters: bpy.props.CollectionProperty(type=MOTUS_PG_snow_cover_entry, name="Snow", override=EXTENDABLE)
     material: bpy.props.PointerProperty(
-        type=bpy.types.Material, name="Material", description="Of the snow that lies", update=_dress, override=OVERRIDABLE)
+        type=bpy.types.Material, name="Material", description="Material of the lying snow", update=_dress, override=OVERRIDABLE)
     reads: bpy.props.StringProperty(
-        name="Reads", description="What the solver waits for, to notice where it has changed since", options=set(),
+        name="Reads", description="Objects that the solver waits for, to notice changes", options=set(),
         override=OVERRIDABLE)

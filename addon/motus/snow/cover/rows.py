@@ -3,5 +3,5 @@
 from ...core.rows import Rows
 
 SNOW = Rows(("lump", "repose", "smoothing", "influence"), title="Snow")
-LAYER = Rows(("resolution", "thinnest"), title="Layer")
+LAYER = Rows(("resolution", "thinnest"), title="Snow Layer")
 ALL = (SNOW, LAYER)

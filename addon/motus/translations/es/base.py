@@ -1,6 +1,21 @@
 """Spanish: what all systems share, Follow Path and the demos."""
 
 INTERFACE = {
+    "Give the settings of the active bone to all selected bones that have the same system, in Object Mode to all selected objects":
+        "Dar los ajustes del hueso activo a todos los huesos seleccionados que tienen el mismo sistema; en modo Objeto, a todos los objetos seleccionados",
+    "Name of the object; empty takes the active one, and the selected bones or objects":
+        "Nombre del objeto; vacío toma el activo, y los huesos u objetos seleccionados",
+    "Name of the system whose settings are copied, such as dynamics": "Nombre del sistema cuyos ajustes se copian, como dynamics",
+    "Name of the bone whose settings are copied; empty takes the active one": "Nombre del hueso cuyos ajustes se copian; vacío toma el activo",
+    "Names of the bones that are given the settings, with commas between; empty takes the selected ones":
+        "Nombres de los huesos que reciben los ajustes, separados por comas; vacío toma los seleccionados",
+    "Select what shall be given these settings too": "Selecciona lo que ha de recibir también estos ajustes",
+    "Nothing else that is selected has {system}": "Nada más de lo seleccionado tiene {system}",
+    "Nothing here has {system}": "Nada aquí tiene {system}",
+    "Settings copied to 1 other": "Ajustes copiados a 1 más",
+    "Settings copied to {count} others": "Ajustes copiados a {count} más",
+    "Chosen Entry": "Entrada elegida",
+    "Demo Scene": "Escena de demostración",
     "X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels":
         "X, Y o Z fija un eje, Mayús da precisión, un número da la longitud; Esc o el botón derecho cancela",
     "Aircraft": "Avión",
@@ -18,7 +33,7 @@ INTERFACE = {
     "Bead on a String": "Cuenta en un hilo",
     "Turned as little as possible along the way": "Gira lo menos posible por el camino",
     "Preset": "Preajuste",
-    "Which one": "Cuál",
+    "Preset that gives the settings their values": "Preajuste que da sus valores a los ajustes",
     "Give the settings the values of a preset that comes with Motus":
         "Dar a los ajustes los valores de un preajuste que trae Motus",
     "There are no settings here for this preset": "Aquí no hay ajustes para este preajuste",
@@ -36,14 +51,14 @@ INTERFACE = {
     "Leader": "Guía",
     "Object whose settings drive this one": "Objeto cuyos ajustes mueven este",
     "Copy the message to the clipboard": "Copiar el mensaje al portapapeles",
-    "Select an object": "Selecciona un objeto",
+    "Nothing is selected": "No hay nada seleccionado",
     "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale":
         "Reflejado por una escala negativa, que las restricciones de rotación no conservan: aplica la escala",
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
-    "What this file holds for the solver is damaged: press Refresh, or set it up again":
-        "Lo que este archivo guarda para el solucionador está dañado: pulsa Actualizar, o configúralo de nuevo",
-    "More points than there is room for: only the first ones are there":
-        "Hay más puntos que sitio para ellos: solo están los primeros",
+    "The data of this system in the file is damaged: press Refresh, or set it up again":
+        "Los datos de este sistema en el archivo están dañados: pulsa Actualizar, o configúralo de nuevo",
+    "There are more points than there is room for: only the first ones are shown":
+        "Hay más puntos que sitio para ellos: solo se ven los primeros",
     "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh":
         "Creado por una versión más nueva de Motus, cuyos datos esta no puede leer: actualiza Motus, o pulsa Actualizar",
     "Not evaluated: the add-on's driver functions are not available in this file yet":
@@ -86,7 +101,7 @@ INTERFACE = {
     "Show": "Mostrar",
     "Show what the systems compute in the viewport": "Mostrar en la vista lo que calculan los sistemas",
     "Curve": "Curva",
-    "Draw the curve that is really followed": "Dibujar la curva que se sigue de verdad",
+    "Draw the curve that is followed": "Dibujar la curva que se sigue",
     "Control Points": "Puntos de control",
     "Draw the control polygon": "Dibujar el polígono de control",
     "Tangents": "Tangentes",
@@ -118,7 +133,7 @@ INTERFACE = {
     "End": "Fin",
     "Last frame; the scene's where it is not given": "Último fotograma; el de la escena si no se indica",
     "Step": "Paso",
-    "Which frames": "Qué fotogramas",
+    "Frames that are gone through": "Fotogramas que se recorren",
     "Start to End": "De inicio a fin",
     "The frames that are given, or else the scene's": "Los fotogramas que se indiquen o, si no, los de la escena",
     "Preview Range": "Rango de previsualización",
@@ -150,9 +165,12 @@ INTERFACE = {
     "The object's slot in its own action": "La ranura del objeto en su propia acción",
     "Kept": "Conservado",
     "Values and switches as they were before baking": "Valores e interruptores tal como estaban antes de capturar",
-    "Baked {frames} frames of {objects} objects: {first}-{last}":
-        "Capturados {frames} fotogramas de {objects} objetos: {first}-{last}",
-    "Unbaked {objects} objects": "Deshecha la captura de {objects} objetos",
+    "Baked {objects}, {frames}: {first}-{last}": "Captura de {objects}, {frames}: {first}-{last}",
+    "1 object": "1 objeto",
+    "{count} objects": "{count} objetos",
+    "1 frame": "1 fotograma",
+    "{count} frames": "{count} fotogramas",
+    "Unbaked {objects}": "Deshecha la captura de {objects}",
     "Not all that these were before baking is in the file any more: {objects}":
         "El archivo ya no contiene todo lo que estos eran antes de la captura: {objects}",
     "Step {done} of {all} (Esc cancels)": "Paso {done} de {all} (Esc cancela)",
@@ -169,7 +187,7 @@ INTERFACE = {
     "{object} is in the tweak mode of the NLA editor: leave it first":
         "{object} está en el modo de ajuste del editor de ANL: sal antes de él",
     "{object} is not baked": "{object} no está capturado",
-    "{object} is not driven by Motus: add a system to it first": "Motus no mueve {object}: añádele antes un sistema",
+    "{object} is not driven by Motus: add a system to it first": "Motus no mueve {object}: agrégale antes un sistema",
     "{object} is not evaluated: show it in the viewport first": "{object} no se evalúa: muéstralo antes en la vista",
     "{object} is in Rest Position: switch to Pose Position first":
         "{object} está en posición de reposo: cambia antes a la posición de pose",
@@ -189,9 +207,9 @@ INTERFACE = {
     "The whole path takes a given time": "La trayectoria entera dura un tiempo dado",
     "Time for the whole path": "Tiempo para la trayectoria entera",
     "Distance per second; negative goes backwards": "Distancia por segundo; negativa va hacia atrás",
-    "Metres per second, which may be keyed": "Metros por segundo, que admiten fotogramas clave",
+    "The object goes at a speed, which may be keyed": "El objeto va a una velocidad, que admite claves",
     "Pins": "Anclas",
-    "Be at given places at given frames": "Estar en lugares dados en fotogramas dados",
+    "Pins say where the object is at given frames": "Las anclas dicen dónde está el objeto en fotogramas dados",
     "Manual": "Manual",
     "The distance is keyed or driven as a fraction of the path":
         "La distancia se anima o se controla como fracción de la trayectoria",
@@ -206,8 +224,8 @@ INTERFACE = {
     "Ease Out": "Salida suave",
     "Fraction of the time that is used to lose speed": "Fracción del tiempo que se emplea en perder velocidad",
     "Ends": "Extremos",
-    "What happens beyond the ends of the path; unless it is chosen, what is closed loops and a train lines up":
-        "Qué ocurre más allá de los extremos de la trayectoria; si no se elige, en las cerradas bucle y los trenes en fila",
+    "What happens beyond the ends of the path; if it is not given, a closed path loops and a train lines up":
+        "Qué ocurre más allá de los extremos de la trayectoria; si no se indica, una trayectoria cerrada es un bucle y un tren se pone en fila",
     "Line Up": "En fila",
     "The first stops at the ends; the others stand in line behind it, before the start if need be":
         "El primero para en los extremos; los demás están en fila detrás de él, antes del inicio si hace falta",
@@ -263,22 +281,22 @@ INTERFACE = {
         "1 es el viraje que haría un avión; negativa inclina hacia fuera",
     "Limit": "Límite",
     "Largest roll; 180 degrees is no limit": "Alabeo máximo; 180 grados equivale a no limitar",
-    "Smooth": "Suavizar",
+    "Smoothing": "Suavizado",
     "Length of path over which the bend is averaged": "Longitud de trayectoria sobre la que se promedia la curvatura",
     "Gravity": "Gravedad",
     "Acceleration that the bank is measured against": "Aceleración con la que se mide el peralte",
     "Outward": "Hacia fuera",
     "Up points away from the centre of the bend": "Arriba apunta en dirección contraria al centro de la curva",
     "Lag": "Retraso",
-    "Rate, per second and unit of bend, at which the orientation trails behind; 0 is exact":
+    "Rate, per second and unit of curvature, at which the orientation trails behind; 0 is exact":
         "Ritmo, por segundo y unidad de curvatura, con el que la orientación va detrás; 0 es exacto",
     "Lag By": "Retraso según",
     "What the rate of the lag is proportional to": "A qué es proporcional el ritmo del retraso",
-    "The rate follows the curvature, which does not depend on how the curve is made":
-        "El ritmo sigue la curvatura, que no depende de cómo está hecha la curva",
+    "Turns lag by the curvature, which depends on the shape of the curve alone":
+        "Los giros se retrasan según la curvatura, que depende solo de la forma de la curva",
     "Acceleration": "Aceleración",
-    "The rate follows the length of the curve's second derivative by its parameter":
-        "El ritmo sigue la magnitud de la segunda derivada de la curva respecto a su parámetro",
+    "Turns lag more on large curves and long handles; Curvature depends on the shape alone":
+        "Los giros se retrasan más en curvas grandes y con asas largas; Curvatura depende solo de la forma",
 
     # Follow Path: pins and trains
     "Pins By": "Anclas por",
@@ -288,13 +306,13 @@ INTERFACE = {
     "Pins give a distance from the start of the path": "Las anclas indican una distancia desde el inicio de la trayectoria",
     "Pins give a fraction of the path's length": "Las anclas indican una fracción de la longitud de la trayectoria",
     "Frame": "Fotograma",
-    "When to be there": "Cuándo estar allí",
+    "Frame at which the object is at the pin's place": "Fotograma en el que el objeto está en el lugar del ancla",
     "Active Pin": "Ancla activa",
     "Add a pin: a frame and the place to be at": "Agregar un ancla: un fotograma y el lugar donde estar",
     "Be at a place of the path at a frame; without one, here and now":
         "Estar en un lugar de la trayectoria en un fotograma; sin indicarlos, aquí y ahora",
     "Remove a pin of the path": "Quitar un ancla de la trayectoria",
-    "Which pin; -1 is the active one": "Qué ancla; -1 es la activa",
+    "Index of the pin; -1 is the active one": "Índice del ancla; -1 es la activa",
     "There is no such pin": "No existe esa ancla",
     "Two pins are on the same frame: the later one in the list counts":
         "Hay dos anclas en el mismo fotograma: cuenta la que está más abajo en la lista",
@@ -316,7 +334,7 @@ INTERFACE = {
     "Name of the leader; empty takes the active one": "Nombre del guía; vacío toma el activo",
     "Name of the wagon; empty takes the other selected objects":
         "Nombre del vagón; vacío toma los demás objetos seleccionados",
-    "Which wagon; -1 is the active one": "Qué vagón; -1 es el activo",
+    "Index of the wagon; -1 is the active one": "Índice del vagón; -1 es el activo",
     "There is no such wagon": "No existe ese vagón",
     "Select the objects to couple, and the leader last": "Selecciona los objetos que se enganchan y, al final, el guía",
     "A train needs two objects at least": "Un tren necesita al menos dos objetos",
@@ -329,9 +347,9 @@ INTERFACE = {
     "Let the selected objects follow a curve": "Hacer que los objetos seleccionados sigan una curva",
     "Let the selected objects follow a curve one behind the other, the active one first":
         "Hacer que los objetos seleccionados sigan una curva uno tras otro, el activo primero",
-    "Let the objects stand at their own transforms again": "Devolver los objetos a sus propias transformaciones",
-    "Wire the object again, after its curve was given other data":
-        "Volver a conectar el objeto después de dar otros datos a su curva",
+    "Remove Follow Path, so that the objects stand at their own transforms again":
+        "Quitar Seguir trayectoria, de modo que los objetos vuelven a sus propias transformaciones",
+    "Rebuild after the curve was given different data": "Reconstruir después de dar otros datos a la curva",
     "Add a curve whose points, or placed objects, are the control points of one Bézier curve":
         "Agregar una curva cuyos puntos, u objetos colocados, son los puntos de control de una sola curva Bézier",
     "Degree": "Grado",
@@ -351,21 +369,21 @@ INTERFACE = {
         "mueve la curva",
     "Look at the path from the top, the front and the side at once, without perspective; once more to go back":
         "Mira la trayectoria desde arriba, de frente y de lado a la vez, sin perspectiva; otra vez para volver",
-    "From the top, the front and the right, and the viewport's own view":
-        "Desde arriba, de frente y desde la derecha, y la vista propia de la ventana",
+    "Views from the top, the front and the right, beside the viewport's own":
+        "Vistas desde arriba, de frente y desde la derecha, junto a la propia de la ventana",
     "Blender runs without a window: choose a single view": "Blender se ejecuta sin ventana: elige una sola vista",
     "Edit Views of {curve}": "Vistas de edición de {curve}",
     "View": "Vista",
     "Which view to show": "Qué vista se muestra",
     "The system to show": "El sistema que se muestra",
     "Next": "Siguiente",
-    "From the top or from the side, whichever is not shown": "Desde arriba o de lado, la que no se muestra",
+    "View from the top or from the side, whichever is not shown": "Vista desde arriba o de lado, la que no se muestra",
     "Top": "Arriba",
-    "From above": "Desde arriba",
+    "View from above": "Vista desde arriba",
     "Side": "Lado",
-    "From the side": "De lado",
+    "View from the side": "Vista de lado",
     "Leave": "Salir",
-    "Back to what the viewport showed before": "Volver a lo que la ventana mostraba antes",
+    "Go back to what the viewport showed before": "Volver a lo que la ventana mostraba antes",
     "Index": "Índice",
     "Follow Path Presets": "Preajustes de seguir trayectoria",
     "Keep these settings as a preset, or remove it": "Guardar estos ajustes como preajuste, o quitarlo",
@@ -398,7 +416,7 @@ INTERFACE = {
     "A spline needs two points at least": "Un spline necesita al menos dos puntos",
     "NURBS splines with different weights cannot be followed: make the weights equal":
         "No se pueden seguir splines NURBS con pesos distintos: iguala los pesos",
-    "The forward axis and the up axis must be across each other":
+    "The forward axis and the up axis must be perpendicular to each other":
         "El eje de avance y el eje vertical han de ser perpendiculares",
     "The speed is driven, so its past is not known: its present value counts for the whole way":
         "La velocidad viene de un controlador, así que su pasado no se conoce: su valor actual cuenta para todo el recorrido",
@@ -425,6 +443,8 @@ OWN_SENSE = {
 }
 
 OPERATORS = {
+    "To All Selected": "A selección",
+    "Add": "Agregar",
     "Use Follow Path Preset": "Usar preajuste de seguir trayectoria",
     "Add Follow Path Preset": "Agregar preajuste de seguir trayectoria",
     "Add Pin": "Agregar ancla",

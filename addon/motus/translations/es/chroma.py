@@ -31,7 +31,7 @@ INTERFACE = {
     "Frame Rate Base Before": "Base de fotogramas por segundo anterior",
     "Frame Rate Before": "Fotogramas por segundo anteriores",
     "Frames Before": "Fotogramas anteriores",
-    "From the camera to the plane": "De la cámara al plano",
+    "Distance from the camera to the plane": "Distancia de la cámara al plano",
     "Garbage Mask": "Máscara de descarte",
     "Give the scene the footage's size, frames and frame rate, and colours that leave the footage as it is":
         "Da a la escena el tamaño, los fotogramas y la cadencia de la filmación, y colores que la dejan como es",
@@ -115,12 +115,12 @@ INTERFACE = {
     "View": "Vista",
     "View Transform Before": "Transformación de vista anterior",
     "Viewport Plane": "Plano en la vista",
-    "What is laid underneath, named in the same way; empty for the render":
-        "Lo que se pone debajo, nombrado del mismo modo; vacío, el procesamiento",
-    "What shows where the screen was": "Lo que se ve donde estaba la pantalla",
-    "What the compositor has shown before: the render, with all that its nodes do":
-        "Lo que el compositor mostraba antes: el procesamiento, con todo lo que hacen sus nodos",
-    "What the compositor shows": "Lo que muestra el compositor",
+    "Name of the clip or image, or path of the file, that is laid underneath; empty for the render":
+        "Nombre del clip o la imagen, o ruta del archivo, que se pone debajo; vacío, el procesamiento",
+    "Picture that shows where the screen was": "Imagen que se ve donde estaba la pantalla",
+    "The picture that the compositor showed before the key: the render, with all that its nodes do":
+        "La imagen que el compositor mostraba antes del croma: el procesamiento, con todo lo que hacen sus nodos",
+    "Picture that the compositor shows": "Imagen que muestra el compositor",
     "What the scene had before the key": "Lo que la escena tenía antes del croma",
     "Which of the two other channels the screen's channel is compared with: 0 the larger, 1 the smaller":
         "Con cuál de los otros dos canales se compara el de la pantalla: 0 con el mayor, 1 con el menor",

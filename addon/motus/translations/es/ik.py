@@ -30,8 +30,8 @@ INTERFACE = {
     "Exact": "Exacta",
     "Reaches as far as its bones are long": "Alcanza tanto como miden sus huesos",
     "Cartoon": "Dibujos animados",
-    "Lengthens to whatever it reaches for": "Se alarga hasta lo que quiere alcanzar",
-    "Lengthens by half of what is missing": "Se alarga la mitad de lo que falta",
+    "Lengthens until it reaches the target": "Se alarga hasta llegar al objetivo",
+    "Lengthens by half of the missing distance": "Se alarga la mitad de la distancia que falta",
     "Jointed": "Articulada",
     "Keeps the limits that the bones have": "Respeta los límites que tienen los huesos",
     "0 is the target, 1 the first of the further targets, and between them the way from one to the other":
@@ -59,8 +59,8 @@ INTERFACE = {
     "Chosen Chain": "Cadena elegida",
     "Delete the targets and poles too that were made along with the chains":
         "Borrar también los objetivos y polos que se crearon con las cadenas",
-    "Direction about the first bone's length, from its X axis, about which the chain bends where the animated pose is straight":
-        "Dirección alrededor del primer hueso, desde su eje X, en torno a la cual se dobla la cadena si la pose animada es recta",
+    "Angle about the first bone, from its X axis, of the axis that a chain bends about if its animated pose is straight":
+        "Ángulo alrededor del primer hueso, desde su eje X, del eje en torno al que se dobla una cadena si su pose animada es recta",
     "Distance from the target that counts as reached, as a fraction of the chain's length":
         "Distancia al objetivo que cuenta como alcanzado, como fracción de la longitud de la cadena",
     "Draw how far a chain reaches, and how near": "Dibujar hasta dónde llega una cadena, de lejos y de cerca",
@@ -68,24 +68,26 @@ INTERFACE = {
     "Draw what is left between the end of a chain and its target":
         "Dibujar lo que falta entre el final de una cadena y su objetivo",
     "Elastic": "Elástica",
-    "From the animated pose (0) to the one that reaches the target (1)":
-        "De la pose animada (0) a la que alcanza el objetivo (1)",
+    "Blend from the animated pose (0) to the one that reaches the target (1)":
+        "Mezcla de la pose animada (0) a la que alcanza el objetivo (1)",
     "Further Targets": "Otros objetivos",
     "Give the chain a further target, which Blend passes to": "Dar a la cadena otro objetivo, al que pasa la mezcla",
     "Go to Object Mode or Pose Mode first": "Ve antes al modo Objeto o al modo Pose",
     "How far the last bone takes the target's orientation; the rest of the chain still reaches":
         "Cuánto toma el último hueso la orientación del objetivo; el resto de la cadena sigue alcanzándolo",
-    "How much all chains of the rig act; 0 leaves it to its animation":
-        "Cuánto actúan todas las cadenas del esqueleto; 0 lo deja a su animación",
-    "How much of what is missing the bones lengthen by": "Qué parte de lo que falta se alargan los huesos",
+    "How much all chains of the rig act; 0 leaves the rig to its animation":
+        "Cuánto actúan todas las cadenas del rig; 0 deja el rig a su animación",
+    "Share of the missing distance by which the bones lengthen":
+        "Parte de la distancia que falta en la que se alargan los huesos",
     "Inverse Kinematics": "Cinemática inversa",
     "Inverse Kinematics Presets": "Preajustes de cinemática inversa",
     "Iterations": "Iteraciones",
     "Keep Rotation": "Mantener rotación",
     "Keep the limits that the bones have for inverse kinematics":
         "Respetar los límites que tienen los huesos para la cinemática inversa",
-    "Leave chains to their own animation again": "Dejar las cadenas de nuevo a su propia animación",
-    "Leave this chain to its animation": "Dejar esta cadena a su animación",
+    "Remove Inverse Kinematics, so that the chains have their own animation again":
+        "Quitar Cinemática inversa, de modo que las cadenas vuelven a su propia animación",
+    "Switch the chain off: it keeps its own animation": "Desactivar la cadena: conserva su propia animación",
     "Let a chain of bones reach for a target": "Hacer que una cadena de huesos alcance un objetivo",
     "Length": "Longitud",
     "Limits": "Límites",
@@ -122,8 +124,8 @@ INTERFACE = {
     "Select an armature, and the last bone of the chain in Pose Mode":
         "Selecciona un esqueleto y, en el modo Pose, el último hueso de la cadena",
     "Select the last bone of the chain in Pose Mode": "Selecciona en el modo Pose el último hueso de la cadena",
-    "Set the rotation offset so that the target's orientation means that of the bone as it stands now":
-        "Ajustar el desfase de rotación para que la orientación del objetivo sea la que el hueso tiene ahora",
+    "Set the rotation offset so that the bone keeps its present rotation":
+        "Ajustar el desfase de rotación para que el hueso mantenga su rotación actual",
     "Share of the chain's length over which it slows down before it is straight":
         "Parte de la longitud de la cadena en la que frena antes de quedar recta",
     "Softness": "Suavidad",
@@ -155,21 +157,21 @@ INTERFACE = {
     "Towards": "A favor",
     "Turns the chain about the line from its root to the target":
         "Gira la cadena en torno a la línea de su raíz al objetivo",
-    "Turns the orientation that is taken, in the target's own space":
-        "Gira la orientación que se toma, en el espacio propio del objetivo",
+    "Turns the last bone away from the target's orientation, in the target's own space":
+        "Gira el último hueso respecto a la orientación del objetivo, en el espacio de este",
     "Use Limits": "Usar límites",
     "Use Tail": "Usar cola",
     "Weights": "Pesos",
-    "What the end of the chain goes to": "Adónde va el final de la cadena",
-    "What the middle of the chain bends towards; without one it keeps the animated pose's plane":
-        "Hacia dónde se dobla el medio de la cadena; sin él mantiene el plano de la pose animada",
-    "When the search of a chain of more than two bones gives up":
-        "Cuándo se rinde la búsqueda en una cadena de más de dos huesos",
-    "Which of the further targets; -1 is the active one": "Cuál de los otros objetivos; -1 es el activo",
+    "Object that the end of the chain goes to": "Objeto al que va el final de la cadena",
+    "Object that the middle of the chain bends towards; without a pole the chain bends in the plane of the animated pose":
+        "Objeto hacia el que se dobla el medio de la cadena; sin polo se dobla en el plano de la pose animada",
+    "Number of iterations after which the search for a chain of more than two bones stops":
+        "Número de iteraciones tras las que se detiene la búsqueda en una cadena de más de dos huesos",
+    "Index of the further target; -1 is the active one": "Índice del otro objetivo; -1 es el activo",
     "Which side of the line from root to target the chain bends to":
         "Hacia qué lado de la línea de la raíz al objetivo se dobla la cadena",
-    "Wire the rig again, after its bones or what moves the targets were changed":
-        "Volver a conectar el esqueleto tras cambiar sus huesos o lo que mueve los objetivos",
+    "Rebuild after bones or the parents of targets changed":
+        "Reconstruir después de cambiar huesos o los padres de los objetivos",
     "{bone} has a constraint of its own that overrides its rotation: {constraint}":
         "{bone} tiene una restricción propia que impone su rotación: {constraint}",
     "{bone} has joint limits of its own: they count only with Use Tail":
@@ -177,14 +179,15 @@ INTERFACE = {
     "{bone} has no parent whose tail could reach: switch Use Tail on":
         "{bone} no tiene un padre cuya cola pueda alcanzar: activa Usar cola",
     "{bone} has another chain in this list: choose another bone":
-        "{bone} tiene ya otra cadena en esta lista: elija otro hueso",
+        "{bone} tiene ya otra cadena en esta lista: elige otro hueso",
     "Further target {number} is missing: the one before it counts instead":
         "Falta el otro objetivo {number}: en su lugar cuenta el anterior",
     "{bone} has no target: choose one": "{bone} no tiene objetivo: elige uno",
     "{bone} is driven by {system} of {other} already: shorten the chain":
         "{bone} ya lo mueve {system} de {other}: acorta la cadena",
     "{bone} of {object} has no inverse kinematics": "{bone} de {object} no tiene cinemática inversa",
-    "{bone} of {object} reaches for {target}": "{bone} de {object} alcanza {target}",
+    "IK added: {bone} follows {target}": "IK agregada: {bone} sigue a {target}",
+    "IK added: {bone} follows bone {target}": "IK agregada: {bone} sigue al hueso {target}",
     "{object} has no bone {bone}": "{object} no tiene el hueso {bone}",
     "{object} has no bone {bone}: the chain bends as without a pole":
         "{object} no tiene el hueso {bone}: la cadena se dobla como sin polo",
@@ -200,7 +203,7 @@ INTERFACE = {
         "{target} se mueve con la cadena de {bone}: elige otro",
     "All frames from the start to the end; otherwise the current frame alone":
         "Todos los fotogramas del inicio al final; si no, solo el fotograma actual",
-    "Frame Range": "Intervalo de fotogramas",
+    "Frame Range": "Rango de fotogramas",
     "Frames from one to the next, less than one for sub-frames":
         "Fotogramas de uno al siguiente, menos de uno para subfotogramas",
     "Key the bones so that their own animation is the solution":
@@ -227,33 +230,34 @@ INTERFACE = {
     "{target} is the control of several chains: give each one of its own":
         "{target} es el control de varias cadenas: da a cada una el suyo",
     "At Once": "De golpe",
-    "At the same pace all the way": "Al mismo ritmo todo el camino",
-    "In one step": "En un solo paso",
+    "The chain moves at an even speed": "La cadena se mueve a velocidad constante",
+    "The chain jumps to the new target": "La cadena salta al nuevo objetivo",
     "Linear": "Lineal",
-    "Starts and ends slowly": "Empieza y termina despacio",
-    "How the way is gone": "Cómo se recorre el camino",
+    "The chain starts and ends slowly": "La cadena empieza y termina despacio",
+    "How the chain moves from one target to the other": "Cómo se mueve la cadena de un objetivo a otro",
     "Interpolation": "Interpolación",
     "Let the chain pass from its present target to another one, over frames or when something happens":
         "Hace que la cadena pase de su objetivo actual a otro, en unos fotogramas o cuando ocurre algo",
     "Frame at which the chain is at the other target; 12 after the start where it is not given":
         "Fotograma en que la cadena está en el otro objetivo; si no se indica, 12 después del inicio",
-    "Frame at which the way begins; the current one where it is not given":
-        "Fotograma en que empieza el camino; si no se indica, el actual",
+    "Frame at which the chain leaves its present target; the current frame if it is not given":
+        "Fotograma en que la cadena deja su objetivo actual; si no se indica, el actual",
     "Name of the object to go to; empty takes what is selected along with the bone":
         "Nombre del objeto al que ir; vacío toma lo que está seleccionado junto con el hueso",
     "Name the target, or select it along with the bone": "Nombra el objetivo o selecciónalo junto con el hueso",
     "Trigger": "Desencadenante",
-    "Name of an object; one of its numbers, instead of the frame, says how far the way is gone":
-        "Nombre de un objeto; uno de sus números, en vez del fotograma, dice cuánto camino se ha recorrido",
+    "Name of an object, one of whose numbers, instead of the frame, says how far the chain has come":
+        "Nombre de un objeto, uno de cuyos números, en vez del fotograma, dice cuánto ha avanzado la cadena",
     "Name of the system whose output triggers": "Nombre del sistema cuya salida desencadena",
     "Output": "Salida",
     "Name of the system's output: parameter, fraction, distance or speed of a follower, and what others compute":
         "Nombre de la salida del sistema: parameter, fraction, distance o speed de quien sigue un recorrido, y lo que calculan otros",
     "Data Path": "Ruta de datos",
-    "Of any number of the trigger, instead of an output of a system":
-        "De cualquier número del desencadenante, en vez de una salida de un sistema",
+    "Data path of a number of the trigger, instead of an output of a system":
+        "Ruta de datos de un número del desencadenante, en vez de una salida de un sistema",
     "From": "Desde",
-    "Value of the trigger at which the way begins": "Valor del desencadenante con el que empieza el camino",
+    "Value of the trigger at which the chain leaves its present target":
+        "Valor del desencadenante con el que la cadena deja su objetivo actual",
     "To": "Hasta",
     "Value of the trigger at which the chain is at the other target":
         "Valor del desencadenante con el que la cadena está en el otro objetivo",
@@ -283,10 +287,10 @@ INTERFACE = {
     "Name of the bone that is pulled; empty takes the active one":
         "Nombre del hueso del que se tira; vacío toma el activo",
     "Factor": "Factor",
-    "Where along the bone it is held, from its head (0) to its tail (1)":
-        "Por dónde se coge a lo largo del hueso, de su cabeza (0) a su cola (1)",
+    "Point of the bone that is pulled, from its head (0) to its tail (1)":
+        "Punto del hueso del que se tira, de su cabeza (0) a su cola (1)",
     "Location": "Posición",
-    "Where that point is pulled to, in the world": "Adónde se lleva ese punto, en el mundo",
+    "Place in the world that the point is pulled to": "Lugar del mundo al que se lleva el punto",
     "How many bones without inverse kinematics follow; 0 takes those that are connected up to a branch":
         "Cuántos huesos sin cinemática inversa siguen; 0 toma los conectados hasta una bifurcación",
     "Press the left mouse button on a bone and drag it; Esc or the right button cancels":
@@ -344,17 +348,18 @@ INTERFACE = {
     "Short By": "Falta",
     "The largest distance that is left to the target": "La mayor distancia que queda hasta el objetivo",
     "Reason": "Motivo",
-    "Why, on the frame where most is left": "Por qué, en el fotograma donde más falta",
+    "Reason on the frame on which the chain falls shortest": "Motivo en el fotograma en que más le falta a la cadena",
 }
 
 OPERATORS = {
-    "Add with a Control Bone": "Agregar con un hueso de control",
+    "As Bone": "Como hueso",
+    "IK with Control Bone": "IK con hueso de control",
     "Make Pole": "Crear polo",
     "New Control Bone": "Nuevo hueso de control",
     "Use Inverse Kinematics Preset": "Usar preajuste de cinemática inversa",
     "Add Inverse Kinematics Preset": "Agregar preajuste de cinemática inversa",
     "Add Target": "Agregar objetivo",
-    "Add with a Pole": "Agregar con polo",
+    "IK with Pole": "IK con polo",
     "Inverse Kinematics": "Cinemática inversa",
     "Remove All": "Quitar todo",
     "Remove Inverse Kinematics": "Quitar cinemática inversa",

@@ -2,8 +2,8 @@
 
 INTERFACE = {
     "Parent to Object": "Emparentar al objeto",
-    "Along the axes of the active object": "Según los ejes del objeto activo",
-    "Along the axes of the world": "Según los ejes del mundo",
+    "The lattice's axes are those of the active object": "Los ejes de la jaula son los del objeto activo",
+    "The lattice's axes are those of the world": "Los ejes de la jaula son los del mundo",
     "Apply": "Aplicar",
     "Axes of the lattice across whose middle the pull is repeated":
         "Ejes de la jaula a través de cuyo centro se repite el tirón",
@@ -17,8 +17,8 @@ INTERFACE = {
     "Global": "Global",
     "Go to Object Mode, or to Edit Mode of a mesh": "Pasa al modo Objeto, o al modo Edición de una malla",
     "Held": "Retenidos",
-    "How far it is pulled, in the world": "Cuánto se tira de él, en el mundo",
-    "However the lattice becomes smallest": "Como la jaula quede más pequeña",
+    "Displacement of the vertex, in the world": "Desplazamiento del vértice, en el mundo",
+    "The lattice is turned so that it becomes smallest": "La jaula se gira de modo que quede más pequeña",
     "Index of the vertex that is pulled, of the object with all its modifiers":
         "Índice del vértice del que se tira, del objeto con todos sus modificadores",
     "Indices, with commas between, of vertices that stay where they are":
@@ -36,7 +36,7 @@ INTERFACE = {
     "Motus has made this lattice, and removes it with its last modifier":
         "Motus ha hecho esta jaula, y la quita con su último modificador",
     "Name of the lattice's modifier; empty takes all that Motus has added":
-        "Nombre del modificador de la jaula; vacío toma todos los que Motus ha añadido",
+        "Nombre del modificador de la jaula; vacío toma todos los que Motus ha agregado",
     "Name of the lattice's modifier; empty takes the last one":
         "Nombre del modificador de la jaula; vacío toma el último",
     "Name of the lattice; empty takes the active one": "Nombre de la jaula; vacío toma la activa",
@@ -67,10 +67,10 @@ INTERFACE = {
         "Selecciona una malla, una curva, una superficie, un texto o una jaula",
     "Select an object that a lattice deforms": "Selecciona un objeto que una jaula deforme",
     "Select the vertices that the lattice shall deform": "Selecciona los vértices que la jaula ha de deformar",
-    "Smooth and tight, through the points": "Suave y tensa, por los puntos",
-    "Smooth, through the points": "Suave, por los puntos",
-    "Smoothest; near the points, not through them": "La más suave; cerca de los puntos, no por ellos",
-    "Straight from point to point": "Recta de punto a punto",
+    "A smooth and tight shape through the points": "Una forma suave y tensa por los puntos",
+    "A smooth shape through the points": "Una forma suave por los puntos",
+    "The smoothest shape, near the points, not through them": "La forma más suave, cerca de los puntos, no por ellos",
+    "Straight lines from point to point": "Líneas rectas de punto a punto",
     "Take fitted lattices off again: the objects are as they were before, or keep the deformation":
         "Quita las jaulas ajustadas: los objetos quedan como estaban, o conservan la deformación",
     "Take hold of any point of what a lattice deforms; the lattice's points follow so that it goes along":
@@ -83,10 +83,10 @@ INTERFACE = {
     "This lattice deforms nothing": "Esta jaula no deforma nada",
     "Vertex group that was made for the vertices that the lattice deforms":
         "Grupo de vértices que se hizo para los vértices que la jaula deforma",
-    "What shape the lattice gives between its points": "Qué forma da la jaula entre sus puntos",
-    "Where the lattice deforms one object only, let it move along as the object's child":
-        "Si la jaula deforma un solo objeto, deja que se mueva con él como su hija",
-    "Which way the lattice's axes point": "Hacia dónde apuntan los ejes de la jaula",
+    "Interpolation between the lattice's points": "Interpolación entre los puntos de la jaula",
+    "Parent the lattice to the object, if it deforms one object only, so that it moves along":
+        "Emparentar la jaula al objeto, si deforma uno solo, para que se mueva con él",
+    "Orientation of the lattice's axes": "Orientación de los ejes de la jaula",
     "At most {count} vertices can be held": "Se pueden retener {count} vértices como máximo",
     "{keyword} is not a list of whole numbers": "{keyword} no es una lista de números enteros",
     "{lattice} deforms {objects}": "{lattice} deforma {objects}",

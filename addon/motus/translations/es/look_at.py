@@ -15,8 +15,8 @@ INTERFACE = {
     "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone":
         "Hacia donde mira el personaje en reposo: -Y del rig; un ojo que apunta hacia allí mira a lo largo de su hueso",
     "Weight": "Peso",
-    "How much of the whole look is done; 0 leaves the animation as it is":
-        "Cuánto se hace de toda la mirada; 0 deja la animación como está",
+    "How much eyes, head and body turn to the target; 0 leaves the animation as it is":
+        "Cuánto giran ojos, cabeza y cuerpo hacia el objetivo; 0 deja la animación como está",
     "Body": "Cuerpo",
     "Share of the turn that the spine takes, spread over its bones":
         "Parte del giro que toma la columna, repartida entre sus huesos",
@@ -41,14 +41,15 @@ INTERFACE = {
     "Eye": "Ojo",
     "Bone of the eye, below the head": "Hueso del ojo, bajo la cabeza",
     "Bone of the head": "Hueso de la cabeza",
-    "What to look at": "Lo que se mira",
+    "Object to look at": "Objeto que se mira",
     "Bone of the target to look at; empty takes its origin": "Hueso del objetivo que se mira; vacío toma su origen",
     "Spine Bones": "Huesos de la columna",
     "How many bones below the head turn along, the neck among them":
         "Cuántos huesos bajo la cabeza giran con ella, el cuello incluido",
-    "Leave this head to its animation": "Dejar esta cabeza a su animación",
-    "How much all heads of the rig look; 0 leaves it to its animation":
-        "Cuánto miran todas las cabezas del rig; 0 lo deja a su animación",
+    "Switch the entry off: the head keeps its own animation":
+        "Desactivar la entrada: la cabeza conserva su propia animación",
+    "How much all heads of the rig turn to their targets; 0 leaves the rig to its animation":
+        "Cuánto giran todas las cabezas del rig hacia sus objetivos; 0 deja el rig a su animación",
     "Entries": "Entradas",
     "Active Entry": "Entrada activa",
     "Bones": "Huesos",
@@ -58,10 +59,10 @@ INTERFACE = {
     "Target Down": "Por debajo",
     "Still to Turn": "Falta girar",
     "Let head, spine and eyes turn to a target": "Hacer que cabeza, columna y ojos se vuelvan hacia un objetivo",
-    "Leave the head to its own animation again; a target that was made stays":
-        "Dejar otra vez la cabeza a su propia animación; un objetivo que se creó se queda",
-    "Wire the rig again, after its bones or what moves the target were changed":
-        "Volver a conectar el rig después de cambiar sus huesos o lo que mueve el objetivo",
+    "Remove Look At, so that the head has its own animation again; a target that was made stays":
+        "Quitar Mirar a, de modo que la cabeza vuelve a su propia animación; un objetivo que se creó se queda",
+    "Rebuild after bones or the parents of the target changed":
+        "Reconstruir después de cambiar huesos o los padres del objetivo",
     "Let another bone below the head turn as an eye": "Hacer que otro hueso bajo la cabeza gire como un ojo",
     "Leave an eye to its own animation again": "Dejar otra vez un ojo a su propia animación",
     "Name of the head bone; empty takes the active one, or the one that is called head":
@@ -70,7 +71,7 @@ INTERFACE = {
     "Name of the object to look at; empty makes one in front of the head":
         "Nombre del objeto que se mira; vacío crea uno delante de la cabeza",
     "Name of the target's bone to look at, where the target is an armature":
-        "Nombre del hueso del objetivo que se mira, cuando el objetivo es una armadura",
+        "Nombre del hueso del objetivo que se mira, cuando el objetivo es un esqueleto",
     "How many bones below the head turn along, the neck among them; -1 finds the spine":
         "Cuántos huesos bajo la cabeza giran con ella, el cuello incluido; -1 busca la columna",
     "Names of the eye bones with commas between; not given, bones below the head called eye":
@@ -81,9 +82,9 @@ INTERFACE = {
     "{head} of {object} looks at {target}": "{head} de {object} mira a {target}",
     "{bone} of {object} looks at nothing": "{bone} de {object} no mira a nada",
     "Nothing here looks at a target": "Aquí nada mira a un objetivo",
-    "Select the armature whose head shall look": "Selecciona la armadura cuya cabeza ha de mirar",
+    "Select the armature whose head shall look": "Selecciona el esqueleto cuya cabeza ha de mirar",
     "Choose the bone of the head": "Elige el hueso de la cabeza",
-    "Name an armature as the target of a bone": "Indica una armadura como objetivo de un hueso",
+    "Name an armature as the target of a bone": "Indica un esqueleto como objetivo de un hueso",
     "An eye is named twice": "Un ojo se nombra dos veces",
     "{bone} is not below {head}": "{bone} no está bajo {head}",
     "{bone} is below another eye": "{bone} está bajo otro ojo",

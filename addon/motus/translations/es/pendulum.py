@@ -1,7 +1,6 @@
 """Spanish: pendulums."""
 
 INTERFACE = {
-    "Lower": "Inferior",
     "Wild": "Salvaje",
     "Tumbles over itself, and no two swings are alike": "Da vueltas sobre sí mismo y no hay dos oscilaciones iguales",
     "Clock": "Reloj",
@@ -24,8 +23,8 @@ INTERFACE = {
         "Un péndulo tiene una o dos lentejas además de su pivote: selecciónalas o nómbralas",
     "A second rod hangs on the first one's bob": "Una segunda varilla cuelga de la lenteja de la primera",
     "Acceleration Limit": "Límite de aceleración",
-    "Acceleration along the pivot's -Z axis. No keys: the whole motion follows from it":
-        "Aceleración según el eje -Z del pivote. Sin claves: todo el movimiento depende de ella",
+    "Acceleration by gravity along the pivot's -Z axis. Cannot be keyed: the whole motion follows from it":
+        "Aceleración de la gravedad según el eje -Z del pivote. No admite claves: todo el movimiento depende de ello",
     "Active Object": "Objeto activo",
     "Alone": "Solo",
     "A single pendulum has one placed bob, a double one two, and a fan none":
@@ -36,12 +35,12 @@ INTERFACE = {
     "Bob": "Lenteja",
     "Bob Radius": "Radio de lenteja",
     "Bobs": "Lentejas",
-    "By how much the lower angle differs from one pendulum of the fan to the next. No keys: the whole motion follows from it":
-        "Cuánto difiere el ángulo inferior de un péndulo del abanico al siguiente. Sin claves: todo el movimiento depende de ello",
-    "By how much the lower rod turns in a second, when the motion starts. No keys: the whole motion follows from it":
-        "Cuánto gira la varilla inferior en un segundo, al empezar el movimiento. Sin claves: todo el movimiento depende de ello",
-    "By how much the upper rod turns in a second, when the motion starts. No keys: the whole motion follows from it":
-        "Cuánto gira la varilla superior en un segundo, al empezar el movimiento. Sin claves: todo el movimiento depende de ello",
+    "Difference of the lower angle from one pendulum of the fan to the next. Cannot be keyed: the whole motion follows from it":
+        "Diferencia del ángulo inferior de un péndulo del abanico al siguiente. No admite claves: todo el movimiento depende de ello",
+    "Angular velocity of the lower rod when the motion starts, per second. Cannot be keyed: the whole motion follows from it":
+        "Velocidad angular de la varilla inferior al empezar el movimiento, por segundo. No admite claves: todo el movimiento depende de ello",
+    "Angular velocity of the upper rod when the motion starts, per second. Cannot be keyed: the whole motion follows from it":
+        "Velocidad angular de la varilla superior al empezar el movimiento, por segundo. No admite claves: todo el movimiento depende de ello",
     "Count": "Número",
     "Demonstration": "Demostración",
     "Double": "Doble",
@@ -50,31 +49,31 @@ INTERFACE = {
     "Driven Pivot": "Pivote impulsor",
     "Fan": "Abanico",
     "Forces": "Fuerzas",
-    "Frame at which the motion starts; before it the pendulum waits. No keys: the whole motion follows from it":
-        "Fotograma en que empieza el movimiento; antes el péndulo espera. Sin claves: todo el movimiento depende de ello",
-    "From one pendulum of the fan to the next, across the plane of the swing":
-        "De un péndulo del abanico al siguiente, a través del plano de la oscilación",
+    "Frame at which the motion starts; before it the pendulum waits. Cannot be keyed: the whole motion follows from it":
+        "Fotograma en que empieza el movimiento; antes el péndulo espera. No admite claves: todo el movimiento depende de ello",
+    "Distance from one pendulum of the fan to the next, across the plane of the swing":
+        "Distancia de un péndulo del abanico al siguiente, a través del plano de la oscilación",
     "Hang a pendulum, a double pendulum or a fan of them on a pivot":
         "Cuelga de un pivote un péndulo, un péndulo doble o un abanico de ellos",
     "How many pendulums swing about the pivot": "Cuántos péndulos oscilan alrededor del pivote",
     "How many pendulums the fan has": "Cuántos péndulos tiene el abanico",
-    "How many rods there are": "Cuántas varillas hay",
+    "Number of rods of each pendulum": "Número de varillas de cada péndulo",
     "How much the pendulum turns its rods; 0 lets them hang as they are placed":
         "Cuánto gira el péndulo sus varillas; con 0 cuelgan como están puestas",
     "Hue": "Tono",
     "Keep Objects": "Conservar objetos",
     "Keep the pivot, rods and bobs that were made, at rest":
         "Conserva el pivote, las varillas y las lentejas que se crearon, en reposo",
-    "Keep velocities and accelerations below limits that no real pendulum has. No keys: the whole motion follows from it":
-        "Mantiene velocidades y aceleraciones bajo límites que ningún péndulo real tiene. Sin claves: todo el movimiento depende de ello",
-    "Key whether the pendulum's time runs from the present frame on":
-        "Pone una clave que dice si el tiempo del péndulo corre desde el fotograma actual",
-    "Largest change of the velocity in a second. No keys: the whole motion follows from it":
-        "Mayor cambio de la velocidad en un segundo. Sin claves: todo el movimiento depende de ello",
-    "Largest turn in a second. No keys: the whole motion follows from it":
-        "Mayor giro en un segundo. Sin claves: todo el movimiento depende de ello",
-    "Let the pivot's own motion swing the pendulum, rather than carry it along alone. No keys: the whole motion follows from it":
-        "Deja que el movimiento del pivote impulse el péndulo, en vez de solo llevarlo consigo. Sin claves: todo el movimiento depende de ello",
+    "Keep velocities and accelerations below limits that no real pendulum has. Cannot be keyed: the whole motion follows from it":
+        "Mantiene velocidades y aceleraciones bajo límites que ningún péndulo real tiene. No admite claves: todo el movimiento depende de ello",
+    "Key on the present frame whether the pendulum's time runs":
+        "Pone en el fotograma actual una clave que dice si el tiempo del péndulo corre",
+    "Largest change of the angular velocity, per second. Cannot be keyed: the whole motion follows from it":
+        "Mayor cambio de la velocidad angular, por segundo. No admite claves: todo el movimiento depende de ello",
+    "Largest angular velocity, per second. Cannot be keyed: the whole motion follows from it":
+        "Mayor velocidad angular, por segundo. No admite claves: todo el movimiento depende de ello",
+    "Let the pivot's own motion swing the pendulum, rather than carry it along alone. Cannot be keyed: the whole motion follows from it":
+        "Deja que el movimiento del pivote impulse el péndulo, en vez de solo llevarlo consigo. No admite claves: todo el movimiento depende de ello",
     "Let the time run from here on": "El tiempo corre desde aquí",
     "Let the time stand still from here on": "El tiempo se detiene desde aquí",
     "Look": "Aspecto",
@@ -92,34 +91,35 @@ INTERFACE = {
         "Nombres, separados por comas, de uno o dos objetos que son las lentejas, desde el pivote",
     "New Pivot": "Pivote nuevo",
     "Nothing here is part of a pendulum": "Nada aquí es parte de un péndulo",
-    "Of a bob of 1 kg; heavier ones are larger": "De una lenteja de 1 kg; las más pesadas son mayores",
-    "Of a new pivot; the 3D cursor's, where it is not given": "De un pivote nuevo; la del cursor 3D, si no se da",
-    "Of the first pendulum; a fan goes once around": "Del primer péndulo; un abanico da una vuelta entera",
-    "Of the lower bob. No keys: the whole motion follows from it":
-        "De la lenteja inferior. Sin claves: todo el movimiento depende de ella",
-    "Of the lower rod from hanging down, when the motion starts. No keys: the whole motion follows from it":
-        "De la varilla inferior desde la vertical, al empezar el movimiento. Sin claves: todo el movimiento depende de él",
-    "Of the lower rod, before the pivot's scale. No keys: the whole motion follows from it":
-        "De la varilla inferior, sin la escala del pivote. Sin claves: todo el movimiento depende de ella",
-    "Of the pendulum in its fan, from 0 on; the others keep their distances from it":
-        "Del péndulo en su abanico, desde 0; los demás conservan sus distancias a él",
-    "Of the pendulum's time; may be keyed, and negative, which runs backwards":
-        "Del tiempo del péndulo; admite claves, y valores negativos, que van hacia atrás",
-    "Of the pendulums in the fan, and of the rod in its pendulum":
-        "De los péndulos del abanico, y de la varilla en su péndulo",
-    "Of the rods": "De las varillas",
-    "Of the upper bob; counts beside the lower one's. No keys: the whole motion follows from it":
-        "De la lenteja superior; cuenta junto a la de la inferior. Sin claves: todo el movimiento depende de ella",
-    "Of the upper rod from hanging down, when the motion starts. No keys: the whole motion follows from it":
-        "De la varilla superior desde la vertical, al empezar el movimiento. Sin claves: todo el movimiento depende de él",
-    "Of the upper rod, before the pivot's scale. No keys: the whole motion follows from it":
-        "De la varilla superior, sin la escala del pivote. Sin claves: todo el movimiento depende de ella",
+    "Radius of a bob of 1 kg; heavier bobs are larger": "Radio de una lenteja de 1 kg; las más pesadas son mayores",
+    "Location of a new pivot; that of the 3D cursor if it is not given":
+        "Posición de un pivote nuevo; la del cursor 3D si no se indica",
+    "Hue of the first pendulum; the hues of a fan go once around":
+        "Tono del primer péndulo; los tonos de un abanico dan una vuelta entera",
+    "Mass of the lower bob. Cannot be keyed: the whole motion follows from it":
+        "Masa de la lenteja inferior. No admite claves: todo el movimiento depende de ello",
+    "Angle of the lower rod when the motion starts, from hanging down. Cannot be keyed: the whole motion follows from it":
+        "Ángulo de la varilla inferior al empezar el movimiento, desde la vertical. No admite claves: todo el movimiento depende de ello",
+    "Length of the lower rod, before the pivot's scale. Cannot be keyed: the whole motion follows from it":
+        "Longitud de la varilla inferior, sin la escala del pivote. No admite claves: todo el movimiento depende de ello",
+    "Index of the pendulum in its fan; the other pendulums keep their angles to it":
+        "Índice del péndulo en su abanico; los demás conservan sus ángulos con él",
+    "Speed of the pendulum's time; it may be keyed, and a negative speed runs backwards":
+        "Velocidad del tiempo del péndulo; admite claves, y una negativa va hacia atrás",
+    "Index of the rod in its pendulum and fan": "Índice de la varilla en su péndulo y abanico",
+    "Radius of the rods": "Radio de las varillas",
+    "Mass of the upper bob; it counts beside that of the lower bob. Cannot be keyed: the whole motion follows from it":
+        "Masa de la lenteja superior; cuenta junto a la de la inferior. No admite claves: todo el movimiento depende de ello",
+    "Angle of the upper rod when the motion starts, from hanging down. Cannot be keyed: the whole motion follows from it":
+        "Ángulo de la varilla superior al empezar el movimiento, desde la vertical. No admite claves: todo el movimiento depende de ello",
+    "Length of the upper rod, before the pivot's scale. Cannot be keyed: the whole motion follows from it":
+        "Longitud de la varilla superior, sin la escala del pivote. No admite claves: todo el movimiento depende de ello",
     "One rod with a bob": "Una varilla con una lenteja",
     "Other Angles": "Otros ángulos",
     "Pause": "Pausa",
     "Pause what plays, and play what is paused": "Pausa lo que corre, y reanuda lo pausado",
     "Pendulum Trails": "Estelas de péndulo",
-    "Pendulum Presets": "Ajustes de péndulo",
+    "Pendulum Presets": "Preajustes de péndulo",
     "Period": "Periodo",
     "Pivot": "Pivote",
     "Placed": "Puesta",
@@ -140,15 +140,15 @@ INTERFACE = {
         "Selecciona las lentejas, y el pivote como objeto activo",
     "Select the object that shall be the pivot": "Selecciona el objeto que será el pivote",
     "Selected Objects": "Objetos seleccionados",
-    "Rate at which velocity is lost, in 1/s; 0 swings for ever. No keys: the whole motion follows from it":
-        "Ritmo al que se pierde la velocidad, en 1/s; con 0 oscila para siempre. Sin claves: todo el movimiento depende de ella",
+    "Rate at which velocity is lost, in 1/s; 0 swings for ever. Cannot be keyed: the whole motion follows from it":
+        "Ritmo al que se pierde la velocidad, en 1/s; con 0 oscila para siempre. No admite claves: todo el movimiento depende de ello",
     "Single": "Simple",
     "Take a paused pendulum's end bob elsewhere; the motion starts from there, at rest, and replaces the earlier one":
         "Lleva a otro lugar la lenteja del extremo de un péndulo en pausa; el movimiento parte de ahí, en reposo, y sustituye al anterior",
     "Take the pendulum off its pivot, with the rods and bobs that were made for it":
         "Quita el péndulo de su pivote, con las varillas y lentejas que se crearon para él",
-    "Take the strength of the scene's gravity. No keys: the whole motion follows from it":
-        "Toma la intensidad de la gravedad de la escena. Sin claves: todo el movimiento depende de ello",
+    "Take the strength of the scene's gravity. Cannot be keyed: the whole motion follows from it":
+        "Toma la intensidad de la gravedad de la escena. No admite claves: todo el movimiento depende de ello",
     "The active object is the pivot and the other selected ones, one or two, are the bobs: lengths and angles are theirs":
         "El objeto activo es el pivote y los otros seleccionados, uno o dos, son las lentejas: de ellos son longitudes y ángulos",
     "The bob was there before, and is given back": "La lenteja existía antes, y se devuelve",
@@ -167,8 +167,8 @@ INTERFACE = {
         "El péndulo cuelga del objeto activo, que puede estar animado",
     "The pendulum is playing: pause it first, or go to its start":
         "El péndulo está en marcha: ponlo antes en pausa, o ve a su inicio",
-    "The pendulum's time runs; keyed off it stands still":
-        "El tiempo del péndulo corre; con una clave que lo apaga se detiene",
+    "Whether the pendulum's time runs; keyed off it stands still":
+        "Si corre el tiempo del péndulo; con una clave que lo apaga se detiene",
     "The pivot is in no collection any more: the rods hang as they are placed":
         "El pivote ya no está en ninguna colección: las varillas cuelgan como están puestas",
     "The pivot's motion is felt only while the pendulum plays all the time at one speed above 0":
@@ -184,15 +184,16 @@ INTERFACE = {
     "Velocity Limit": "Límite de velocidad",
     "What a placed bob's parent inverse was": "Cuál era la inversa del padre de una lenteja puesta",
     "What hangs at the end of the rod": "Lo que cuelga del extremo de la varilla",
-    "What is added": "Qué se añade",
-    "What is keyed": "A qué se pone clave",
+    "What is added": "Qué se agrega",
+    "Whether the time runs or stands still from the present frame on":
+        "Si el tiempo corre o se detiene desde el fotograma actual",
     "What the pendulum hangs on": "De qué cuelga el péndulo",
-    "Where the end bob goes, in the world": "Adónde va la lenteja del extremo, en el mundo",
-    "Wire the pendulum again": "Conecta el péndulo de nuevo",
+    "Place in the world that the end bob is dragged to": "Lugar del mundo al que se arrastra la lenteja del extremo",
+    "Rebuild the pendulum after its parts changed": "Reconstruir el péndulo después de cambiar sus partes",
     "A rod of the pendulum, by which it is found if the pivot is gone": "Una varilla del péndulo, por la que se la encuentra si falta el pivote",
     "A setting of the trail is not a finite number": "Un ajuste de la estela no es un número finito",
     "A trail is computed from the pendulum on each frame: there is nothing to bake":
-        "Una estela se calcula a partir del péndulo en cada fotograma: no hay nada que procesar",
+        "Una estela se calcula a partir del péndulo en cada fotograma: no hay nada que capturar",
     "Double pendulums that start half a degree apart and soon go ways of their own, one of them alone, and one with other "
     "angles":
         "Péndulos dobles que empiezan a medio grado unos de otros y pronto van cada uno por su lado, uno de ellos solo, y uno "
@@ -213,8 +214,8 @@ INTERFACE = {
     "Thickness": "Grosor",
     "Trail": "Estela",
     "Trails": "Estelas",
-    "Whether the trail is there: it is not at 0": "Si la estela está: con 0 no está",
-    "Whose pendulum it shows": "De quién es el péndulo que muestra",
+    "Whether the trail is shown: 0 hides it": "Si se muestra la estela: 0 la oculta",
+    "Pivot of the pendulum whose way the trail shows": "Pivote del péndulo cuyo camino muestra la estela",
     "{object} has no trails": "{object} no tiene estelas",
     "{keyword} must be greater than 0": "{keyword} debe ser mayor que 0",
     "{keyword} must not be less than 0": "{keyword} no debe ser menor que 0",
@@ -227,11 +228,11 @@ INTERFACE = {
 }
 
 OPERATORS = {
-    "Add Pendulum": "Añadir péndulo",
-    "Add Trails": "Añadir estelas",
+    "Add Pendulum": "Agregar péndulo",
+    "Add Trails": "Agregar estelas",
     "Remove Trails": "Quitar estelas",
     "Use Pendulum Preset": "Usar preajuste de péndulo",
-    "Add Pendulum Preset": "Añadir ajuste de péndulo",
+    "Add Pendulum Preset": "Agregar preajuste de péndulo",
     "Drag Pendulum": "Arrastrar péndulo",
     "Pause": "Pausa",
     "Pendulum of the Selected": "Péndulo de los seleccionados",

@@ -6,7 +6,7 @@ INTERFACE = {
         "Las anclas descansan en el modo Edición: la malla se muestra sin ellas",
     "Take the root of a pin elsewhere; a click makes the pin the active one":
         "Lleva la raíz de un ancla a otro lugar; un clic hace del ancla la activa",
-    "Where the root goes, in the world": "Adónde va la raíz, en el mundo",
+    "Place in the world that the root is dragged to": "Lugar del mundo al que se arrastra la raíz",
     "Press the left mouse button on the handle of a pin and drag it; Esc or the right button cancels":
         "Pulsa el botón izquierdo del ratón sobre el control de un ancla y arrástralo; Esc o el botón derecho cancela",
     "{pin} does not pull now: it is muted, or its strength or the influence is 0":
@@ -14,12 +14,13 @@ INTERFACE = {
     "{object} is scaled to nothing in a direction": "{object} está escalado a nada en una dirección",
     "Motus Pins": "Anclas de Motus",
     "Name of the pin": "Nombre del ancla",
-    "How much of its way the pin pulls; negative pushes": "Cuánto de su recorrido tira el ancla; negativo empuja",
+    "Share of the pin's displacement that the root moves; negative pushes":
+        "Parte del desplazamiento del ancla que se mueve la raíz; negativa empuja",
     "Switch the pin off": "Desactiva el ancla",
     "How far the root goes at the strength 1, in the object": "Cuánto se mueve la raíz con fuerza 1, en el objeto",
     "Lowest height of what moves, in the object": "Altura mínima de lo que se mueve, en el objeto",
     "Largest height of what moves, in the object": "Altura máxima de lo que se mueve, en el objeto",
-    "Where the root stands in the mesh": "Dónde está la raíz en la malla",
+    "Position of the root in the mesh": "Posición de la raíz en la malla",
     "Anchor": "Marca",
     "Number by which the mesh marks the root; 0 where it has no mark":
         "Número con que la malla marca la raíz; 0 donde no hay marca",
@@ -35,7 +36,7 @@ INTERFACE = {
     "The vertex group of some pins is gone, so that they do nothing":
         "El grupo de vértices de algunas anclas ya no existe, así que no hacen nada",
     "Pins have nothing to bake, for their strengths are keyed: apply them to shape keys instead":
-        "Las anclas no tienen nada que precalcular, pues sus fuerzas tienen claves: aplícalas a claves de forma",
+        "Las anclas no tienen nada que capturar, pues sus fuerzas tienen claves: aplícalas a claves de forma",
     "The modifier of the pins was removed or applied: remove the pins, or put it back":
         "El modificador de las anclas se quitó o se aplicó: quita las anclas, o vuelve a ponerlo",
     "The modifier of the pins has to stand before those that make other vertices":
@@ -59,14 +60,13 @@ INTERFACE = {
     "{pin} keeps the shape of a stroke and has no root": "{pin} guarda la forma de un trazo y no tiene raíz",
     "Pinned the last stroke on {object}": "Anclado el último trazo en {object}",
     "The vertex group of this pin is gone": "El grupo de vértices de esta ancla ya no existe",
-    "Which pin; -1 means all of them": "Qué ancla; -1 significa todas",
-    "Keep a pull in the object's list, where it can be keyed, muted and removed again":
-        "Guarda un tirón en la lista del objeto, donde puede tener claves, silenciarse y quitarse",
+    "Index of the pin; -1 means all of them": "Índice del ancla; -1 significa todas",
+    "Add a pin: a pull in the object's list, which can be keyed, muted and removed":
+        "Agrega un ancla: un tirón en la lista del objeto, que puede tener claves, silenciarse y quitarse",
     "Index of the root; -1 takes the vertex that is nearest to the location":
         "Índice de la raíz; -1 toma el vértice más cercano a la ubicación",
-    "Where it is pulled, in the world or in the object as the unit says; without vertex and location it "
-    "is the 3D cursor":
-        "Dónde se tira, en el mundo o en el objeto según la unidad; sin vértice ni ubicación es el cursor 3D",
+    "Place that is pulled, in the world or in the object as Unit says; without vertex and location the 3D cursor's":
+        "Lugar del que se tira, en el mundo o en el objeto según Unidades; sin vértice ni posición, el del cursor 3D",
     "How far the root goes, instead of the brush's direction and strength":
         "Cuánto se mueve la raíz, en lugar de la dirección y la fuerza del pincel",
     "From Last Pull": "Del último tirón",
@@ -81,18 +81,18 @@ INTERFACE = {
         "Hace que un ancla actúe antes o después que otras, lo que cuenta donde las alturas están limitadas",
     "Act earlier": "Actuar antes",
     "Act later": "Actuar después",
-    "Which way": "En qué sentido",
+    "Direction in which the item moves in the list": "Sentido en el que el elemento se mueve en la lista",
     "New index of the pin, instead of a direction": "Nuevo índice del ancla, en lugar de un sentido",
     "The pin is at the end of the list already": "El ancla ya está al final de la lista",
     "Add a pin like this one on the other side of the object, with a strength of its own":
         "Agrega un ancla como esta al otro lado del objeto, con una fuerza propia",
-    "Across which of the object's axes": "A través de cuál de los ejes del objeto",
+    "Axis of the object across which the pin is mirrored": "Eje del objeto a través del que se refleja el ancla",
     "Give a pin that has lost its place the vertex nearest to it, or another one, as its root":
         "Da a un ancla que ha perdido su lugar el vértice más cercano, u otro, como raíz",
     "Index of the new root; -1 takes the vertex that is nearest to the location":
         "Índice de la nueva raíz; -1 toma el vértice más cercano a la ubicación",
-    "Where the new root is in the object; without it, where the old one was":
-        "Dónde está la nueva raíz en el objeto; sin ella, donde estaba la antigua",
+    "Position of the new root, in the object; that of the old root if it is not given":
+        "Posición de la nueva raíz, en el objeto; la de la antigua si no se indica",
     "Put the modifier of the pins back, in front of all others":
         "Vuelve a poner el modificador de las anclas, delante de todos los demás",
     "{object} has no pins": "{object} no tiene anclas",
@@ -108,7 +108,7 @@ INTERFACE = {
         "El objeto está girado, y los límites de un ancla van por sus propios ejes: elige Local como unidad",
     "Make what the pins do a part of the mesh, and remove them":
         "Hace que lo que hacen las anclas sea parte de la malla, y las quita",
-    "What becomes of the pins": "En qué se convierten las anclas",
+    "Form that the pins are applied in": "Forma en la que se aplican las anclas",
     "Mesh": "Malla",
     "Move the vertices themselves, by the strengths of this frame":
         "Mueve los propios vértices, con las fuerzas de este fotograma",

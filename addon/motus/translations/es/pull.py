@@ -6,12 +6,12 @@ INTERFACE = {
     "Hill": "Colina",
     "A wide bell, straight up": "Una campana ancha, hacia arriba",
     "Plateau": "Meseta",
-    "Moves all within the radius alike": "Mueve por igual todo lo que hay en el radio",
+    "Moves all vertices within the radius alike": "Mueve por igual todos los vértices dentro del radio",
     "Thorn": "Espina",
     "A sharp tip on a wide foot": "Una punta afilada sobre una base ancha",
     "Skin": "Piel",
     "Face": "Cara",
-    "Along the surface, on both sides of X": "Por la superficie, a ambos lados de X",
+    "Pulls along the surface, on both sides of X": "Tira por la superficie, a ambos lados de X",
     "Pick & Pull": "Coger y tirar",
     "A bell": "Una campana",
     "A cone": "Un cono",
@@ -23,11 +23,11 @@ INTERFACE = {
     "Add a flat grid of so many vertices, centred on its origin":
         "Agregar una cuadrícula plana de tantos vértices, centrada en su origen",
     "All move alike": "Todos se mueven igual",
-    "Along the X axis": "A lo largo del eje X",
-    "Along the Y axis": "A lo largo del eje Y",
-    "Along the Z axis": "A lo largo del eje Z",
-    "Along the surface, so that lips and fingers stay apart":
-        "Por la superficie, de modo que labios y dedos sigan separados",
+    "Pull along the X axis": "Tirar a lo largo del eje X",
+    "Pull along the Y axis": "Tirar a lo largo del eje Y",
+    "Pull along the Z axis": "Tirar a lo largo del eje Z",
+    "Measured along the surface, so that lips and fingers stay apart":
+        "Medida por la superficie, de modo que labios y dedos sigan separados",
     "Axis along which the height is measured": "Eje a lo largo del cual se mide la altura",
     "Classic": "Clásico",
     "Compares the squared distance with the radius: reaches as far as its square root":
@@ -51,28 +51,28 @@ INTERFACE = {
         "escena",
     "Gaussian": "Gaussiano",
     "Go to Object, Edit or Sculpt Mode first": "Pasa antes al modo Objeto, Edición o Esculpido",
-    "Height": "Alto",
+    "Height": "Altura",
     "Height Axis": "Eje de la altura",
     "Hidden node group that holds the falloff's curve": "Grupo de nodos oculto que guarda la curva del decaimiento",
-    "How far from the root it reaches; for edges, how many of them":
-        "Hasta qué distancia de la raíz llega; con aristas, cuántas de ellas",
-    "How far it reached": "Hasta dónde llegó",
+    "Distance from the root that the pull reaches; a number of edges if the distance counts edges":
+        "Distancia desde la raíz a la que llega el tirón; un número de aristas si la distancia cuenta aristas",
+    "Distance from the root that the pull reached": "Distancia desde la raíz a la que llegó el tirón",
     "How far one dab moves the root; negative pushes": "Cuánto mueve un toque la raíz; si es negativo, empuja",
     "How far the root goes, instead of a direction and a strength":
         "Cuánto se mueve la raíz, en vez de una dirección y una fuerza",
     "How far the root went, in the object": "Cuánto se movió la raíz, en el objeto",
-    "How much it smoothed": "Cuánto suavizó",
+    "Strength of the smoothing": "Fuerza del suavizado",
     "How the distance to the root is measured": "Cómo se mide la distancia a la raíz",
     "How the force fades from the root to the radius": "Cómo decae la fuerza desde la raíz hasta el radio",
-    "How many edges from the root it reaches": "Cuántas aristas alcanza desde la raíz",
-    "In a straight line through space": "En línea recta por el espacio",
+    "Number of edges from the root that the pull reaches": "Número de aristas desde la raíz a las que llega el tirón",
+    "Measured in a straight line through space": "Medida en línea recta por el espacio",
     "Index of the root": "Índice de la raíz",
     "Index of the vertex that is pulled; -1 takes the one nearest to the location":
         "Índice del vértice del que se tira; -1 toma el más cercano a la posición",
     "Inset View": "Vista insertada",
     "Zoom": "Zum",
-    "Its weights tell how far each vertex follows; empty moves all":
-        "Sus influencias dicen cuánto sigue cada vértice; vacío los mueve todos",
+    "Vertex group whose weights tell how far each vertex moves; empty moves all vertices alike":
+        "Grupo de vértices cuyas influencias dicen cuánto se mueve cada vértice; vacío los mueve todos por igual",
     "Kind": "Clase",
     "Largest height of what moves": "Altura máxima de lo que se mueve",
     "Last Pull": "Último tirón",
@@ -106,7 +106,7 @@ INTERFACE = {
         "o desactiva la simetría",
     "Number of vertices along X": "Número de vértices en X",
     "Number of vertices along Y": "Número de vértices en Y",
-    "Out of the surface at the root": "Hacia fuera de la superficie en la raíz",
+    "Pull out of the surface at the root": "Tirar hacia fuera de la superficie en la raíz",
     "Place": "Lugar",
     "Pull": "Tirar",
     "Pull on the other side of the object too, across these of its axes":
@@ -136,7 +136,7 @@ INTERFACE = {
     "The mesh of {object} is linked from another file: make it local first":
         "La malla de {object} está vinculada desde otro archivo: hazla local antes",
     "The minimum is above the maximum": "El mínimo está por encima del máximo",
-    "The number of edges; the radius counts them": "El número de aristas; el radio las cuenta",
+    "Measured by the number of edges, which the radius counts": "Medida por el número de aristas, que el radio cuenta",
     "The object is scaled to nothing along an axis: change its scale first":
         "El objeto está escalado a cero en un eje: cambia antes su escala",
     "The pen's pressure sets the radius": "La presión del lápiz ajusta el radio",
@@ -149,7 +149,7 @@ INTERFACE = {
         "No hay una vista hacia la que tirar: elige otra dirección",
     "There is no cursor to go along with: choose another direction or give a displacement":
         "No hay un cursor con el que ir: elige otra dirección o da un desplazamiento",
-    "Towards the viewer": "Hacia quien mira",
+    "Pull towards the viewer": "Tirar hacia quien mira",
     "UV Map": "Mapa UV",
     "Unit": "Unidades",
     "Use Maximum": "Usar máximo",
@@ -164,15 +164,15 @@ INTERFACE = {
     "Vertex {index} is at no place: its coordinates are not finite":
         "El vértice {index} no está en ningún lugar: sus coordenadas no son finitas",
     "Vertex {index} is hidden": "El vértice {index} está oculto",
-    "What gives the grid its size": "Qué da a la cuadrícula su tamaño",
-    "What the dab did": "Qué hizo el toque",
-    "What was done with the mouse": "Qué se hizo con el ratón",
-    "What was pulled last": "De qué se tiró por último",
-    "Where it is pulled, in the world or in the object as the unit says":
-        "De dónde se tira, en el mundo o en el objeto según la unidad",
-    "Where the root was before, in the object": "Dónde estaba antes la raíz, en el objeto",
-    "Which way it pulls": "Hacia dónde tira",
-    "Whose lengths and directions count": "De quién cuentan las longitudes y direcciones",
+    "Number that gives the grid its size": "Número que da a la cuadrícula su tamaño",
+    "Kind of change that the dab made": "Clase de cambio que hizo el toque",
+    "Dabs of the stroke": "Toques del trazo",
+    "Last pull, which a pin can be made of": "Último tirón, del que se puede hacer un ancla",
+    "Place that is pulled, in the world or in the object as Unit says":
+        "Lugar del que se tira, en el mundo o en el objeto según Unidades",
+    "Position of the root before the pull, in the object": "Posición de la raíz antes del tirón, en el objeto",
+    "Direction of the pull": "Dirección del tirón",
+    "Space in which lengths and directions are given": "Espacio en el que se dan longitudes y direcciones",
     "Width": "Ancho",
     "World": "Mundo",
     "World Space": "Global",
@@ -194,10 +194,10 @@ INTERFACE = {
     "The stroke smooths": "El trazo suaviza",
     "The object that was pulled is gone": "El objeto del que se tiraba ya no existe",
     "Number": "Número",
-    "What is changed": "Lo que se cambia",
+    "Number that is changed": "Número que se cambia",
     "Steps": "Pasos",
     "Steps up or down; 0 lets the mouse decide": "Pasos hacia arriba o hacia abajo; con 0 decide el ratón",
-    "How far it reaches": "Hasta dónde llega",
+    "Distance from the root that the brush reaches": "Distancia desde la raíz a la que llega el pincel",
     "How far one dab moves the root": "Cuánto mueve la raíz un toque",
     "Change the brush's radius or strength by the mouse or by typing a number":
         "Cambia el radio o la fuerza del pincel con el ratón o escribiendo un número",
@@ -214,15 +214,15 @@ INTERFACE = {
         "con Ctrl; Mayús suaviza.\nF y Mayús F cambian el radio y la fuerza. Con la dirección Cursor, al arrastrar la "
         "superficie va con él",
     "Cursor": "Cursor",
-    "Along with the cursor: the drag itself is how far the root goes":
-        "Junto con el cursor: lo que se arrastra es lo que avanza la raíz",
+    "Pull along with the cursor: the root goes as far as the drag":
+        "Tirar junto con el cursor: la raíz avanza lo que se arrastra",
     "Drag": "Arrastre",
     "Grab": "Agarrar",
     "Takes the surface along with the cursor": "Lleva la superficie junto con el cursor",
     "Lock Axis": "Fijar un eje",
     "Type the Length": "Escribir la longitud",
     "Mirror & Mask": "Simetría y máscara",
-    "Pull Brush Presets": "Ajustes guardados del pincel",
+    "Pull Brush Presets": "Preajustes del pincel",
     "Pulled from Clay": "Modelado en arcilla",
     "A landscape that rises from the sea and a face full of feeling, both pulled into shape and moved by pins":
         "Un paisaje que emerge del mar y una cara llena de expresión, ambos modelados a tirones y movidos por anclas",
@@ -240,5 +240,5 @@ OPERATORS = {
     "Grid Mesh": "Malla de cuadrícula",
     "Adjust Pull": "Ajustar el pincel",
     "Use Pull Brush Preset": "Usar preajuste del pincel",
-    "Add Pull Brush Preset": "Guardar ajustes del pincel",
+    "Add Pull Brush Preset": "Agregar preajuste del pincel",
 }

@@ -12,20 +12,19 @@ INTERFACE = {
     "Ground": "Suelo",
     "Flakes land on a level plane": "Los copos caen sobre un plano horizontal",
     "Height": "Altura",
-    "Of the ground, along the world's Z axis": "Del suelo, por el eje Z del mundo",
+    "Height of the ground, along the world's Z axis": "Altura del suelo, por el eje Z del mundo",
     "Landed": "Al caer",
-    "What flakes do that have landed": "Qué hacen los copos que han caído",
+    "Behavior of flakes that have landed": "Comportamiento de los copos que han caído",
     "Melt Time": "Tiempo de fusión",
     "Seconds in which landed flakes melt": "Segundos en que se derriten los copos caídos",
     "Friction": "Fricción",
-    "Of what flakes land on: on slopes whose tangent is less they do not slide":
-        "De aquello en que caen: en pendientes de tangente menor no resbalan",
+    "Friction of what flakes land on; flakes do not slide on slopes whose tangent is smaller":
+        "Fricción de aquello en que caen los copos; no resbalan en pendientes de tangente menor",
     "Collider": "Obstáculo",
     "Mesh object that flakes land on": "Objeto de malla sobre el que caen los copos",
     "Name of a mesh object that flakes land on": "Nombre de un objeto de malla sobre el que caen los copos",
     "The collider is gone: flakes fall on without it": "El obstáculo ya no está: los copos siguen cayendo",
-    "What flakes are to land on has no faces: they fall through it":
-        "Aquello en que han de caer los copos no tiene caras: lo atraviesan",
+    "The collider has no faces: flakes fall through it": "El obstáculo no tiene caras: los copos lo atraviesan",
     "Flakes fall through colliders that may move, until Record Colliders keeps them as on one frame":
         "Los copos atraviesan los obstáculos que pueden moverse hasta que Registrar obstáculos los guarde como en un fotograma",
     "Colliders": "Obstáculos",
@@ -33,34 +32,35 @@ INTERFACE = {
     "Name of a collection whose mesh objects flakes land on":
         "Nombre de una colección sobre cuyos objetos de malla caen los copos",
     "Recorded": "Registrado",
-    "What flakes land on, as it was on one frame": "Aquello en que caen los copos, como estaba en un fotograma",
+    "Recorded mesh that flakes land on": "Malla registrada sobre la que caen los copos",
     "Recorded Colliders": "Obstáculos registrados",
-    "Of what was recorded: whose its faces are, in their order": "De lo que se registró: de quién son sus caras, en su orden",
+    "Colliders of the recorded mesh, in the order of its faces":
+        "Obstáculos de la malla registrada, en el orden de sus caras",
     "Collider that was recorded": "Obstáculo que se registró",
     "How many of the recorded triangles are the collider's": "Cuántos de los triángulos registrados son del obstáculo",
     "Recorded Frame": "Fotograma registrado",
-    "On which the colliders were as flakes land on them": "En el que los obstáculos estaban como los copos los encuentran",
-    "Keep what flakes land on as it is on this frame, in the file, whatever moves later":
-        "Guarda en el archivo aquello en que caen los copos como está en este fotograma, se mueva lo que se mueva después",
-    "Let flakes land on the colliders themselves again": "Los copos vuelven a caer sobre los propios obstáculos",
+    "Frame on which the colliders were recorded": "Fotograma en el que se registraron los obstáculos",
+    "Keep the colliders in the file as they are on this frame":
+        "Guarda los obstáculos en el archivo como están en este fotograma",
+    "Forget the recorded colliders, so that flakes land on the colliders themselves again":
+        "Olvidar los obstáculos registrados, de modo que los copos vuelven a caer sobre los propios obstáculos",
     "There is nothing with faces that flakes land on": "No hay nada con caras en que caigan los copos",
     "Nothing was recorded": "No hay nada registrado",
     "As they were on frame {frame}": "Como estaban en el fotograma {frame}",
     "Flakes appear as soon as it is known where they land": "Los copos aparecen en cuanto se sabe dónde caen",
     "Landings Found": "Caídas halladas",
     "Camera View": "Vista de cámara",
-    "Flakes come into being evenly in what a camera sees, and fall down":
+    "Flakes are born evenly in the view of a camera, and fall down":
         "Los copos nacen por igual en lo que ve una cámara y caen hacia abajo",
-    "In whose view flakes come into being": "En cuya vista nacen los copos",
-    "Name of a camera in whose view flakes come into being": "Nombre de una cámara en cuya vista nacen los copos",
+    "Camera in whose view the flakes are born": "Cámara en cuya vista nacen los copos",
+    "Name of a camera in whose view the flakes are born": "Nombre de una cámara en cuya vista nacen los copos",
     "Closest": "Más cerca",
-    "To the camera that flakes come into being, along its view": "De la cámara a que nacen copos, en la dirección en que mira",
+    "Smallest distance from the camera at which flakes are born": "Distancia mínima a la cámara a la que nacen copos",
     "Farthest": "Más lejos",
-    "From the camera that flakes come into being, along its view":
-        "De la cámara hasta donde nacen copos, en la dirección en que mira",
-    "Choose a camera in whose view flakes come into being": "Elige una cámara en cuya vista nazcan los copos",
+    "Largest distance from the camera at which flakes are born": "Distancia máxima a la cámara a la que nacen copos",
+    "Choose a camera in whose view the flakes are born": "Elige una cámara en cuya vista nazcan los copos",
     "The camera is in no collection any more: choose another one": "La cámara ya no está en ninguna colección: elige otra",
-    "Flakes come into being in the view of a perspective camera alone":
+    "Flakes are born only in the view of a perspective camera":
         "Los copos solo nacen en la vista de una cámara en perspectiva",
     "The camera's lens is not known ahead, and flakes are born in what it sees now: key it, or record it":
         "La focal de la cámara no se conoce de antemano, y los copos nacen en lo que ve ahora: anímala con claves o grábala",
@@ -73,8 +73,8 @@ INTERFACE = {
     "How far flakes lean outwards at the edge": "Cuánto se inclinan hacia fuera los copos en el borde",
     "How fast flakes leave": "Con qué rapidez salen los copos",
     "Setting": "Ajuste",
-    "Which handle": "Qué asa",
-    "Where the handle goes, in the world": "Adónde va el asa, en el mundo",
+    "Handle that is dragged": "Asa que se arrastra",
+    "Place in the world that the handle is dragged to": "Lugar del mundo al que se arrastra el asa",
     "The emitter has no such handle": "El emisor no tiene esa asa",
     "Press the left mouse button on a handle of the emitter and drag it; Esc or the right button cancels":
         "Pulsa el botón izquierdo sobre un asa del emisor y arrástrala; Esc o el botón derecho cancela",
@@ -87,10 +87,9 @@ INTERFACE = {
     "A setting is outside of what flakes can do": "Un ajuste está fuera de lo que los copos pueden hacer",
     "A small solid": "Un sólido pequeño",
     "A small solid that glows": "Un sólido pequeño que brilla",
-    "About how often a second a flake turns another way":
-        "Cuántas veces por segundo, más o menos, gira un copo hacia otro lado",
-    "About how often a second the wind varies": "Cuántas veces por segundo, más o menos, varía el viento",
-    "Add a colour at the end of the gradient": "Añade un color al final del degradado",
+    "Approximate number of turns of a flake per second": "Número aproximado de giros de un copo por segundo",
+    "Approximate number of gusts per second": "Número aproximado de ráfagas por segundo",
+    "Add a colour at the end of the gradient": "Agrega un color al final del degradado",
     "Air Drag": "Arrastre del aire",
     "All settings at their defaults: flakes that fly straight": "Todos los ajustes por defecto: copos que vuelan recto",
     "Bare points, which Blender draws fastest": "Puntos sin más, que Blender dibuja más rápido",
@@ -99,12 +98,12 @@ INTERFACE = {
     "Box": "Caja",
     "Burst": "Estallido",
     "Burst Time": "Tiempo del estallido",
-    "By how much flakes lean outwards at the edge of a cone, or at random at most":
-        "Cuánto se inclinan los copos hacia fuera en el borde de un cono, o al azar como máximo",
-    "By which flakes turn about the world's X and Y axes, at most":
-        "El que los copos giran sobre los ejes X e Y del mundo, como máximo",
-    "By which part of it the wind varies": "En qué parte de sí mismo varía el viento",
-    "Choose a mesh that flakes leave": "Elige una malla de la que salgan copos",
+    "Largest angle by which flakes lean outwards: at the edge of a cone, or at random":
+        "Ángulo máximo que los copos se inclinan hacia fuera: en el borde de un cono, o al azar",
+    "Largest angle by which steering turns the flakes' way about the world's X and Y axes":
+        "Ángulo máximo que la deriva gira el camino de los copos sobre los ejes X e Y del mundo",
+    "Share of the wind by which gusts vary it": "Parte del viento en que lo varían las ráfagas",
+    "Choose the mesh that emits the flakes": "Elige la malla que emite los copos",
     "Choose what flakes look like: there is no such object or collection":
         "Elige el aspecto de los copos: no hay tal objeto o colección",
     "Collection whose objects flakes are instances of": "Colección de cuyos objetos los copos son instancias",
@@ -114,8 +113,8 @@ INTERFACE = {
     "Disc": "Disco",
     "Each flake has a colour from anywhere on the gradient, not its first one":
         "Cada copo tiene un color de cualquier lugar del degradado, no el primero",
-    "Each flake steers in its own way; otherwise all flakes of an age turn alike":
-        "Cada copo deriva a su manera; si no, todos los de una edad giran igual",
+    "Each flake steers along a path of its own; otherwise all flakes of the same age turn alike":
+        "Cada copo deriva por un camino propio; si no, todos los de una misma edad giran igual",
     "Eddy Size": "Tamaño de remolino",
     "Emission": "Emisión",
     "Emitter": "Emisor",
@@ -124,19 +123,18 @@ INTERFACE = {
     "Flakes": "Copos",
     "Flakes are born for ever, whatever the duration is": "Los copos nacen siempre, sea cual sea la duración",
     "Flakes are computed on each frame: there is nothing to bake":
-        "Los copos se calculan en cada fotograma: no hay nada que hornear",
+        "Los copos se calculan en cada fotograma: no hay nada que capturar",
     "Flakes at Most": "Copos como máximo",
-    "Flakes come into being within a ball and leave its middle":
-        "Los copos nacen dentro de una bola y se alejan de su centro",
-    "Flakes come into being within a cube and leave along the emitter's +Z":
+    "Flakes are born within a ball and leave its middle": "Los copos nacen dentro de una bola y se alejan de su centro",
+    "Flakes are born within a cube and leave along the emitter's +Z":
         "Los copos nacen dentro de un cubo y salen según el +Z del emisor",
     "Flakes leave a disc along the emitter's +Z": "Los copos salen de un disco según el +Z del emisor",
     "Flakes leave a disc, leaning outwards, at its edge by the cone angle":
         "Los copos salen de un disco inclinados hacia fuera, en su borde según el ángulo del cono",
     "Flakes leave a square along the emitter's +Z": "Los copos salen de un cuadrado según el +Z del emisor",
     "Flakes leave anywhere within the cone angle": "Los copos salen hacia cualquier lado dentro del ángulo del cono",
-    "Flakes leave the faces of a mesh along their normals, evenly over their area":
-        "Los copos salen de las caras de una malla según sus normales, por igual en toda su área",
+    "A mesh emits the flakes from its faces along their normals, evenly over their area":
+        "Una malla emite los copos desde sus caras según sus normales, por igual en toda su área",
     "Flakes steer through the air, as a smooth noise of their age turns them":
         "Los copos derivan por el aire según los gira un ruido suave de su edad",
     "Flakes that are born all at once, beside those of the rate":
@@ -145,14 +143,14 @@ INTERFACE = {
     "Frame at which the snow's time starts; before the scene's first frame, flakes are already in the air there":
         "Fotograma en que empieza el tiempo de la nieve; antes del primero de la escena, allí ya hay copos en el aire",
     "Gentle Snow": "Nieve suave",
-    "Give an emitter the settings that go by a name": "Da a un emisor los ajustes que llevan un nombre",
+    "Give an emitter the settings of a preset": "Da a un emisor los ajustes de un preajuste",
     "Glowing specks that fly up from a fire and fall back": "Motas brillantes que suben de un fuego y vuelven a caer",
     "Gradient": "Degradado",
     "Gust Frequency": "Frecuencia de ráfagas",
     "Gusts": "Ráfagas",
     "Heavy flakes that fall fast and nearly straight": "Copos pesados que caen rápido y casi rectos",
-    "How far flakes turn about axes of their own in a second, at most":
-        "Cuánto giran los copos sobre ejes propios en un segundo, como máximo",
+    "Largest angle per second by which flakes turn about their own axes":
+        "Ángulo máximo por segundo que giran los copos sobre sus propios ejes",
     "How quickly flakes take on the velocity of the air, in 1/s; without it there is no wind":
         "Con qué rapidez toman los copos la velocidad del aire, en 1/s; sin él no hay viento",
     "Indoor Dust": "Polvo interior",
@@ -162,8 +160,8 @@ INTERFACE = {
     "Keep Emitter": "Conservar emisor",
     "Keep the emitter, without its snow": "Conserva el emisor, sin su nieve",
     "Large flakes that come down slowly on a calm evening": "Copos grandes que bajan despacio en una tarde tranquila",
-    "Let flakes fall from an emitter, or leave the faces of a mesh, without a cache":
-        "Deja caer copos de un emisor, o salir de las caras de una malla, sin caché",
+    "Let an emitter, or the faces of a mesh, emit flakes, without a cache":
+        "Deja que un emisor, o las caras de una malla, emita copos, sin caché",
     "Lifetime": "Vida",
     "Looping": "Sin fin",
     "Max Angle": "Ángulo máximo",
@@ -173,34 +171,34 @@ INTERFACE = {
         "Más de 16 millones de copos a la vez necesitarían más de 1 GB de memoria: reduce la tasa o la vida",
     "Motus has made the emitter, and removes it with the snow": "Motus ha creado el emisor, y lo quita con la nieve",
     "Name an object or a collection, not both": "Nombra un objeto o una colección, no ambos",
-    "Name of a mesh object whose faces flakes leave": "Nombre de un objeto de malla de cuyas caras salen copos",
+    "Name of the mesh that emits the flakes": "Nombre de la malla que emite los copos",
     "Name of the collection whose objects flakes are instances of":
         "Nombre de la colección de cuyos objetos los copos son instancias",
     "Name of the emitter; empty takes the active object": "Nombre del emisor; vacío toma el objeto activo",
     "Name of the emitter; empty takes the selected ones": "Nombre del emisor; vacío toma los seleccionados",
     "Name of the object that flakes are instances of": "Nombre del objeto del que los copos son instancias",
     "Nothing here snows": "Nada aquí nieva",
-    "Object that each flake is an instance of": "Objeto del que cada copo es una instancia",
-    "Object whose faces flakes leave": "Objeto de cuyas caras salen los copos",
-    "Of all that is random": "De todo lo que es al azar",
-    "Of flakes and points of size 1": "De los copos y puntos de tamaño 1",
-    "Of flakes: times the flake's width, or the scale of an object":
-        "De los copos: por el ancho del copo, o la escala de un objeto",
-    "Of the colour in the list; -1 for the last one": "Del color en la lista; -1 para el último",
-    "Of the disc, ball or cone; half the width of the square or box":
-        "Del disco, la bola o el cono; la mitad del ancho del cuadrado o la caja",
-    "Of the eddies": "De los remolinos",
-    "Of the emitter; the 3D cursor's, where it is not given": "Del emisor; la del cursor 3D, si no se da",
-    "Of the gradient at this position": "Del degradado en esta posición",
-    "On the gradient, from 0 to 1": "En el degradado, de 0 a 1",
-    "Own Ways": "Caminos propios",
+    "Object that flakes are instances of": "Objeto del que los copos son instancias",
+    "Mesh that emits the flakes": "Malla que emite los copos",
+    "Seed of all random numbers": "Semilla de todos los números al azar",
+    "Width of flakes and points of size 1": "Ancho de los copos y puntos de tamaño 1",
+    "Size of the flakes, as a multiple of Flake Width or the scale of an object":
+        "Tamaño de los copos, como múltiplo de Ancho del copo o de la escala de un objeto",
+    "Index of the color in the list; -1 for the last one": "Índice del color en la lista; -1 para el último",
+    "Radius of the disc, ball or cone; half the width of the square or box":
+        "Radio del disco, la bola o el cono; la mitad del ancho del cuadrado o la caja",
+    "Diameter of the eddies": "Diámetro de los remolinos",
+    "Location of the emitter; that of the 3D cursor if it is not given":
+        "Posición del emisor; la del cursor 3D si no se indica",
+    "Color of the gradient at this position": "Color del degradado en esta posición",
+    "Position on the gradient, from 0 to 1": "Posición en el degradado, de 0 a 1",
+    "Individual Paths": "Caminos individuales",
     "Percentage of the flakes that the viewport shows; they are some of those that are rendered":
         "Porcentaje de los copos que muestra la vista; son algunos de los que se procesan",
     "Petal": "Pétalo",
     "Petals": "Pétalos",
     "Plain": "Simple",
     "Points": "Puntos",
-    "Preset": "Tipo",
     "Preview": "Vista previa",
     "Random": "Azar",
     "Random Color": "Color al azar",
@@ -215,11 +213,11 @@ INTERFACE = {
     "Seconds for which flakes are born": "Segundos durante los que nacen copos",
     "Seconds from the start frame until the first flakes are born":
         "Segundos desde el fotograma inicial hasta que nacen los primeros copos",
-    "Settings that go by a name": "Ajustes que llevan un nombre",
+    "Preset whose settings the emitter is given": "Preajuste cuyos ajustes recibe el emisor",
     "Six-Armed Flake": "Copo de seis brazos",
     "Small flakes that gusts drive across": "Copos pequeños que las ráfagas arrastran",
     "Snow": "Nieve",
-    "Snow Presets": "Ajustes de nieve",
+    "Snow Presets": "Preajustes de nieve",
     "Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache":
         "Nieve que cae al anochecer sobre una aldea cuyos tejados, árboles y prados se vuelven blancos, sin caché",
     "Winter Village": "Aldea en invierno",
@@ -235,9 +233,9 @@ INTERFACE = {
     "The emitter's motion is not known ahead, and flakes are born where it stands now: record it, or key it":
         "El movimiento del emisor no se conoce de antemano, y los copos nacen donde está ahora: grábalo, o ponle claves",
     "The gradient has no such colour": "El degradado no tiene ese color",
-    "The mesh that flakes leave has no faces": "La malla de la que salen los copos no tiene caras",
-    "The mesh that flakes leave is in no collection any more: choose another one":
-        "La malla de la que salen los copos ya no está en ninguna colección: elige otra",
+    "The mesh that emits the flakes has no faces": "La malla que emite los copos no tiene caras",
+    "The mesh that emits the flakes is in no collection any more: choose another one":
+        "La malla que emite los copos ya no está en ninguna colección: elige otra",
     "The scene's gravity pulls flakes down": "La gravedad de la escena tira de los copos",
     "There is no collection {collection}": "No hay ninguna colección {collection}",
     "Tumble": "Volteo",
@@ -248,12 +246,12 @@ INTERFACE = {
     "Velocity of the air in world space; it may be keyed": "Velocidad del aire en el espacio global; se puede animar con claves",
     "Velocity of the eddies that carry flakes along": "Velocidad de los remolinos que llevan los copos",
     "Wet Snow": "Nieve húmeda",
-    "What flakes look like": "Qué aspecto tienen los copos",
-    "Where flakes are born": "Dónde nacen los copos",
-    "Whether there is snow: there is none at 0": "Si hay nieve: con 0 no la hay",
+    "Geometry that the flakes are shown as": "Geometría con la que se muestran los copos",
+    "Shape in which the flakes are born": "Forma en la que nacen los copos",
+    "Whether it snows: 0 hides the snow": "Si nieva: 0 oculta la nieve",
     "Wind": "Viento",
-    "Wire the emitter again": "Vuelve a conectar el emisor",
-    "With which flakes leave the emitter": "Con la que los copos salen del emisor",
+    "Rebuild the emitter after its parts changed": "Reconstruir el emisor después de cambiar sus partes",
+    "Speed at which flakes leave the emitter": "Velocidad a la que los copos salen del emisor",
     "{count} flakes at once would need {memory}; there can be {most}":
         "{count} copos a la vez necesitarían {memory}; puede haber {most}",
     "{object} has no faces": "{object} no tiene caras",
@@ -263,13 +261,13 @@ INTERFACE = {
 OPERATORS = {
     "Record Colliders": "Registrar obstáculos",
     "Clear Recorded Colliders": "Borrar obstáculos registrados",
-    "Snow in its View": "Nieve en su vista",
+    "Emit in Camera View": "Emitir en la vista de la cámara",
     "Drag Emitter's Handle": "Arrastrar asa del emisor",
-    "Add Color": "Añadir color",
-    "Add Snow": "Añadir nieve",
-    "Add Snow Preset": "Añadir ajuste de nieve",
+    "Add Color": "Agregar color",
+    "Add Snow": "Agregar nieve",
+    "Add Snow Preset": "Agregar preajuste de nieve",
     "Kind of Snow": "Tipo de nieve",
     "Remove Color": "Quitar color",
     "Remove Snow": "Quitar nieve",
-    "Snow from its Surface": "Nieve de su superficie",
+    "Emit from Surface": "Emitir desde la superficie",
 }

@@ -8,40 +8,40 @@ INTERFACE = {
     "A setting of the cover is not a finite number": "Un ajuste del manto no es un número finito",
     "A thin veil in which single flakes show, blown off slopes":
         "Un velo fino en el que se ven copos sueltos, que el viento quita de las pendientes",
-    "Add a mesh that snow is to lie on": "Añade una malla sobre la que quede la nieve",
-    "Add an emitter of snow that falls on the surfaces": "Añade un emisor de nieve que caiga sobre las superficies",
+    "Add a mesh that snow is to lie on": "Agrega una malla sobre la que quede la nieve",
+    "Add an emitter of snow that falls on the surfaces": "Agrega un emisor de nieve que caiga sobre las superficies",
     "Add the objects that are named, or the selected ones, to those that snow lies on or falls from":
-        "Añade los objetos nombrados, o los seleccionados, a aquellos sobre los que queda o de los que cae la nieve",
+        "Agrega los objetos nombrados, o los seleccionados, a aquellos sobre los que queda o de los que cae la nieve",
     "An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it":
         "El movimiento de un emisor, o el viento, no se conoce de antemano y cuenta como es ahora: grábalo o ponle claves",
     "Deep Winter": "Pleno invierno",
     "Deepest": "Espesor máximo",
     "Dusting": "Nevada ligera",
-    "Edge of a cube of lying snow that each flake which lands stands for: snow grows faster with larger ones":
-        "Arista de un cubo de nieve caída por el que cuenta cada copo que llega: con más, la nieve crece más deprisa",
-    "Edges of the layer are no longer than that, however large the faces are that it lies on":
-        "Las aristas del manto no son más largas que esto, por grandes que sean las caras sobre las que está",
+    "Edge of the cube of snow that each flake that lands adds: with larger ones snow grows faster":
+        "Arista del cubo de nieve que agrega cada copo que cae: con una mayor la nieve crece más deprisa",
+    "Largest length of the edges of the layer, however large the faces are that it lies on":
+        "Longitud máxima de las aristas del manto, por grandes que sean las caras sobre las que está",
     "Emitters": "Emisores",
-    "Find where all flakes land, which takes some time for so many; then any frame is there at once":
-        "Halla dónde caen todos los copos, que siendo tantos lleva su tiempo; después cualquier fotograma está al momento",
+    "Calculate where all flakes land, which takes some time for so many; then every frame is shown at once":
+        "Calcular dónde caen todos los copos, que siendo tantos lleva su tiempo; después cada fotograma se ve al momento",
     "Flakes Land": "Los copos caen encima",
     "Grows fast into thick round cushions": "Crece deprisa en gruesos cojines redondos",
-    "How much of the snow's depth there is: snow melts as it goes to 0":
-        "Cuánto hay del espesor de la nieve: se derrite al ir hacia 0",
-    "It does not snow in this scene: add snow first": "En esta escena no nieva: añade nieve primero",
-    "Layer": "Manto",
+    "Share of the snow's depth that is shown: snow melts as it goes to 0":
+        "Parte del espesor de la nieve que se muestra: se derrite al ir hacia 0",
+    "It does not snow in this scene: add snow first": "En esta escena no nieva: agrega nieve primero",
+    "Snow Layer": "Manto de nieve",
     "Let the flakes that land on the selected meshes stay there, as a layer of snow that grows":
         "Deja que los copos que caen sobre las mallas seleccionadas queden allí, como un manto de nieve que crece",
     "List": "Lista",
     "Loose snow, soft and even, that steep roofs shed": "Nieve suelta, suave y pareja, que cae de los tejados empinados",
-    "Lump": "Terrón",
+    "Snow per Flake": "Nieve por copo",
     "Lying Snow": "Nieve caída",
     "Lying snow is computed on each frame: there is nothing to bake":
-        "La nieve caída se calcula en cada fotograma: no hay nada que procesar",
+        "La nieve caída se calcula en cada fotograma: no hay nada que capturar",
     "Material": "Material",
     "Mesh object that snow lies on, or emitter of snow": "Objeto de malla sobre el que queda la nieve, o emisor de nieve",
-    "More than 10 million flakes fall until the end: let fewer fall, of larger lumps":
-        "Hasta el final caen más de 10 millones de copos: deja caer menos, de terrones mayores",
+    "More than 10 million flakes fall until the end: let fewer flakes fall, and raise Snow per Flake":
+        "Hasta el final caen más de 10 millones de copos: deja caer menos, y sube Nieve por copo",
     "Name of a collection on whose meshes snow lies too": "Nombre de una colección sobre cuyas mallas también queda nieve",
     "Name of the snow cover; empty takes the active object": "Nombre del manto de nieve; vacío toma el objeto activo",
     "Name of the snow cover; empty takes the selected ones": "Nombre del manto de nieve; vacío toma los seleccionados",
@@ -53,8 +53,8 @@ INTERFACE = {
         "Nombres de los objetos de malla sobre los que queda la nieve, entre comas; vacío toma los seleccionados",
     "None of the surfaces has faces": "Ninguna de las superficies tiene caras",
     "Nothing is selected that is not in the list": "No hay nada seleccionado que no esté en la lista",
-    "Of the object in the list; -1 for the last one": "Del objeto en la lista; -1 para el último",
-    "Of the snow that lies": "De la nieve caída",
+    "Index of the object in the list; -1 for the last one": "Índice del objeto en la lista; -1 para el último",
+    "Material of the lying snow": "Material de la nieve caída",
     "Powder": "Nieve polvo",
     "Reads": "Lee",
     "Removed {objects}": "Se ha quitado {objects}",
@@ -63,14 +63,15 @@ INTERFACE = {
     "Slope": "Pendiente",
     "Smoothing": "Suavizado",
     "Snow Cover": "Manto de nieve",
-    "Snow Cover Presets": "Ajustes de manto de nieve",
+    "Snow Cover Presets": "Preajustes de manto de nieve",
     "Snow cannot lie on {object}": "La nieve no puede quedar sobre {object}",
     "Snow lies on the meshes of this collection too": "La nieve queda también sobre las mallas de esta colección",
     "Snow lies where it lands on slopes up to this angle; the steeper the more of it slides down":
         "En pendientes hasta este ángulo la nieve queda donde cae; cuanto más empinado, más resbala",
     "Snow that is thinner is hidden, so that the surface shows between the first flakes":
         "La nieve más fina no se ve, de modo que la superficie asoma entre los primeros copos",
-    "So many flakes, or faces, take some time: press Work Out": "Tantos copos, o caras, llevan su tiempo: pulsa Calcular",
+    "So many flakes, or faces, take some time: press Calculate Snow":
+        "Tantos copos, o caras, llevan su tiempo: pulsa Calcular nieve",
     "Sticks in heaps to all that is not quite upright": "Se pega en montones a todo lo que no es vertical",
     "Surfaces": "Superficies",
     "Take an object off the list": "Quita un objeto de la lista",
@@ -82,25 +83,25 @@ INTERFACE = {
         "El manto tendría más de 2 millones de vértices: elige una resolución más gruesa, o menos superficies",
     "The list has no such object": "La lista no tiene ese objeto",
     "The object is in the library's list, and cannot be removed": "El objeto está en la lista de la biblioteca y no se puede quitar",
-    "There is nothing to work out": "No hay nada que calcular",
+    "There is nothing to calculate": "No hay nada que calcular",
     "Thinnest": "Espesor mínimo",
     "This is no snow cover": "Esto no es un manto de nieve",
-    "What snow falls from": "De qué cae la nieve",
-    "What snow lies on": "Sobre qué queda la nieve",
-    "What the solver waits for, to notice where it has changed since":
-        "Lo que espera el cálculo, para notar si ha cambiado desde entonces",
-    "Which list": "Qué lista",
-    "Wire the snow cover again": "Vuelve a conectar el manto de nieve",
+    "Emitters that snow falls from": "Emisores de los que cae la nieve",
+    "Surfaces that snow lies on": "Superficies sobre las que queda la nieve",
+    "Objects that the solver waits for, to notice changes": "Objetos que espera el cálculo, para notar cambios",
+    "List that the objects are added to or removed from": "Lista a la que se agregan o de la que se quitan los objetos",
+    "Rebuild the snow cover after surfaces or emitters changed":
+        "Reconstruir el manto de nieve después de cambiar superficies o emisores",
     "{object} is no emitter of snow": "{object} no es un emisor de nieve",
 }
 
 OPERATORS = {
-    "Add Selected": "Añadir selección",
-    "Add Snow Cover": "Añadir manto de nieve",
-    "Add Snow Cover Preset": "Añadir ajuste de manto de nieve",
-    "Add to Snow Cover": "Añadir al manto de nieve",
+    "Add Selected": "Agregar selección",
+    "Add Snow Cover": "Agregar manto de nieve",
+    "Add Snow Cover Preset": "Agregar preajuste de manto de nieve",
+    "Add to Snow Cover": "Agregar al manto de nieve",
     "Remove Snow Cover": "Quitar manto de nieve",
     "Remove from Snow Cover": "Quitar del manto de nieve",
-    "Use Snow Cover Preset": "Usar ajuste de manto de nieve",
-    "Work Out": "Calcular",
+    "Use Snow Cover Preset": "Usar preajuste de manto de nieve",
+    "Calculate Snow": "Calcular nieve",
 }

@@ -1,6 +1,8 @@
 """Spanish: stereo cameras."""
 
 INTERFACE = {
+    "Make a camera at the viewport's view if the scene has none": "Crea una cámara donde mira la vista 3D si la escena no tiene ninguna",
+    "New Camera": "Cámara nueva",
     "Both eyes are written as: {format}": "Ambos ojos se escriben así: {format}",
     "Look through both eyes of the camera in the viewport, with red and cyan glasses; once more to look as before":
         "Mira por ambos ojos de la cámara en la vista, con gafas rojas y cian; otra vez para mirar como antes",
@@ -16,20 +18,21 @@ INTERFACE = {
     "18 m wide, seen from 9 m": "18 m de ancho, vista desde 9 m",
     "360 Degrees": "360 grados",
     "A camera cannot be its own focus": "Una cámara no puede ser su propio foco",
-    "A distance along the camera's axis": "Una distancia según el eje de la cámara",
+    "The screen is at a distance along the camera's axis": "La pantalla está a una distancia según el eje de la cámara",
     "A file for each eye": "Un archivo por ojo",
     "All is well on a {width} m screen": "Todo está bien en una pantalla de {width} m",
     "Anaglyph": "Anaglifo",
-    "Behind the screen at most, in percent of the image's width":
-        "Como máximo detrás de la pantalla, en porcentaje del ancho de la imagen",
-    "Between the eyes of the audience, in metres": "Entre los ojos del público, en metros",
-    "Between the eyes, in the scene's units": "Entre los ojos, en las unidades de la escena",
-    "Both in one image, beside each other": "Ambas en una imagen, una al lado de la otra",
-    "Both in one image, one above the other": "Ambas en una imagen, una sobre la otra",
+    "Largest parallax behind the screen, in percent of the image's width":
+        "Mayor paralaje detrás de la pantalla, en porcentaje del ancho de la imagen",
+    "Distance between the eyes of the audience, in metres": "Distancia entre los ojos del público, en metros",
+    "Distance between the camera's eyes, in the scene's units":
+        "Distancia entre los ojos de la cámara, en las unidades de la escena",
+    "Both eyes in one image, beside each other": "Ambos ojos en una imagen, uno al lado del otro",
+    "Both eyes in one image, one above the other": "Ambos ojos en una imagen, uno sobre el otro",
     "Both images together are as large as one": "Las dos imágenes juntas miden lo que una",
-    "Both on top of each other, for red and cyan glasses": "Ambas superpuestas, para gafas rojas y cian",
-    "By how many samples at least near and far change before what makes them change":
-        "Cuántas muestras, como mínimo, antes de su causa cambian las distancias cercana y lejana",
+    "Both eyes on top of each other, for red and cyan glasses": "Ambos ojos superpuestos, para gafas rojas y cian",
+    "Number of samples by which near and far change ahead of their cause, at least":
+        "Número de muestras en que cerca y lejos cambian antes de su causa, como mínimo",
     "Choose the object that lies on the screen": "Elige el objeto que queda en la pantalla",
     "Cinema": "Cine",
     "Safe from": "Seguro desde",
@@ -54,16 +57,17 @@ INTERFACE = {
     "Focal length and sensor must be greater than 0": "La distancia focal y el sensor deben ser mayores que 0",
     "Focus": "Foco",
     "Format": "Formato",
-    "From the audience to a screen of your own, in metres": "Del público a una pantalla propia, en metros",
-    "From the camera to what lies on the screen": "De la cámara a lo que queda en la pantalla",
+    "Distance from the audience to a custom screen, in metres":
+        "Distancia del público a una pantalla personalizada, en metros",
+    "Distance from the camera to the screen": "Distancia de la cámara a la pantalla",
     "Give a camera a left and a right eye, whose distances are set for an audience in front of a screen":
         "Da a una cámara un ojo izquierdo y uno derecho, con distancias pensadas para un público ante una pantalla",
     "How much the rig sets the camera's eyes; 0 leaves them at the camera's own values":
         "Cuánto fija el montaje los ojos de la cámara; con 0 quedan en los valores de la propia cámara",
     "How the images are written": "Cómo se escriben las imágenes",
     "How the images meet on the screen": "Cómo se encuentran las imágenes en la pantalla",
-    "In front of the screen at most, in percent of the image's width":
-        "Como máximo delante de la pantalla, en porcentaje del ancho de la imagen",
+    "Largest parallax in front of the screen, in percent of the image's width":
+        "Mayor paralaje delante de la pantalla, en porcentaje del ancho de la imagen",
     "Interlaced": "Entrelazado",
     "Interocular": "Interocular",
     "Is too far behind a {width} m screen by {percent} % in {frames}":
@@ -86,17 +90,17 @@ INTERFACE = {
     "Near Parallax": "Paralaje cercano",
     "Near and far parallax are both 0: there is no depth to spend":
         "Los paralajes cercano y lejano son 0: no hay profundidad que repartir",
-    "Near in red, the screen in white, far in blue": "Lo cercano en rojo, la pantalla en blanco, lo lejano en azul",
+    "Draw the planes of the depth budget: near in red, the screen in white, far in blue":
+        "Dibujar los planos del presupuesto de profundidad: cerca en rojo, la pantalla en blanco, lejos en azul",
     "Near must be greater than 0, and far greater than near": "Cerca debe ser mayor que 0, y lejos mayor que cerca",
-    "Of a screen of your own, in metres": "De una pantalla propia, en metros",
-    "Marks where parallax is a multiple of half a percent, and lines to the selected objects: green, strained ones in yellow, diverging ones in pink":
-        "Marcas donde el paralaje es múltiplo de medio por ciento, y líneas a los objetos seleccionados: verdes; amarillas si fuerzan la vista; rosas "
-        "si divergen",
+    "Width of a custom screen, in metres": "Ancho de una pantalla personalizada, en metros",
+    "Draw marks where parallax is a multiple of half a percent, and lines to the selected objects: green, strained ones in yellow, diverging ones in pink":
+        "Dibujar marcas donde el paralaje es múltiplo de medio por ciento, y líneas a los objetos seleccionados: verdes; amarillas si fuerzan la vista; rosas si divergen",
     "Off-Axis": "Descentrado",
     "Only Cycles can see all around in stereo: choose that as the render engine first":
         "Solo Cycles ve todo alrededor en estéreo: elígelo antes como motor de procesamiento",
     "Pair": "Par",
-    "Parallax of what is seen": "Paralaje de lo que se ve",
+    "Measured Parallax": "Paralaje medido",
     "Parallel": "Paralelo",
     "Phone": "Teléfono",
     "Pivot Before": "Pivote anterior",
@@ -162,17 +166,20 @@ INTERFACE = {
     "Type Before": "Tipo anterior",
     "Type that the camera had before it was made to see all around":
         "Tipo que la cámara tenía antes de hacerla ver todo alrededor",
-    "What an audience can look at without strain": "Lo que un público puede mirar sin esfuerzo",
-    "What lies on the screen, neither in front of it nor behind it":
-        "Lo que queda en la pantalla, ni delante ni detrás",
-    "What lies on the screen, where convergence is an object's": "Lo que queda en la pantalla, si la convergencia es de un objeto",
-    "What shall lie on the screen is at the camera or behind it":
-        "Lo que debe quedar en la pantalla está en la cámara o detrás de ella",
-    "What the audience looks at: warnings are about it": "Lo que el público mira: los avisos se refieren a ello",
-    "Where an object stands along the camera's axis": "Donde está un objeto según el eje de la cámara",
-    "Width and viewing distance of your own": "Ancho y distancia de visión propios",
-    "Wire the rig again, after the camera was given another lens":
-        "Vuelve a conectar el montaje, después de dar otra lente a la cámara",
+    "Draw the volume that an audience can look at without strain":
+        "Dibujar el volumen que un público puede mirar sin esfuerzo",
+    "How the distance is found at which things are neither in front of the screen nor behind it":
+        "Cómo se halla la distancia a la que las cosas no quedan ni delante ni detrás de la pantalla",
+    "Object that lies on the screen, if Convergence is Object":
+        "Objeto que queda en la pantalla, si Convergencia es Objeto",
+    "The object that shall lie on the screen is at the camera or behind it":
+        "El objeto que debe quedar en la pantalla está en la cámara o detrás de ella",
+    "Screen that the audience looks at, which warnings are about":
+        "Pantalla que mira el público, a la que se refieren los avisos",
+    "The screen is where an object is along the camera's axis":
+        "La pantalla está donde está un objeto según el eje de la cámara",
+    "Custom width and viewing distance": "Ancho y distancia de visión personalizados",
+    "Rebuild after the camera was given different lens data": "Reconstruir después de dar a la cámara otros datos de lente",
     "{object} has a stereo rig": "{object} tiene un montaje estéreo",
     "{object} has a stereo rig: remove that first": "{object} tiene un montaje estéreo: quítalo antes",
     "{object} has its lens in common with {other}, which has a stereo rig":
@@ -185,8 +192,8 @@ INTERFACE = {
 OPERATORS = {
     "Anaglyph View": "Vista anaglifo",
     "Fit to Screen": "Ajustar a la pantalla",
-    "Add Stereo Rig": "Añadir montaje estéreo",
-    "Add Stereo Preset": "Añadir preajuste de estéreo",
+    "Add Stereo Rig": "Agregar montaje estéreo",
+    "Add Stereo Preset": "Agregar preajuste de estéreo",
     "Check Stereo": "Comprobar estéreo",
     "Measure Depth": "Medir profundidad",
     "Remove Stereo Rig": "Quitar montaje estéreo",

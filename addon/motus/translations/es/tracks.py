@@ -1,26 +1,27 @@
 """Spanish: inputs over time."""
 
 INTERFACE = {
-    "Go through the frames and keep in the file what is not known ahead, such as what constraints do":
-        "Recorrer los fotogramas y guardar en el archivo lo que no se sabe de antemano, como lo que hacen las restricciones",
-    "Take the recorded samples out of the file": "Quitar del archivo las muestras grabadas",
-    "Head": "Cabecera",
-    "When the samples were taken, and what of": "Cuándo se tomaron las muestras, y de qué",
+    "Go through the frames and keep in the file the motion that cannot be read from keys, such as that of constraints":
+        "Recorrer los fotogramas y guardar en el archivo el movimiento que no se puede leer de las claves, como el de las restricciones",
+    "Remove the recorded samples from the file": "Quitar del archivo las muestras grabadas",
+    "Header": "Cabecera",
+    "Times at which the samples were taken, and their source": "Momentos en que se tomaron las muestras, y su origen",
     "Data": "Datos",
     "The samples": "Las muestras",
     "Datablock": "Bloque de datos",
     "Name of the object or other datablock; empty takes the active object":
         "Nombre del objeto u otro bloque de datos; vacío toma el objeto activo",
     "Collection": "Colección",
-    "Which of the file's collections the datablock stands in, such as materials":
-        "En qué colección del archivo está el bloque de datos, como materials",
+    "Collection of the file that the datablock is in, such as materials":
+        "Colección del archivo en la que está el bloque de datos, como materials",
     "Name of a bone; empty means the object itself": "Nombre de un hueso; vacío significa el propio objeto",
     "Transform": "Transformación",
-    "Which transform, where no data path is given": "Qué transformación, si no se da una ruta de datos",
+    "Transform that is recorded if no data path is given": "Transformación que se graba si no se da una ruta de datos",
     "World Matrix": "Matriz de mundo",
-    "Where it stands, with parents and constraints": "Dónde está, con padres y restricciones",
+    "World matrix, with parents and constraints": "Matriz en el mundo, con padres y restricciones",
     "Own Transform": "Transformación propia",
-    "Its own location, rotation and scale": "Su propia posición, rotación y escala",
+    "Location, rotation and scale of its own, without parents and constraints":
+        "Posición, rotación y escala propias, sin padres ni restricciones",
     "Data Path": "Ruta de datos",
     "Path of a property from the datablock":
         "Ruta de una propiedad del bloque de datos; vacío significa una transformación",

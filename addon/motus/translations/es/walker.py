@@ -1,17 +1,16 @@
 """Spanish: walkers."""
 
-_NO_KEYS_F = ". Sin claves: de ella sale todo el movimiento"
-_NO_KEYS_M = ". Sin claves: de él sale todo el movimiento"
-_NO_KEYS = ". No keys: the whole motion follows from it"
+_NO_KEYS_ES = ". No admite claves: todo el movimiento depende de ello"
+_NO_KEYS = ". Cannot be keyed: the whole motion follows from it"
 
 INTERFACE = {
     "Walker": "Caminante",
     "The body or the ground moves with what the walker drives: what would wait for itself is left alone":
         "El cuerpo o el suelo se mueve con lo que impulsa el caminante: se deja en paz lo que se esperaría a sí mismo",
-    "Some legs have no foot any more: add the walker again": "Algunas patas ya no tienen pie: vuelve a añadir el caminante",
+    "Some legs have no foot any more: add the walker again": "Algunas patas ya no tienen pie: vuelve a agregar el caminante",
     "The body that rises and leans is gone, or hangs on something else: choose it anew":
         "El cuerpo que sube y se inclina ya no está, o cuelga de otra cosa: vuelve a elegirlo",
-    "Some feet do not get to the ground where they should": "Algunos pies no llegan al suelo donde deberían",
+    "Some feet do not reach the ground at their footholds": "Algunos pies no llegan al suelo en sus apoyos",
     "The walk is planned for the frames of the scene: here the feet stand":
         "La marcha está planeada para los fotogramas de la escena: aquí los pies están quietos",
     "Select the body that shall walk": "Selecciona el cuerpo que debe caminar",
@@ -22,7 +21,7 @@ INTERFACE = {
         "{object} no es hijo de {parent}: emparéntalo y mueve {parent}",
     "{object} walks itself, and is no ground": "{object} camina también, y no es suelo",
     "{object} has no chain of Inverse Kinematics with a target: add some, or name the feet":
-        "{object} no tiene ninguna cadena de cinemática inversa con objetivo: añade alguna, o nombra los pies",
+        "{object} no tiene ninguna cadena de cinemática inversa con objetivo: agrega alguna, o nombra los pies",
     "Name the objects that are the feet of {object}, or select them too":
         "Nombra los objetos que son los pies de {object}, o selecciónalos también",
     "{object} cannot be its own foot": "{object} no puede ser su propio pie",
@@ -51,8 +50,8 @@ INTERFACE = {
     "Every second leg of a side with the others of the other side, as spiders go":
         "Una de cada dos patas de un lado con las otras del otro lado, como van las arañas",
     "Tripod": "Trípode",
-    "The same in two halves that take turns without a pause, as insects run":
-        "Lo mismo en dos mitades que se turnan sin pausa, como corren los insectos",
+    "Every second leg of a side with the others of the other side, in two halves that take turns without a pause, as insects run":
+        "Una de cada dos patas de un lado con las otras del otro lado, en dos mitades que se turnan sin pausa, como corren los insectos",
     "Ripple": "Onda doble",
     "One leg after the other from the back to the front, the sides half a cycle apart":
         "Una pata tras otra de atrás adelante, con medio ciclo entre los lados",
@@ -62,58 +61,57 @@ INTERFACE = {
     "Diagonal halves take turns": "Las mitades diagonales se turnan",
     "Pace": "Ambladura",
     "Left and right legs take turns": "Las patas izquierdas y derechas se turnan",
-    "Own": "Propio",
     "The phase of each leg is a setting of its own": "La fase de cada pata es un ajuste propio",
     "Gait": "Paso",
     "Which legs step together, and which after them": "Qué patas pisan juntas, y cuáles después",
-    "Own Duty": "Apoyo propio",
+    "Custom Duty": "Apoyo personalizado",
     "Set how long feet stand, instead of what the gait says": "Fija cuánto apoyan los pies, en vez de lo que dice el paso",
     "Duty": "Apoyo",
-    "Share of a cycle for which each foot stands" + _NO_KEYS: "Parte de un ciclo durante la que apoya cada pie" + _NO_KEYS_F,
+    "Share of a cycle for which each foot stands" + _NO_KEYS: "Parte de un ciclo durante la que apoya cada pie" + _NO_KEYS_ES,
     "Stride": "Zancada",
     "How far the body goes while a foot stands, at most" + _NO_KEYS:
-        "Cuánto avanza el cuerpo, como máximo, mientras un pie apoya" + _NO_KEYS_M,
+        "Cuánto avanza el cuerpo, como máximo, mientras un pie apoya" + _NO_KEYS_ES,
     "Cadence": "Cadencia",
     "Cycles of all legs in a second, at least; a fast body has more" + _NO_KEYS:
-        "Ciclos de todas las patas por segundo, como mínimo; un cuerpo rápido tiene más" + _NO_KEYS_M,
+        "Ciclos de todas las patas por segundo, como mínimo; un cuerpo rápido tiene más" + _NO_KEYS_ES,
     "Clearance": "Despegue",
-    "How high feet are carried above the ground" + _NO_KEYS: "A qué altura sobre el suelo se llevan los pies" + _NO_KEYS_F,
+    "How high feet are carried above the ground" + _NO_KEYS: "A qué altura sobre el suelo se llevan los pies" + _NO_KEYS_ES,
     "Minimum Step": "Paso mínimo",
-    "Feet that are no further than this from where they belong stay, so that a body that trembles does not patter" + _NO_KEYS:
-        "Los pies que no están más lejos de su sitio se quedan, para que un cuerpo que tiembla no patalee" + _NO_KEYS_M,
+    "Feet that are no further than this from their rest positions do not step, so that a trembling body does not patter" + _NO_KEYS:
+        "Los pies que no están más lejos que esto de sus posiciones de reposo no dan pasos, para que un cuerpo que tiembla no patalee" + _NO_KEYS_ES,
     "Reach Up": "Alcance arriba",
-    "How far above the feet's rest places ground is looked for" + _NO_KEYS:
-        "Hasta qué altura sobre los sitios de reposo de los pies se busca suelo" + _NO_KEYS_F,
+    "How far above the feet's rest positions ground is searched for" + _NO_KEYS:
+        "Hasta qué altura sobre las posiciones de reposo de los pies se busca suelo" + _NO_KEYS_ES,
     "Reach Down": "Alcance abajo",
-    "How far below the feet's rest places ground is looked for" + _NO_KEYS:
-        "Hasta qué profundidad bajo los sitios de reposo de los pies se busca suelo" + _NO_KEYS_F,
+    "How far below the feet's rest positions ground is searched for" + _NO_KEYS:
+        "Hasta qué profundidad bajo las posiciones de reposo de los pies se busca suelo" + _NO_KEYS_ES,
     "Walk on a level plane too, beside the meshes": "Caminar también sobre un plano horizontal, además de las mallas",
-    "Of the plane, along the world's Z axis" + _NO_KEYS: "Del plano, según el eje Z del mundo" + _NO_KEYS_F,
+    "Height of the plane, along the world's Z axis" + _NO_KEYS: "Altura del plano, según el eje Z del mundo" + _NO_KEYS_ES,
     "How much the body rises and sinks with the feet that stand" + _NO_KEYS:
-        "Cuánto sube y baja el cuerpo con los pies que apoyan" + _NO_KEYS_M,
+        "Cuánto sube y baja el cuerpo con los pies que apoyan" + _NO_KEYS_ES,
     "Rise": "Elevación",
     "Tilt": "Inclinación",
-    "How much the body leans with the feet that stand" + _NO_KEYS: "Cuánto se inclina el cuerpo con los pies que apoyan" + _NO_KEYS_M,
-    "How quickly the body follows its feet, in Hz" + _NO_KEYS: "Con qué rapidez sigue el cuerpo a sus pies, en Hz" + _NO_KEYS_F,
-    "Below 1 the body swings about where its feet would have it" + _NO_KEYS:
-        "Por debajo de 1 el cuerpo oscila en torno a donde lo tendrían sus pies" + _NO_KEYS_M,
+    "How much the body leans with the feet that stand" + _NO_KEYS: "Cuánto se inclina el cuerpo con los pies que apoyan" + _NO_KEYS_ES,
+    "How quickly the body follows its feet, in Hz" + _NO_KEYS: "Con qué rapidez sigue el cuerpo a sus pies, en Hz" + _NO_KEYS_ES,
+    "Damping of the body over its feet; below 1 the body overshoots and swings" + _NO_KEYS:
+        "Amortiguación del cuerpo sobre sus pies; por debajo de 1 el cuerpo se pasa y oscila" + _NO_KEYS_ES,
     "Jump": "Salto",
-    "A body that goes further than this from one frame to the next has been put there, and its feet with it; 0 takes four strides" + _NO_KEYS:
-        "Un cuerpo que va más lejos de un fotograma al siguiente ha sido puesto allí, y sus pies con él; 0 toma cuatro zancadas" + _NO_KEYS_M,
+    "A body that goes further than this from one frame to the next jumps, and its feet with it; 0 takes four strides" + _NO_KEYS:
+        "Un cuerpo que va más lejos que esto de un fotograma al siguiente salta, y sus pies con él; 0 toma cuatro zancadas" + _NO_KEYS_ES,
     "Axis of the body that points ahead": "Eje del cuerpo que apunta hacia delante",
     "Axis of the body that points away from the ground": "Eje del cuerpo que se aleja del suelo",
-    "How much feet and body are where the walk has them; 0 leaves them to their own animation":
-        "Cuánto están pies y cuerpo donde los tiene la marcha; 0 los deja a su propia animación",
-    "Where the foot belongs, in the body's space, when the body stands on level ground":
-        "El sitio del pie, en el espacio del cuerpo, cuando este está sobre suelo llano",
+    "How much the walk moves feet and body; 0 leaves them to their own animation":
+        "Cuánto mueve la marcha los pies y el cuerpo; 0 los deja a su propia animación",
+    "Position of the foot, in the body's space, if the body stands on level ground":
+        "Posición del pie, en el espacio del cuerpo, si este está sobre suelo llano",
     "Rest": "Reposo",
     "Hip": "Cadera",
-    "Where the leg begins, in the body's space": "Donde empieza la pata, en el espacio del cuerpo",
-    "Of the whole leg, before the body's scale; 0 for one that reaches everywhere" + _NO_KEYS:
-        "De toda la pata, antes de la escala del cuerpo; 0 para una que llega a todas partes" + _NO_KEYS_F,
+    "Position where the leg begins, in the body's space": "Posición donde empieza la pata, en el espacio del cuerpo",
+    "Length of the whole leg, before the body's scale; 0 for a leg that reaches everywhere" + _NO_KEYS:
+        "Longitud de toda la pata, antes de la escala del cuerpo; 0 para una que llega a todas partes" + _NO_KEYS_ES,
     "Phase": "Fase",
-    "Where in the cycle the leg is: those of one phase step together" + _NO_KEYS:
-        "En qué punto del ciclo está la pata: las de una misma fase pisan juntas" + _NO_KEYS_F,
+    "Position of the leg in the cycle: legs of the same phase step together" + _NO_KEYS:
+        "Posición de la pata en el ciclo: las de una misma fase pisan juntas" + _NO_KEYS_ES,
     "Bone of the armature that is the foot; empty where it is an object": "Hueso del esqueleto que es el pie; vacío si es un objeto",
     "Foot": "Pie",
     "Object that is the foot": "Objeto que es el pie",
@@ -130,7 +128,7 @@ INTERFACE = {
         "{foot} no encuentra suelo a su alcance en los fotogramas {first}-{last}",
     "{foot} is too far from its leg on frames {first}-{last}": "{foot} está demasiado lejos de su pata en los fotogramas {first}-{last}",
     "The leg of {foot} has no length": "La pata de {foot} no tiene longitud",
-    "There are no legs: add the walker again, and name its feet": "No hay patas: vuelve a añadir el caminante y nombra sus pies",
+    "There are no legs: add the walker again, and name its feet": "No hay patas: vuelve a agregar el caminante y nombra sus pies",
     "A setting is not a finite number": "Un ajuste no es un número finito",
     "{setting} is not a finite number": "{setting} no es un número finito",
     "The body's motion is not a finite number": "El movimiento del cuerpo no es un número finito",
@@ -151,16 +149,18 @@ INTERFACE = {
     "The ground has no faces": "El suelo no tiene caras",
     "Ground that may move is left out: feet do not stand on it": "Se deja fuera el suelo que puede moverse: los pies no apoyan en él",
     "Footholds": "Apoyos",
-    "Where feet stand, and how they come there, around the present frame":
-        "Dónde apoyan los pies, y cómo llegan, alrededor del fotograma actual",
-    "Rest Places": "Sitios de reposo",
-    "Where each foot belongs below the body": "El sitio de cada pie bajo el cuerpo",
-    "Let the feet of a body step by themselves where it is moved; they belong where they stand now":
-        "Deja que los pies de un cuerpo pisen solos por donde se mueve; su sitio es donde están ahora",
-    "Leave feet and body to their own animation again": "Vuelve a dejar pies y cuerpo a su propia animación",
-    "Let the feet belong where their own transforms have them on this frame":
-        "El sitio de los pies pasa a ser donde los tienen sus propias transformaciones en este fotograma",
-    "Wire the walker again, and plan its steps anew": "Vuelve a conectar el caminante, y planea de nuevo sus pasos",
+    "Draw where feet stand, and how they come there, around the present frame":
+        "Dibujar dónde apoyan los pies, y cómo llegan, alrededor del fotograma actual",
+    "Rest Positions": "Posiciones de reposo",
+    "Draw the rest position of each foot below the body": "Dibujar la posición de reposo de cada pie bajo el cuerpo",
+    "Let the feet of a body step by themselves while the body moves; where they stand now become their rest positions":
+        "Deja que los pies de un cuerpo pisen solos mientras este se mueve; donde están ahora son sus posiciones de reposo",
+    "Remove the walker, so that feet and body have their own animation again":
+        "Quitar el caminante, de modo que pies y cuerpo vuelven a su propia animación",
+    "Set the rest positions of the feet to where their own transforms have them on this frame":
+        "Fijar las posiciones de reposo de los pies donde los tienen sus propias transformaciones en este fotograma",
+    "Rebuild the walker after its rig or ground changed, and plan its steps anew":
+        "Reconstruir el caminante después de cambiar su rig o el suelo, y planear de nuevo sus pasos",
     "Select the body whose settings drive this one": "Selecciona el cuerpo cuyos ajustes impulsan este",
     "Name of the body that is moved, such as the armature; empty takes the active object":
         "Nombre del cuerpo que se mueve, como el esqueleto; vacío toma el objeto activo",
@@ -178,14 +178,16 @@ INTERFACE = {
         "Nombre del hueso, o del objeto hijo, que sube y se inclina con los pies; vacío deja el que ya hay, o toma el hueso del que cuelgan "
         "todas las cadenas",
     "{object} walks on {count} legs": "{object} camina con {count} patas",
-    "{count} feet belong where they were placed": "El sitio de {count} pies es donde se colocaron",
+    "Rest positions of {count} feet updated": "Posiciones de reposo de {count} pies actualizadas",
     "Make a spider that walks wherever its armature is moved: key it, or let it follow a path":
         "Hace una araña que camina adonde se mueva su esqueleto: ponle claves, o haz que siga una trayectoria",
-    "How many legs it has": "Cuántas patas tiene",
+    "Number of the spider's legs": "Número de patas de la araña",
     "Span": "Envergadura",
-    "How far its feet are apart, from one side to the other": "Cuánto distan sus pies, de un lado al otro",
-    "Of the bands on its legs, and of the pattern on its back": "De las bandas de sus patas y del dibujo de su dorso",
-    "Of the spider; the 3D cursor's, where it is not given": "De la araña; la del cursor 3D, si no se indica",
+    "Distance between the feet of one side and the other": "Distancia entre los pies de un lado y del otro",
+    "Color of the bands on the legs, and of the pattern on the back":
+        "Color de las bandas de las patas y del dibujo del dorso",
+    "Location of the spider; that of the 3D cursor if it is not given":
+        "Posición de la araña; la del cursor 3D si no se indica",
     "Spiders on the Wall": "Arañas en el muro",
     "A spider goes over the stones of a garden and up an old wall, and her young go after her":
         "Una araña pasa sobre las piedras de un jardín y sube por un viejo muro, y sus crías la siguen",
@@ -193,11 +195,11 @@ INTERFACE = {
 }
 
 OPERATORS = {
-    "Add Walker": "Añadir caminante",
+    "Add Walker": "Agregar caminante",
     "Remove Walker": "Quitar caminante",
-    "Take Rest Places": "Tomar sitios de reposo",
+    "Set Rest Positions from Pose": "Fijar posiciones de reposo según la pose",
     "Select Walker": "Seleccionar caminante",
-    "Add Spider": "Añadir araña",
-    "Add Walker Preset": "Añadir preajuste de caminante",
+    "Add Spider": "Agregar araña",
+    "Add Walker Preset": "Agregar preajuste de caminante",
     "Use Walker Preset": "Usar preajuste de caminante",
 }

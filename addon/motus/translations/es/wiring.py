@@ -1,7 +1,7 @@
 """Spanish: wiring and demos."""
 
 INTERFACE = {
-    "Hidden object that works for this one": "Objeto oculto que trabaja para este",
+    "Hidden object that computes for this one": "Objeto oculto que calcula para este",
     "More Hubs": "Más núcleos",
     "Hubs of the groups but the first, by the groups' keys":
         "Núcleos de los grupos menos el primero, por las claves de los grupos",
@@ -13,7 +13,7 @@ INTERFACE = {
     "Keyframes cannot undo the stretch that these bones inherit from the chain: {bones}":
         "Los fotogramas clave no pueden deshacer el estiramiento que estos huesos heredan de la cadena: {bones}",
     "{path} of {object} is no decimal number": "{path} de {object} no es un número decimal",
-    "{path} of {object} has a driver already: remove it first": "{path} de {object} ya tiene un controlador: quítelo antes",
+    "{path} of {object} has a driver already: remove it first": "{path} de {object} ya tiene un controlador: quítalo antes",
     "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven":
         "Una propiedad que se ha de controlar ya no está, tiene otro controlador o es de otro archivo; las demás se controlan",
     "Wired": "Conectado",
