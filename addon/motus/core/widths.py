@@ -10,6 +10,8 @@ NARROW = 210.0
 """Pixels at a scale of 1: a region that is no wider has no room for labels beside fields."""
 MARGINS, LABELS = 46.0, 0.4
 """Pixels at a scale of 1 beside labels and fields, and the share of the rest that labels have."""
+PADDING = 8.0
+"""Pixels at a scale of 1 that Blender leaves around the text of a label."""
 BOX = 22.0
 """Pixels at a scale of 1 of a checkbox, which stands among the fields with its label, or of the margins of an item in a row."""
 
@@ -29,7 +31,7 @@ def of_text(text):
 
 def label_fits(text):
     """Whether a label has room beside its field."""
-    return width() > max(NARROW, MARGINS + of_text(text) / LABELS)
+    return width() > max(NARROW, MARGINS + (of_text(text) + PADDING) / LABELS)
 
 
 def switch_fits(text):

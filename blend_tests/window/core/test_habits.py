@@ -239,5 +239,5 @@ def test_labels_fit_at_the_default_width():
         view.language = "en_US"
     assert len(noted) > 60, len(noted)
     for (language, label), is_switch in noted.items():
-        share = (1.0 - widths.LABELS) * room - widths.BOX * scale if is_switch else widths.LABELS * room
+        share = (1.0 - widths.LABELS) * room - widths.BOX * scale if is_switch else widths.LABELS * room - widths.PADDING * scale
         assert window_support.text_width(label) <= share + 2.0, (language, label, window_support.text_width(label), share)
