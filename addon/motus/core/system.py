@@ -5,6 +5,8 @@ from typing import Any, Callable, Iterable, Optional
 
 import bpy
 
+from . import scene_time
+
 
 @dataclass(frozen=True)
 class Problem:
@@ -414,8 +416,7 @@ class Context:
         """Frames a second."""
         found = self.common.get("fps")
         if found is None:
-            render = self.depsgraph.scene.render
-            found = self.common["fps"] = render.fps / render.fps_base
+            found = self.common["fps"] = scene_time.fps(self.depsgraph.scene)
         return found
 
 

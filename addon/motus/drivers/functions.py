@@ -10,7 +10,7 @@ import math
 import bpy
 from bpy.app.handlers import persistent
 
-from ..core import handlers, native
+from ..core import handlers, native, scene_time
 from ..core.per_thread import keep_state
 from ..core.refusals import INFINITE
 from . import history
@@ -25,8 +25,7 @@ _said = set()
 def seconds(frame):
     """The time of a frame of the scene that is being evaluated."""
     # Blender puts the depsgraph there for each driver; the expressions of users do not hand it on.
-    render = bpy.app.driver_namespace["depsgraph"].scene.render
-    return frame * render.fps_base / render.fps
+    return scene_time.seconds(bpy.app.driver_namespace["depsgraph"].scene, frame)
 
 
 def motus_pendulum(frame, theta, length, omega=0.0, gravity=9.81, damping=0.0, speed=1.0):

@@ -1,6 +1,6 @@
 """The keys of a property, followed by second-order dynamics."""
 
-from ..core import actions, native, read_keys, tracks
+from ..core import actions, native, read_keys, scene_time, tracks
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -33,8 +33,7 @@ def check(id_data, data_path, index):
 
 def followed(owner, data_path, index, frame, scene, numbers):
     """The value on a frame. numbers: frequency, damping, response. Raises ValueError, Refused where nobody knows it."""
-    render = scene.render
-    first, length = scene.frame_start, render.fps_base / render.fps
+    first, length = scene_time.first(scene), scene_time.seconds(scene, 1)
     pieces = 1
     while first + pieces * PIECE < frame and pieces * PIECE < MOST:
         pieces *= 2
@@ -76,7 +75,7 @@ def _made(track, *what):
 
 def _followed(track, numbers, first, pieces, length):
     # The same samples up to any frame, however many pieces there are: whoever asks for later ones changes nothing before.
-    frames = np.arange(first * PARTS, (first + pieces * PIECE) * PARTS + 1) / PARTS
+    frames = first + np.arange(pieces * PIECE * PARTS + 1) / PARTS
     return native.module.Track(
         native.module.SecondOrder(*numbers), (frames - first) * length, track.values(frames))
 

@@ -2,7 +2,7 @@
 
 import functools
 
-from ..core import tracks, wiring
+from ..core import scene_time, tracks, wiring
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.system import registered
@@ -97,15 +97,16 @@ FAR = 40.0  # s: how much farther than a frame inputs are read, at first; then t
 
 def reach(scene, frame):
     """Up to which frame inputs are read for one: the same for many."""
-    found = scene.frame_start + FAR * scene.render.fps / scene.render.fps_base
+    first = scene_time.first(scene)
+    found = first + FAR * scene_time.fps(scene)
     while found < frame:
-        found = scene.frame_start + 2.0 * (found - scene.frame_start)
+        found = first + 2.0 * (found - first)
     return found
 
 
 def seconds_of(frames, scene):
     """Times in seconds."""
-    return frames * (scene.render.fps_base / scene.render.fps)
+    return scene_time.seconds(scene, frames)
 
 
 class OwnInput(_Input):

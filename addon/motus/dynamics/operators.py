@@ -99,8 +99,7 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
         if self.is_given("mass"):
             changes["mass"] = self.mass
         if self.use_loop:
-            changes.setdefault("loop_start", context.scene.frame_start)
-            changes.setdefault("loop_end", context.scene.frame_end + 1)
+            changes = dict(zip(("loop_start", "loop_end"), targets.loop_of(context.scene))) | changes
         return changes
 
     def _check_one_way(self):
@@ -237,7 +236,7 @@ class MOTUS_OT_dynamics_loop(Operator, _OnProperty, bpy.types.Operator):
         targets.check_editable(owner)
         for index in targets.indices_for(context, owner, self, True):
             entry = owner.motus.dynamics.entries[index]
-            entry.loop_start, entry.loop_end, entry.use_loop = scene.frame_start, scene.frame_end + 1, True
+            (entry.loop_start, entry.loop_end), entry.use_loop = targets.loop_of(scene), True
 
 
 class MOTUS_OT_dynamics_refresh(Operator, bpy.types.Operator):

@@ -2,7 +2,7 @@
 
 import functools
 
-from ..core import entry_keys, native, rigs, tracks
+from ..core import entry_keys, native, rigs, scene_time, tracks
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.animation import Channel
@@ -79,8 +79,7 @@ class _OverTime:
     @property
     def _time(self):
         """Stamp of what seconds are, and where motions begin."""
-        render = self._scene.render
-        return render.fps, render.fps_base, self._scene.frame_start
+        return scene_time.stamp(self._scene)
 
 
 class OverTime(_OverTime):

@@ -3,6 +3,7 @@
 import math
 from typing import Any, NamedTuple
 
+from ..core import scene_time
 from ..core.lazy import numpy as np
 from ..core.tracks.keys import union
 
@@ -27,7 +28,7 @@ def span_of(extent, scene, frame):
 
     What has no first key is taken to rest before the scene's first frame.
     """
-    first = min(scene.frame_start, extent[1]) if math.isinf(extent[0]) else extent[0]
+    first = min(scene_time.first(scene), extent[1]) if math.isinf(extent[0]) else extent[0]
     reach = min(extent[1], max(frame, first))
     pieces = 1
     while pieces < MOST_PIECES and _edge(first, pieces, scene) < reach:
@@ -47,7 +48,7 @@ def times(tracks, span, scene):
 
 def between(tracks, start, end, scene):
     """The same from one frame to another."""
-    fps = _fps(scene)
+    fps = scene_time.fps(scene)
     bounds = union([track.bounds(start, end) for track in tracks] or [[start, end]])
     length = min(1.0 / RATE, PIECE / RATE) * fps * max(1.0, (end - start) / (PIECE * fps))
     found = [start]
@@ -59,14 +60,10 @@ def between(tracks, start, end, scene):
 
 def _edge(first, piece, scene):
     """Where a piece begins."""
-    length = max(1.0, round(PIECE * _fps(scene)))
+    length = max(1.0, round(PIECE * scene_time.fps(scene)))
     if piece <= PIECES:
         return first + length * piece
     return first + length * (PIECES - 1 + 2.0 ** (piece - PIECES))
-
-
-def _fps(scene):
-    return scene.render.fps / scene.render.fps_base
 
 
 class Samples(NamedTuple):

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ..core import copies, native, rigs, stored, wiring
+from ..core import copies, native, rigs, scene_time, stored, wiring
 from ..core.lazy import numpy as np
 from ..core.system import Problem, registered, systems
 from ..core.tracks import strips, transforms, world_track
@@ -125,8 +125,7 @@ def _stamp(owner, copy, scene, asked):
     """Changes whenever the inputs of an owner's entries may; None where nobody can tell."""
     if copy is None:
         return None
-    render = scene.render
-    found = [copy.number, strips.stamp_of(owner.animation_data), render.fps, render.fps_base, scene.frame_start]
+    found = [copy.number, strips.stamp_of(owner.animation_data), *scene_time.stamp(scene)]
     if owner.type == 'ARMATURE':
         found.append(copies.stamp_of_data(owner))
     found += [_stamp_of_carrier(owner, name, scene) for name in asked.carriers]

@@ -2,7 +2,7 @@
 
 import re
 
-from ..core import actions, dependencies, libraries, wiring
+from ..core import actions, dependencies, libraries, scene_time, wiring
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.system import systems
 from ..core.translations import tr
@@ -157,11 +157,16 @@ def check_free(owner, names):
                     bone=min(shared), system=tr(system.label), other=entry.name))
 
 
+def loop_of(scene):
+    """(first, last) frame of a loop over the whole scene, in the keys' time."""
+    return round(scene_time.first(scene)), round(scene_time.keys_time(scene, scene.frame_end + 1))
+
+
 def check_loop(context, operator):
     """Refuse a loop that ends before it begins."""
-    scene = context.scene
-    start = operator.loop_start if operator.is_given("loop_start") else scene.frame_start
-    end = operator.loop_end if operator.is_given("loop_end") else scene.frame_end + 1
+    first, last = loop_of(context.scene)
+    start = operator.loop_start if operator.is_given("loop_start") else first
+    end = operator.loop_end if operator.is_given("loop_end") else last
     if operator.use_loop and end <= start:
         raise Refused(tr("The loop ends on frame {end}, before it begins on frame {start}").format(start=start, end=end))
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import operators, wiring
+from ..core import operators, scene_time, wiring
 from ..core.refusals import check_finite, check_local, check_no_tweak_mode
 from ..core.rows import Row, Rows
 from ..core.translations import tr
@@ -94,7 +94,7 @@ class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator
         else:
             targets.check_room(rig)
             if not self.is_given("start"):
-                changes["start"] = float(context.scene.frame_current)
+                changes["start"] = scene_time.present(context.scene)
             setup.add(rig, self.layer or self.action or tr("Layer"), changes, items)
         settings = rig.motus.layers
         self.report({'INFO'}, tr("{object} has the layer {layer}").format(

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import wiring
+from ..core import scene_time, wiring
 from ..core.operators import OBJECT_MODE, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, named
 from ..core.rows import Row, Rows
@@ -217,7 +217,7 @@ def _remove_pins(settings, frame):
 def _here_and_now(context, obj):
     depsgraph = context.view_layer.depsgraph
     values = {name: wiring.output(setup.system(), obj, name, depsgraph) or 0.0 for name in ("fraction", "distance")}
-    return values | {"frame": context.scene.frame_current_final}
+    return values | {"frame": scene_time.present(context.scene)}
 
 
 classes = (

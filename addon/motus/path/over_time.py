@@ -5,7 +5,7 @@ from types import SimpleNamespace
 
 from mathutils import Matrix
 
-from ..core import copies, curves
+from ..core import copies, curves, scene_time
 from ..core.lazy import numpy as np
 from ..core.system import Context
 from ..core.tracks import world_track
@@ -92,9 +92,9 @@ class OverTime:
     @property
     def stamp(self):
         """As Channel.stamp."""
-        settings, render = self._settings, self._scene.render
+        settings = self._settings
         return together((
-            self._index, tuple(members.offsets(self._owner)), render.fps, render.fps_base, settings.influence,
+            self._index, tuple(members.offsets(self._owner)), *scene_time.stamp(self._scene), settings.influence,
             *(getattr(settings, name) for name in CHOICES),
             *((pin.frame, pin.fraction, pin.distance) for pin in settings.pins),
             *(track.stamp for track in self._numbers.values()),

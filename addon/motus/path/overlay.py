@@ -2,7 +2,7 @@
 
 import math
 
-from ..core import curves, native
+from ..core import curves, native, scene_time
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
 from ..core.system import Context, Problem
@@ -55,7 +55,7 @@ def _of_follower(scene, owner, depsgraph):
     except curves.Unreadable:
         return []
     numbers = {name: getattr(settings, name) for name in solve.NUMBERS}
-    last = Context(settings, owner, float(scene.frame_end), depsgraph, None, None)
+    last = Context(settings, owner, scene_time.last(scene), depsgraph, None, None)
     moving = motion.motion(last, numbers, path.curve.length(), past=math.inf)
     if path.curve.length() == 0.0 or moving == motion.NOT_FINITE:
         return []

@@ -6,7 +6,7 @@ import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
-from ..core import native
+from ..core import native, scene_time
 from ..core.drag import PointDrag
 from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_evaluated, check_finite, named
@@ -27,7 +27,7 @@ class Held:
         self._pivot, self._number = pivot, number
         self._each = parts.rods_each(self._settings)
         self._world = pivot.evaluated_get(depsgraph).matrix_world.copy()
-        self._frame = context.scene.frame_current_final
+        self._frame = scene_time.present(context.scene)
         self._before = {name: getattr(self._settings, name) for name in KEPT}
         self._angles = _angles(context, pivot, number)
         self._offset = Vector((0.0, end_of(pivot, depsgraph, number, self._world).y, 0.0))
@@ -104,9 +104,8 @@ def _angles(context, pivot, number):
 
 def clock_at(context, pivot):
     """The Clock of a pendulum at the present frame."""
-    render = context.scene.render
-    return clock.read(
-        pivot, pivot.motus.pendulum, context.scene.frame_current_final, render.fps / render.fps_base)
+    scene = context.scene
+    return clock.read(pivot, pivot.motus.pendulum, scene_time.present(scene), scene_time.fps(scene))
 
 
 def end_of(pivot, depsgraph, number, world):
@@ -119,7 +118,7 @@ def end_of(pivot, depsgraph, number, world):
 def check_stands_still(context, pivot):
     """Refuse a pendulum whose time runs."""
     settings = pivot.motus.pendulum
-    if settings.is_playing and context.scene.frame_current_final > settings.start_frame:
+    if settings.is_playing and scene_time.present(context.scene) > settings.start_frame:
         raise Refused(tr("The pendulum is playing: pause it first, or go to its start"))
 
 
@@ -197,7 +196,7 @@ class MOTUS_OT_pendulum_drag(PointDrag, Operator, bpy.types.Operator):
     def _finish(self, context):
         if self._held.has_new_start:
             self.report({'INFO'}, tr("The motion starts at frame {frame} now: the earlier motion is replaced").format(
-                frame=f"{context.scene.frame_current_final:g}"))
+                frame=f"{scene_time.present(context.scene):g}"))
 
 
 classes = (MOTUS_OT_pendulum_drag,)

@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Vector
 
-from ..core import actions, libraries, wiring
+from ..core import actions, libraries, scene_time, wiring
 from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.rows import Row, Rows, is_one_of
@@ -224,7 +224,7 @@ class MOTUS_OT_pendulum_play(_OfAPivot, bpy.types.Operator):
     def run(self, context):
         pivot = self.found(context, self.object)
         check_local(pivot)
-        settings, frame = pivot.motus.pendulum, context.scene.frame_current_final
+        settings, frame = pivot.motus.pendulum, scene_time.present(context.scene)
         is_playing = not settings.is_playing if self.play == 'TOGGLE' else self.play == 'PLAY'
         path = "motus.pendulum.is_playing"
         actions.make_local(pivot)

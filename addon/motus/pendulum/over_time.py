@@ -2,7 +2,7 @@
 
 import functools
 
-from ..core import deleted
+from ..core import deleted, scene_time
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.system import Problem
@@ -67,7 +67,7 @@ class OverTime:
 
     def _clock(self, times):
         """(seconds (n,), rate) as clock.Clock has them."""
-        fps = self._scene.render.fps / self._scene.render.fps_base
+        fps = scene_time.fps(self._scene)
         if all(self._channels[name].is_constant for name in ("is_playing", "speed")):
             start, rate = clock.steady(self._settings)
             return np.where(times > start, (times - start) / fps * rate, 0.0), rate
@@ -96,9 +96,9 @@ class OverTime:
         settings, scene = self._settings, self._scene
         return together((
             self._number, self._numbers, settings.kind, settings.use_limits, settings.count, solve.gravity_of(settings, scene),
-            *(getattr(settings, name) for name in solve.NUMBERS if name not in self._channels), scene.render.fps, scene.render.fps_base,
+            *(getattr(settings, name) for name in solve.NUMBERS if name not in self._channels), *scene_time.stamp(scene),
             *(channel.stamp for channel in self._channels.values()), own_track(self._rod).stamp,
-            *((self._pivot.stamp, scene.frame_end) if self._pivot else ())))
+            *((self._pivot.stamp, scene_time.last(scene)) if self._pivot else ())))
 
 
 def _known(states, second, count):

@@ -1,5 +1,6 @@
 """What the viewport shows of a pendulum: the way of its end from the start on, in the pivot's plane."""
 
+from ..core import scene_time
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
 from . import clock, parts, solve
@@ -20,8 +21,8 @@ def _batches(context, obj):
     swing = solve.swing_of(settings, scene)
     if settings.use_pivot_motion or not hasattr(swing, "at"):
         return []
-    fps = scene.render.fps / scene.render.fps_base
-    now = clock.read(evaluated, settings, scene.frame_current_final, fps).seconds
+    fps = scene_time.fps(scene)
+    now = clock.read(evaluated, settings, scene_time.present(scene), fps).seconds
     try:
         angles = swing.way(np.linspace(max(0.0, now - SECONDS), now + SECONDS, STEPS))[:, :swing.each]
     except ValueError:

@@ -1,10 +1,13 @@
 """The pivot's accelerations, in the plane of the swing, where its own motion is to be felt."""
 
-from ..core import native, tracks
+import math
+
+from ..core import native, scene_time, tracks
 from ..core.lazy import numpy as np
 from ..core.system import Problem
 
 MOST = 20_000  # frames of the pivot's motion that are felt
+BESIDE = 8  # frames before and after these that their accelerations are found by
 
 UNKNOWN = Problem("The pivot's motion is not known ahead, and is not felt: record it, or key it", False)
 NOT_STEADY = Problem("The pivot's motion is felt only while the pendulum plays all the time at one speed above 0", False)
@@ -28,8 +31,8 @@ def felt(owner, scene, rate):
     if moved.extent is None:
         return {}, None
     start = owner.motus.pendulum.start_frame
-    count = min(max(int(scene.frame_end - start) + 1, 2), MOST)
-    step = rate * scene.render.fps_base / scene.render.fps
+    count = min(max(math.ceil(scene_time.last(scene) - start) + 1, 2), MOST)
+    step = scene_time.seconds(scene, rate)
     found = tracks.kept(moved, ("pendulum", start, count, step), lambda: _sampled(moved, start, count, step))
     if found is None:
         return {}, UNKNOWN
@@ -37,14 +40,15 @@ def felt(owner, scene, rate):
 
 
 def _sampled(moved, start, count, step):
-    matrices = moved.values(start + np.arange(count))
+    # What the pivot does before the start and after the end is read too: at the ends of a table accelerations are not known.
+    matrices = moved.values(start + np.arange(-BESIDE, count + BESIDE))
     if not np.isfinite(matrices).all():
         return None
     places = matrices[:, :3, 3]
     level = native.module.pivot_accelerations(step, np.ascontiguousarray(places[:, :2]))
     upward = native.module.pivot_accelerations(step, np.ascontiguousarray(places[:, 1:]))
     in_space = np.column_stack((level, upward[:, 1]))
-    found = np.zeros((count, 2))
+    found = np.zeros((len(matrices), 2))
     for column, axis in ((0, matrices[:, :3, 0]), (1, matrices[:, :3, 2])):
         found[:, column] = (in_space * axis).sum(axis=1) / np.maximum(np.sqrt((axis * axis).sum(axis=1)), 1e-30)
-    return found
+    return np.ascontiguousarray(found[BESIDE:-BESIDE])

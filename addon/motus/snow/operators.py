@@ -5,7 +5,7 @@ import dataclasses
 import bpy
 from mathutils import Vector
 
-from ..core import libraries, viewports, wiring
+from ..core import libraries, scene_time, viewports, wiring
 from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
 from ..core.rows import Rows
@@ -238,7 +238,7 @@ class MOTUS_OT_snow_colliders_record(_OnEmitter, bpy.types.Operator):
         emitter = self.found(context, self.object)
         if not colliders.record(emitter, context.view_layer):
             raise Refused(tr("There is nothing with faces that flakes land on"))
-        emitter.motus.snow.recorded_frame = context.scene.frame_current_final
+        emitter.motus.snow.recorded_frame = scene_time.present(context.scene)
 
 
 class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):

@@ -2,7 +2,7 @@
 
 import math
 
-from ..core import presets
+from ..core import presets, scene_time
 from .properties import KEYWORDS, WHITE
 
 PLAIN = 'PLAIN'
@@ -61,8 +61,8 @@ def put(settings, identifier, scene):
     for name in _of_a_kind(settings):
         _set(settings, name, numbers.get(name, _default(settings.bl_rna.properties[name])))
     if identifier != PLAIN:
-        fps = scene.render.fps / scene.render.fps_base
-        settings.start_frame = scene.frame_start - math.ceil((settings.lifetime + 1.0) * fps)
+        fps = scene_time.fps(scene)
+        settings.start_frame = math.floor(scene_time.first(scene)) - math.ceil((settings.lifetime + 1.0) * fps)
     settings.stops.clear()
     for position, color in _GRADIENTS[identifier]:
         stop = settings.stops.add()

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import actions, native
+from ..core import actions, native, scene_time
 from ..core.frames import Kept, go_to
 from ..core.operators import OBJECT_MODE
 from ..core.over_frames import OverFrames
@@ -65,7 +65,7 @@ class MOTUS_OT_stereo_measure(OfARig, OverFrames, bpy.types.Operator):
         for frame, *values in zip(frames, near, map(samples.beyond, near, far)):
             for name, value in zip(NAMES, values):
                 setattr(settings, name, value)
-                self._camera.keyframe_insert(PREFIX + name, frame=frame)
+                self._camera.keyframe_insert(PREFIX + name, frame=scene_time.keys_time(context.scene, frame))
         context.scene.frame_set(context.scene.frame_current, subframe=context.scene.frame_subframe)
 
 

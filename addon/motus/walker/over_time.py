@@ -4,6 +4,7 @@ import functools
 
 from mathutils import Matrix
 
+from ..core import scene_time
 from ..core.lazy import numpy as np
 from ..core.system import Problem
 from ..core.tracks import rotations
@@ -54,8 +55,7 @@ class _OverTime:
 
     @property
     def _fps(self):
-        render = self._scene.render
-        return render.fps / render.fps_base
+        return scene_time.fps(self._scene)
 
     def _seconds(self, times):
         return np.asarray(times, float) / self._fps

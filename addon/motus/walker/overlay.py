@@ -2,7 +2,7 @@
 
 import math
 
-from ..core import axes
+from ..core import axes, scene_time
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
 from ..core.system import Problem, is_owner, leader_of, registered
@@ -30,8 +30,7 @@ def _batches(context, obj):
     if isinstance(planned, Problem):
         return []
     evaluated = owner.evaluated_get(context.evaluated_depsgraph_get())
-    render = context.scene.render
-    now = context.scene.frame_current_final * render.fps_base / render.fps
+    now = scene_time.seconds(context.scene, scene_time.present(context.scene))
     shown, found = context.scene.motus, []
     scale = evaluated.matrix_world.median_scale
     size = SIZE * scale * owner.motus.walker.stride

@@ -83,11 +83,10 @@ def draw_readouts(layout, context):
     if isinstance(planned, Problem):
         return
     steps = planned.walker.steps
-    render = context.scene.render
     found = [ui.Readout(text="Steps", value=str(int((steps["touch"] > steps["lift"]).sum())))]
     if planned.known == plan.EVER and len(steps["leg"]):
         found.append(ui.Readout(
-            text="At Rest From", value=f"{planned.walker.settled * render.fps / render.fps_base:.0f}"))
+            text="At Rest From", value=f"{told.shown(context.scene, planned.walker.settled):.0f}"))
     ui.draw_readouts(layout, found)
 
 

@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from ..core import axes, native, tracks
+from ..core import axes, native, scene_time, tracks
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.system import Problem
@@ -95,7 +95,7 @@ def of(owner, scene, numbers, frame=None):
     """
     if isinstance(numbers, Problem):
         return numbers
-    fps = _fps(scene)
+    fps = scene_time.fps(scene)
     poses, fault = body(owner, scene, fps)
     beyond = None
     if poses is not None and frame is not None:
@@ -165,12 +165,8 @@ def body(owner, scene, fps):
 
 def is_moved(owner, scene):
     """Whether an evaluated owner is known to move."""
-    poses, fault = body(owner, scene, _fps(scene))
+    poses, fault = body(owner, scene, scene_time.fps(scene))
     return fault != UNKNOWN and (poses is None or len(poses.seconds) > 1)
-
-
-def _fps(scene):
-    return scene.render.fps / scene.render.fps_base
 
 
 def _is_elsewhere(owner, poses, seconds):
@@ -210,10 +206,10 @@ def span(extent, scene):
     the shot is rendered.
     """
     start, end = extent
-    last = end if math.isfinite(end) else scene.frame_end + MARGIN
-    first = start if math.isfinite(start) else min(scene.frame_start, 1.0, end + 1.0)
+    last = end if math.isfinite(end) else scene_time.last(scene) + MARGIN
+    first = start if math.isfinite(start) else min(scene_time.first(scene), 1.0, end + 1.0)
     if math.isinf(start) and last - first >= MOST_FRAMES:
-        first = scene.frame_start  # then there is not room for all
+        first = scene_time.first(scene)  # then there is not room for all
     return first - 1.0, max(last, first - 1.0)
 
 

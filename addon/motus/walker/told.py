@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core import scene_time
 from ..core.system import Problem
 from ..core.translations import tr
 from . import ground, legs, plan, solve
@@ -50,9 +51,13 @@ def _about_setting(settings, problem, planned):
     return said.format(setting=bpy.app.translations.pgettext_iface(declared.name))
 
 
+def shown(scene, seconds):
+    """The frame of the time line that shows a time of a walk."""
+    return scene_time.time_line(scene, seconds * scene_time.fps(scene))
+
+
 def _unreached(context, owner, leg, first, last, reason, more):
-    render = context.scene.render
-    frames = [_frame(seconds * render.fps / render.fps_base) for seconds in (first, last)]
+    frames = [_frame(shown(context.scene, seconds)) for seconds in (first, last)]
     said = {"no_ground": lambda: tr("{foot} finds no ground within reach on frames {first}-{last}"),
             "out_of_reach": lambda: tr("{foot} is too far from its leg on frames {first}-{last}"),
             "no_length": lambda: tr("The leg of {foot} has no length")}[reason]()

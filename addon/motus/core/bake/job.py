@@ -2,7 +2,7 @@
 
 import bpy
 
-from .. import system, wiring
+from .. import scene_time, system, wiring
 from ..frames import Kept, depsgraph_of, go_to
 from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
@@ -47,7 +47,7 @@ def bake(scene, view_layer, owner, systems, frames):
             yield index + 1
     finally:
         kept.restore()
-    _apply(owner, systems, tracks, frames)
+    _apply(owner, systems, tracks, [scene_time.keys_time(scene, frame) for frame in frames])
     kept.restore()
 
 
@@ -140,15 +140,15 @@ def _check(tracks, view_layer):
         check_posed(rig, view_layer)
 
 
-def _apply(owner, systems, tracks, frames):
+def _apply(owner, systems, tracks, times):
     sinks = _sinks(owner, systems)
     for one in systems:
         wiring.set_muted(one, owner, True)
     for one in {track.id_data for track in tracks}:
         own = [track for track in tracks if track.id_data == one]
         keys.remember(one, owner, own, keys.mute(one, own, sinks))
-        keys.write(one, own, frames)
+        keys.write(one, own, times)
         one.update_tag()
-    owner.motus.bake.frame_start, owner.motus.bake.frame_end = frames[0], frames[-1]
+    owner.motus.bake.frame_start, owner.motus.bake.frame_end = times[0], times[-1]
     for one in systems:
         system.of_owner(one, owner).is_baked = True

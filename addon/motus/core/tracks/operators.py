@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from .. import scene_time
 from ..datablocks import OfADatablock
 from ..frames import Kept, go_to
 from ..operators import Operator
@@ -60,7 +61,7 @@ class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):
     def result(self, context):
         id_data = self.id_data(context)
         track = self.track(id_data, context.scene)
-        length = context.scene.render.frame_map_old / context.scene.render.frame_map_new
+        length = scene_time.keys_time(context.scene, 1.0)
         size = recordings.write(
             id_data, track.what, self._frames_done[0] * length, self.step * length, self._samples, digest.of(id_data))
         self.report({'INFO'}, tr("Recorded {frames} frames of {object}: {size} KB").format(

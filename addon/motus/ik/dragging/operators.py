@@ -3,7 +3,7 @@
 import bpy
 from mathutils import Vector
 
-from ...core import actions
+from ...core import actions, scene_time
 from ...core.drag import PointDrag
 from ...core.refusals import Refused, check_finite, check_posed, named
 from ...core.rows import Row, Rows, is_given
@@ -102,7 +102,8 @@ class MOTUS_OT_ik_drag(PointDrag, OfARig, bpy.types.Operator):
             options.add('INSERTKEY_AVAILABLE')
         for one, path in zip(held.moved, held.paths):
             actions.make_local(one.object)
-            one.thing.keyframe_insert(path, options=options, group=one.bone or "Object Transforms")
+            one.thing.keyframe_insert(
+                path, frame=scene_time.present(context.scene), options=options, group=one.bone or "Object Transforms")
 
 
 classes = (MOTUS_OT_ik_drag,)

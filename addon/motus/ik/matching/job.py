@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ...core import dependencies, rigs
+from ...core import dependencies, rigs, scene_time
 from ...core.lazy import numpy as np
 from ...core.frames import Kept, as_text, go_to
 from ...core.refusals import Refused, check_no_tweak_mode, check_posed
@@ -62,6 +62,7 @@ def match_fk(context, rig, bone, frames, switch, outcome):
         weights.check(rig, _entries(rig, chosen))
     kept, writer = Kept(context.scene, controls.animated_with(rig, _entries(rig, chosen))), KeyWriter()
     scene, done = context.scene, 0
+    times = [scene_time.keys_time(scene, frame) for frame in frames]
     try:
         go_to(scene, frames[0])
         wanted, poses = _Wanted(context, rig, chosen), Poses(rig, chosen)
@@ -75,16 +76,16 @@ def match_fk(context, rig, bone, frames, switch, outcome):
                 poses.record(context.view_layer.depsgraph)
                 done += 1
                 yield done
-            wanted.write(writer, passes[0], frames)
+            wanted.write(writer, passes[0], times)
             for controls_now in passes[1:]:
                 for index, frame in enumerate(frames):
                     go_to(scene, frame)
                     wanted.place(context.view_layer.depsgraph, controls_now, index)
                     done += 1
                     yield done
-                wanted.write(writer, controls_now, frames)
+                wanted.write(writer, controls_now, times)
         if switch:
-            weights.switch(scene, rig, _entries(rig, chosen), frames, writer, {"position_weight": 1.0})
+            weights.switch(scene, rig, _entries(rig, chosen), times, writer, {"position_weight": 1.0})
         for index, frame in enumerate(frames):
             go_to(scene, frame)
             poses.compare(context.view_layer.depsgraph, index, with_all_weight=True)
@@ -106,6 +107,7 @@ def match_ik(context, rig, bone, frames, switch, outcome):
         weights.check(rig, _entries(rig, chosen))
     kept, writer = Kept(context.scene, controls.animated_with(rig, _entries(rig, chosen))), KeyWriter()
     scene, done = context.scene, 0
+    times = [scene_time.keys_time(scene, frame) for frame in frames]
     try:
         poses = Poses(rig, chosen)
         yield 2 * len(frames)
@@ -122,10 +124,10 @@ def match_ik(context, rig, bone, frames, switch, outcome):
             yield done
         for track in tracks:
             for name, rows in track.values.items():
-                writer.write(track.thing, name, frames, rows, group=track.thing.name)
+                writer.write(track.thing, name, times, rows, group=track.thing.name)
         if switch:
             weights.switch(
-                scene, rig, _entries(rig, chosen), frames, writer, {"position_weight": 0.0, "rotation_weight": 0.0})
+                scene, rig, _entries(rig, chosen), times, writer, {"position_weight": 0.0, "rotation_weight": 0.0})
         with without_sinks(rig, () if switch else chosen):
             for index, frame in enumerate(frames):
                 go_to(scene, frame)

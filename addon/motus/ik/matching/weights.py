@@ -1,6 +1,6 @@
 """Switching chains between their animated pose and the solution over a range of frames."""
 
-from ...core import actions
+from ...core import actions, scene_time
 from ...core.refusals import Refused
 from ...core.translations import tr
 from .. import chains
@@ -15,12 +15,12 @@ def check(rig, entries):
                 raise Refused(tr("The weights of {bone} are driven: switch them there").format(bone=entry.name))
 
 
-def switch(scene, rig, entries, frames, writer, values):
-    """Give weights, by name, their values at all these frames, and leave them as they are at others.
+def switch(scene, rig, entries, times, writer, values):
+    """Give weights, by name, their values at all these times of the keys, and leave them as they are at others.
 
     A weight without keys is simply set where the frames are all that the scene has.
     """
-    is_all = frames[0] <= scene.frame_start and frames[-1] >= scene.frame_end
+    is_all = times[0] <= scene_time.first(scene) and times[-1] >= scene_time.last(scene)
     for entry in entries:
         for name, value in values.items():
             paths = [prefix + name for prefix in _prefixes(rig, entry)]
@@ -28,7 +28,7 @@ def switch(scene, rig, entries, frames, writer, values):
             if not path and is_all:
                 writer.set(entry, name, value)
             else:
-                _hold(rig, entry, name, path, frames, value, writer)
+                _hold(rig, entry, name, path, times, value, writer)
 
 
 def _prefixes(rig, entry):

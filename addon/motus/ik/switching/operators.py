@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ...core import scene_time
 from ...core.refusals import Refused, named
 from ...core.rows import Row, Rows
 from ...core.translations import tr
@@ -125,10 +126,10 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
         self._take_frames(context)
         if self.frame_end <= self.frame_start:
             raise Refused(tr("The range is empty: the end frame has to come after the start frame"))
+        times = [scene_time.keys_time(context.scene, frame) for frame in (self.frame_start, self.frame_end)]
         if blend_trigger.driver_of(rig, entry):
-            return blend_trigger.switch(
-                rig, entry, goal, None, self.frame_start, self.frame_end, self.interpolation)
-        return blend_keys.switch(rig, entry, goal, self.frame_start, self.frame_end, self.interpolation)
+            return blend_trigger.switch(rig, entry, goal, None, *times, self.interpolation)
+        return blend_keys.switch(rig, entry, goal, *times, self.interpolation)
 
     def _by_trigger(self, rig, entry, goal):
         values = self.trigger_start, self.trigger_end

@@ -2,7 +2,7 @@
 
 import math
 
-from ...core import copies, wiring
+from ...core import copies, scene_time, wiring
 from ...core.lazy import numpy as np
 from ...core.refusals import INFINITE
 from ...core.scenery import meshes, seen, stillness
@@ -127,7 +127,8 @@ def _fall(context, emitter, pull, scenery):
     given = {name: value for name, value in numbers if name not in _OF_LOOKS}
     # What lies is pulled down even where nothing falls by gravity.
     given["gravity"] = given["gravity"] and scene.use_gravity and any(scene.gravity)
-    last = max(scene.frame_end, BEYOND * math.ceil(context.frame / BEYOND) if context.frame > scene.frame_end else 0)
+    end_of_scene = scene_time.last(scene)
+    last = max(end_of_scene, BEYOND * math.ceil(context.frame / BEYOND) if context.frame > end_of_scene else 0)
     end = (last - snow.start_frame) / context.fps
     count = births_until(snow, end)
     if not count <= work.MOST_FLAKES:

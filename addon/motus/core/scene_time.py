@@ -1,0 +1,46 @@
+"""The scene's time: frames of the time line, the keys' time that the scene is evaluated in, and seconds.
+
+With Time Stretching (Format > Time Stretching) Blender evaluates F-curves, strips and drivers at the frame of the time line,
+fraction included, times Old / New. That is the keys' time: all frames in settings and in Context.frame are of it. Blender's frame range,
+the current frame and scene.frame_set() are of the time line.
+"""
+
+
+def fps(scene):
+    """Frames in a second of the keys' time."""
+    return scene.render.fps / scene.render.fps_base
+
+
+def seconds(scene, times):
+    """Seconds of the keys' time, a number or an array."""
+    return times * (scene.render.fps_base / scene.render.fps)
+
+
+def keys_time(scene, frame):
+    """The keys' time of a frame of the time line."""
+    return frame * scene.render.frame_map_old / scene.render.frame_map_new
+
+
+def time_line(scene, time):
+    """The frame of the time line that shows this keys' time."""
+    return time * scene.render.frame_map_new / scene.render.frame_map_old
+
+
+def present(scene):
+    """The keys' time that is shown."""
+    return scene.frame_current_final
+
+
+def first(scene):
+    """The keys' time of the scene's first frame."""
+    return keys_time(scene, scene.frame_start)
+
+
+def last(scene):
+    """The keys' time of the scene's last frame."""
+    return keys_time(scene, scene.frame_end)
+
+
+def stamp(scene):
+    """Changes when seconds do, or the scene's first frame in the keys' time."""
+    return scene.render.fps, scene.render.fps_base, first(scene)
