@@ -3,10 +3,11 @@
 from unittest import mock
 
 import bpy
+import numpy as np
 
 import support
 from snow.cover_cases import FALLING, CoverTestCase, layer, state
-from snow.snow_cases import go_to
+from snow.snow_cases import flakes, go_to
 from snow.test_snow_setup import counts
 
 
@@ -96,6 +97,28 @@ class Setup(CoverTestCase):
         bpy.context.view_layer.update()
         self.assertIn("Add an emitter", self.cover_sentence(cover))
         self.assertEqual(len(layer(cover)[0]), 0)
+
+    def test_flakes_land_on_all_surfaces(self):
+        self.square()
+        shelf = self.mesh("Shelf", [(-2, -2, 1), (0, -2, 1), (0, 2, 1), (-2, 2, 1)], [(0, 1, 2, 3)])
+        ledge = self.mesh("Ledge", [(1, -2, 0.5), (2, -2, 0.5), (2, 2, 0.5), (1, 2, 0.5)], [(0, 1, 2, 3)])
+        scenery = bpy.data.collections.new("Scenery")
+        scenery.objects.link(ledge)
+        bpy.context.scene.collection.objects.unlink(ledge)
+        bpy.context.scene.collection.children.link(scenery)
+        emitter = self.add(**(FALLING | {"lifetime": 100.0, "start_speed": 2.0}))
+        self.cover("Meadow,Shelf", collection="Scenery")
+        go_to(100)
+        places = flakes(emitter)["position"]
+        # Those that were born more than 1.5 s ago have landed, each on what is below it.
+        landed = places[flakes(emitter)["age"] > 1.5]
+        below = np.select([landed[:, 0] < 0.0, landed[:, 0] > 1.0], [1.0, 0.5], 0.0)
+        self.assertAlmostEqual(len(landed), (99.0 / 24.0 - 1.5) * FALLING["rate"], delta=2.0)
+        np.testing.assert_allclose(landed[:, 2], below, atol=1e-4)
+        self.assertEqual(bpy.ops.motus.snow_colliders_record(object=emitter.name), {'FINISHED'})
+        shelf.location.z = 5.0
+        go_to(100)
+        np.testing.assert_array_equal(flakes(emitter)["position"], places)
 
     def test_a_surface_that_moves_is_told(self):
         meadow = self.square()

@@ -5,6 +5,7 @@ import time
 
 import bpy
 
+from . import viewports
 from .operators import Operator
 from .refusals import Refused, check_finite
 from .rows import Row, Rows, is_not, is_one_of
@@ -78,6 +79,8 @@ class Job(Operator):
             context.window_manager.event_timer_remove(self._timer)
             self._timer = None
             context.workspace.status_text_set(None)
+            # Blender draws nothing anew after what a timer's event has done.
+            viewports.redraw(None)
 
     def _guarded(self, context, function):
         """What a function answers; where it raises, nothing of the operator is left running."""

@@ -93,11 +93,11 @@ def _contains(part, x, y):
     return part.x <= x < part.x + part.width and part.y <= y < part.y + part.height
 
 
-def redraw():
-    """Let all 3D viewports be drawn anew, for what Blender does not know to be seen there."""
+def redraw(kinds=('VIEW_3D',)):
+    """Let all areas of some kinds, or of all kinds where they are None, be drawn anew, for what Blender does not know to be seen there."""
     for window in bpy.context.window_manager.windows:
         for area in window.screen.areas:
-            if area.type == 'VIEW_3D':
+            if kinds is None or area.type in kinds:
                 area.tag_redraw()
 
 

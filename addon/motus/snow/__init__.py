@@ -2,7 +2,7 @@
 
 from ..core import handlers
 from ..core.system import System
-from . import cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
+from . import build, cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(
     name="snow",
@@ -10,16 +10,18 @@ SYSTEM = System(
     settings=properties.MOTUS_PG_snow,
     classes=(
         # The groups before the one that holds them.
-        properties.MOTUS_PG_snow_stop, properties.MOTUS_PG_snow_recorded, properties.MOTUS_PG_snow,
+        properties.MOTUS_PG_snow_stop, properties.MOTUS_PG_snow_recorded, properties.MOTUS_PG_snow_collider,
+        properties.MOTUS_PG_snow,
         *operators.classes, *presets.classes, *panel.classes, *gizmo.classes,
     ),
     inputs=solve.INPUTS,
+    groups=build.groups,
     solve=solve.solve,
     problems=solve.PROBLEMS,
     reads_keys=True,
     makes_points=solve.POINTS,
     dress=look.dress,
-    settle=landings.settle,
+    settle=build.settle,
     unbakeable=solve.UNBAKEABLE.sentence,
     overlay=overlay.overlay,
     extras=(handlers.Forgetting(landings.forget),),

@@ -3,9 +3,10 @@
 import math
 from typing import Any, NamedTuple
 
-from ..core import tracks
+from ..core import copies, tracks
 from ..core.lazy import numpy as np
 from ..core.scenery.meshes import hash_of, is_same
+from . import shots
 
 BLOCK = 256
 """Frames. Motions are read by whole blocks, so that what is read stays the same for a while."""
@@ -14,6 +15,7 @@ LONGEST = 4096
 PARTS = 4
 """Samples from one frame, or key, to the next, between which the library goes on linearly and turns evenly."""
 WIND = "motus.snow.wind"
+CALM = 0.0, 0.0, 0.0
 
 
 class Poses(NamedTuple):
@@ -47,27 +49,20 @@ def standing(matrix):
     return Poses(rows.tobytes(), np.zeros(1), rows[None])
 
 
-def over_time(obj, scene, present, frame, longest, start_frame, fps):
+def over_time(obj, scene, present, frame, longest, start_frame, fps, view=None):
     """(Poses at which the flakes of a frame were born, whether the motion is known; else it counts as standing).
 
-    The Poses are None where they are not finite. present: the matrix of the object now. longest: as in moving().
+    The Poses are None where they are not finite. present: the matrix of the object now. longest: as in moving(). view: of a
+    camera whose shots count one by one, what shots.alone() compares; flakes are born then as if it had always filmed that one.
     """
     moved = track(obj, scene)
     is_standing = not moved.is_known or moved.extent is None
     poses = standing(present) if is_standing else moving(moved, frame, longest, start_frame, fps)
     if poses is not None and obj.type == 'CAMERA':
-        poses = poses._replace(matrices=_unscaled(poses.matrices))
+        poses = poses._replace(matrices=shots.unscaled(poses.matrices))
+        if view is not None and not is_standing:
+            poses = shots.alone(poses, moved, view, frame, start_frame, fps)
     return poses, moved.is_known
-
-
-def _unscaled(matrices):
-    """Matrices (k, 4, 4) with axes of length 1, as Blender has those of a camera, however it or its parents are scaled."""
-    axes = matrices[:, :3, :3]
-    # Summed by hand, so that the bits are the same wherever the matrices lie.
-    lengths = np.sqrt(axes[:, 0] * axes[:, 0] + axes[:, 1] * axes[:, 1] + axes[:, 2] * axes[:, 2])
-    found = matrices.copy()
-    found[:, :3, :3] = axes / np.where(lengths > 0.0, lengths, 1.0)[:, None]
-    return found
 
 
 def moving(moved, frame, longest, start_frame, fps):
@@ -79,10 +74,23 @@ def moving(moved, frame, longest, start_frame, fps):
     return found and Poses(found[0], found[1], found[2][0])
 
 
-def winds(moved, frame, longest, start_frame, fps):
-    """Winds over the lives of the flakes that there are on a frame, as moving() has it. moved: Tracks of the wind's parts."""
+def winds(emitter, frame, longest, start_frame, fps):
+    """(wind of an evaluated emitter over the lives of the flakes that there are on a frame, whether it is known).
+
+    Winds if the wind is keyed, else its one velocity; None if a keyed wind is not finite. longest: as in moving().
+    """
+    settings = emitter.motus.snow
+    if settings.drag == 0.0:
+        return CALM, True
+    standing = tuple(settings.wind)
+    if not copies.has_moving_settings(emitter):
+        return standing, True
+    moved = wind_tracks(emitter)
+    is_known = all(one.is_known for one in moved)
+    if not is_known or all(one.extent is None for one in moved):
+        return standing, is_known
     found = _over_lives(moved, frame, longest, start_frame, fps)
-    return found and Winds(found[0], found[1], np.stack(found[2], axis=1))
+    return found and Winds(found[0], found[1], np.stack(found[2], axis=1)), True
 
 
 def _over_lives(moved, frame, longest, start_frame, fps):

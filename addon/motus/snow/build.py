@@ -7,9 +7,9 @@ from mathutils import Euler
 
 from ..core import datablocks, wiring
 from ..core.forgetting import forget
-from ..core.system import is_owner, registered
+from ..core.system import Group, Transform, is_owner, registered
 from ..core.translations import tr
-from . import colliders, look
+from . import colliders, landings, look, view
 
 DOWN = Euler((math.pi, 0.0, 0.0))
 # Edges that show where an emitter is and to where flakes leave: a square and an arrow. Edges are not rendered.
@@ -29,6 +29,12 @@ def is_emitter(obj):
     return is_owner(system(), obj)
 
 
+def groups(owner):
+    """What the solver waits for, beside its inputs: the cameras that markers bind, wherever flakes are born in their views."""
+    cameras = {camera for scene in owner.users_scene for camera in view.cameras(owner.motus.snow, scene)}
+    return (Group(inputs=tuple(Transform(camera) for camera in sorted(cameras, key=lambda one: one.name))),)
+
+
 def new_emitter(context, place):
     """An emitter without settings, that faces down."""
     name = tr("Snow")
@@ -43,8 +49,26 @@ def new_emitter(context, place):
 
 def wire(emitter):
     """Let an emitter with its settings snow."""
+    _note_reads(emitter)
     wiring.attach(system(), emitter)
     look.dress(emitter)
+
+
+def settle(emitter):
+    """Wire an emitter again whose markers bind other cameras than it was wired for, and go on with what its solver has left."""
+    if _note_reads(emitter):
+        wiring.refresh(system(), emitter)
+    landings.settle()
+
+
+def _note_reads(emitter):
+    """Whether other cameras count than those that the solver was wired for, which is noted."""
+    settings = emitter.motus.snow
+    reads = view.names(settings, emitter.users_scene)
+    is_new = reads != settings.reads
+    if is_new:
+        settings.reads = reads
+    return is_new
 
 
 def remove(emitter, keeps_object):

@@ -23,15 +23,21 @@ NAME = "Motus Colliders"
 
 def are_any(settings):
     """Whether there is anything to land on, but for the ground."""
-    return any(pointed(settings, name) is not None for name in ("collider", "colliders", "recorded"))
+    return bool(alone(settings)) or any(pointed(settings, name) is not None for name in ("colliders", "recorded"))
+
+
+def alone(settings):
+    """The objects that are named one by one, as the settings name them."""
+    named = [settings.collider, *(entry.object for entry in settings.more_colliders)]
+    return list(dict.fromkeys(obj for obj in named if obj is not None))
 
 
 def objects(settings):
     """What has to be evaluated before flakes can land: the meshes, and empties by which those of collections are seen."""
-    recorded, collider = pointed(settings, "recorded"), pointed(settings, "collider")
+    recorded = pointed(settings, "recorded")
     if recorded is not None:
         return [recorded]
-    return ([] if collider is None else [collider]) + seen.awaited(_members(settings))
+    return alone(settings) + seen.awaited(_members(settings))
 
 
 def barrier(context):
@@ -118,8 +124,8 @@ def _found(settings):
     """([Seen], Problem or None) of evaluated settings: the colliders themselves, recorded or not."""
     ready = wiring.waited_for(settings)
     found, fault = seen.gathered(_members(settings), ready), None
-    if settings.collider is not None:
-        collider = ready.get(settings.collider.original)
+    for obj in alone(settings):
+        collider = ready.get(obj.original)
         if collider is None or deleted.is_deleted(collider):
             fault = GONE
         else:

@@ -8,6 +8,7 @@ from ..core.refusals import INFINITE
 from ..core.scenery import meshes
 from ..core.scratch import scratch
 from ..core.system import Problem
+from .births import Winds
 from .properties import KEYWORDS, WHITE
 
 MOST = 1 << 24
@@ -26,7 +27,7 @@ OUT_OF_RANGE = Problem("A setting is outside of what flakes can do")
 _DIRECT = ("start_speed", "lifetime", "rate", "delay", "duration", "looping", "cone_radius", "cone_angle",
            "random_speed", "random_orientation", "random_lifetime", "random_size", "random_color", "seed", "snow",
            "max_angle", "snow_frequency", "snow_offsets", "gravity", "drag", "gusts", "gust_frequency", "turbulence",
-           "turbulence_size", "tumble")
+           "turbulence_size", "tumble", "melt_time", "friction")
 """Settings that the library has under the same names and in the same units."""
 _SHAPES = {'CAMERA': "frustum"}
 """The library's names that are others."""
@@ -50,7 +51,7 @@ def longest_life(settings):
 
 
 def numbers(settings):
-    """Keywords of the library as a tuple of pairs, hashable; or what is wrong with the settings."""
+    """Keywords of the library as a tuple of pairs, hashable, without the wind; or what is wrong with the settings."""
     values = [getattr(settings, name) for name in KEYWORDS]
     parts = [part for value in values for part in (value if hasattr(value, "__len__") else (value,))]
     stops = sorted((stop.position, tuple(stop.color)) for stop in settings.stops) or [(0.0, WHITE)]
@@ -60,16 +61,12 @@ def numbers(settings):
     if not most(settings) <= MOST:
         return TOO_MANY
     found = [(name, getattr(settings, name)) for name in _DIRECT]
-    found += [("start_size", _size(settings)), ("shape", _SHAPES.get(settings.shape) or settings.shape.lower()),
-              ("wind", tuple(settings.wind)),
+    found += [("collision", settings.collision.lower()), ("start_size", _size(settings)), ("shape", _SHAPES.get(settings.shape) or settings.shape.lower()),
               ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops)))]
     if settings.use_ground:
         found.append(("ground", settings.ground))
     if settings.shape == 'CAMERA':
         found += [("frustum_near", settings.closest), ("frustum_far", settings.farthest)]
-    if settings.use_ground or settings.collider or settings.colliders or settings.recorded:
-        found += [("collision", settings.collision.lower()), ("melt_time", settings.melt_time),
-                  ("friction", settings.friction)]
     if settings.burst > 0:
         found += [("burst_times", (settings.burst_time,)), ("burst_counts", (settings.burst,))]
     return tuple(found)
@@ -82,15 +79,17 @@ def _size(settings):
 
 
 @functools.lru_cache(maxsize=KEPT)
-def made(keywords, acceleration, poses, winds=None, faces=None, angles=None, collider=None):
+def made(keywords, acceleration, poses, wind, faces=None, angles=None, collider=None):
     """The native Snow; or what is wrong with it.
 
-    winds: Winds, of a wind that is keyed. faces: that flakes leave. angles: half those that a camera sees by. collider: a
-    SnowCollider. Each of these may be None.
+    wind: of births.winds(). faces: that flakes leave. angles: half those that a camera sees by. collider: a SnowCollider. Each
+    of the last three may be None.
     """
     given = dict(keywords)
-    if winds is not None:
-        given |= {"wind_times": winds.seconds, "wind_values": winds.velocities}
+    if isinstance(wind, Winds):
+        given |= {"wind_times": wind.seconds, "wind_values": wind.velocities}
+    else:
+        given["wind"] = wind
     if angles is not None:
         given["frustum_angles"] = angles
     if collider is not None:

@@ -76,9 +76,9 @@ def done(emitter):
     return search.done if search and not search.has_no_room else None
 
 
-def settle(_emitter):
-    """Go on with what a solver has left."""
-    if not bpy.app.timers.is_registered(_go_on):
+def settle():
+    """Go on with what solvers have left."""
+    if _searches and not bpy.app.timers.is_registered(_go_on):
         bpy.app.timers.register(_go_on, first_interval=PAUSE)
 
 
@@ -95,7 +95,7 @@ def _go_on():
             _searches.pop(name, None)
         if is_shown:
             wiring.touch(registered["snow"], emitter)
-            viewports.redraw()
+            viewports.redraw(('VIEW_3D', 'PROPERTIES'))
     return None if all(search.has_no_room for search in _searches.values()) else PAUSE
 
 

@@ -2,7 +2,7 @@
 
 from ..core import panels, tracks, ui
 from ..core.translations import tr
-from . import births, flakes, landings, presets, rows, solve
+from . import births, colliders, flakes, landings, presets, rows, solve
 from .build import is_emitter, system
 
 
@@ -63,10 +63,13 @@ def draw_landing(layout, context):
     settings = emitter.motus.snow
     column = ui.split(layout)
     rows.COLLIDERS.draw(column, settings)
+    for entry in settings.more_colliders:
+        if entry.object is not None:
+            column.prop(entry, "object")
     if settings.recorded is not None:
         ui.draw_message(layout, tr("As they were on frame {frame}").format(frame=f"{settings.recorded_frame:g}"), 'REC')
         layout.operator("motus.snow_colliders_clear", icon='X').object = emitter.name
-    elif settings.collider is not None or settings.colliders is not None:
+    elif colliders.are_any(settings):
         layout.operator("motus.snow_colliders_record", icon='REC').object = emitter.name
     rows.LANDING.draw(ui.split(layout), settings)
 

@@ -105,6 +105,9 @@ class SnowKeywords:
         "Farthest", "Largest distance from the camera at which flakes are born", 20.0, min=1e-3, soft_max=100.0,
         subtype='DISTANCE')
 
+    follow_markers: _switch(
+        "Follow Markers", "Where markers of the timeline bind the camera, flakes are born in the view of whichever camera is bound", True, update=rewire)
+
     random_speed: _switch("Random Speed", "Vary the speed by up to 1 m/s")
     random_orientation: _switch("Random Orientation", "Flakes leave anywhere within the cone angle")
     random_lifetime: _switch("Random Lifetime", "Vary the lifetime by up to 1 s")
@@ -186,6 +189,12 @@ class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
         name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE)
 
 
+class MOTUS_PG_snow_collider(bpy.types.PropertyGroup):
+    object: bpy.props.PointerProperty(
+        type=bpy.types.Object, name="Collider", description="Mesh object that flakes land on", update=rewire,
+        override=OVERRIDABLE, poll=lambda entry, obj: obj.type == 'MESH' and obj != entry.id_data)
+
+
 class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
     surface: bpy.props.PointerProperty(
@@ -197,6 +206,9 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     colliders: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Colliders", description="Collection whose mesh objects flakes land on",
         update=rewire, override=OVERRIDABLE)
+    more_colliders: bpy.props.CollectionProperty(
+        type=MOTUS_PG_snow_collider, name="More Colliders", description="Further mesh objects that flakes land on",
+        override=EXTENDABLE)
     recorded: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Recorded", description="Recorded mesh that flakes land on", update=rewire,
         override=OVERRIDABLE)
@@ -215,6 +227,9 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     flakes: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Flakes", description="Collection whose objects flakes are instances of",
         update=_dress, override=OVERRIDABLE)
+    reads: bpy.props.StringProperty(
+        name="Reads", description="What the solver waits for beside its settings, to notice where it has changed since",
+        options=set(), override=OVERRIDABLE)
     has_made_emitter: bpy.props.BoolProperty(
         name="Made", description="Motus has made the emitter, and removes it with the snow", options=set(),
         override=OVERRIDABLE)

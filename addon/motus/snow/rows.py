@@ -1,5 +1,7 @@
 """The rows of snow's settings: in the panels, and for the keywords in the redo panel."""
 
+import bpy
+
 from ..core.rows import Row, Rows, is_not, is_one_of, is_positive
 
 
@@ -11,6 +13,10 @@ def _leans(settings):
     return settings.shape == 'CONE' or settings.random_orientation
 
 
+def _is_bound(settings):
+    return settings.shape == 'CAMERA' and any(marker.camera for marker in bpy.context.scene.timeline_markers)
+
+
 EMISSION = Rows((
     "start_speed", "lifetime", "start_size", "rate", "start_frame", "delay", "looping",
     Row("duration", when=lambda settings: not settings.looping),
@@ -18,7 +24,8 @@ EMISSION = Rows((
 SHAPE = Rows(("shape",))
 EXTENT = Rows((
     Row("cone_radius", when=is_not("shape", 'SURFACE', 'CAMERA')), Row("cone_angle", when=_leans),
-    Row("closest", when=is_one_of("shape", 'CAMERA')), Row("farthest", when=is_one_of("shape", 'CAMERA'))))
+    Row("closest", when=is_one_of("shape", 'CAMERA')), Row("farthest", when=is_one_of("shape", 'CAMERA')),
+    Row("follow_markers", when=_is_bound)))
 EMITTER = Rows((*SHAPE.rows, *EXTENT.rows), title="Emitter")
 SOURCE = Rows((Row("surface", when=is_one_of("shape", 'SURFACE')), Row("camera", when=is_one_of("shape", 'CAMERA'))))
 RANDOM = Rows((

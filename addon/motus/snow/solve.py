@@ -48,29 +48,35 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
     if emitter is None or emitter.determinant() == 0.0:
         return FLAT
     scene = context.depsgraph.scene
-    faces = angles = unseen = None
+    faces = camera = angles = unseen = None
     if settings.shape == 'SURFACE':
         emitter, faces = placed, _faces(context, placed, surface)
         if isinstance(faces, Problem):
             return faces
     elif settings.shape == 'CAMERA':
-        emitter, angles = seeing, view.angles(context.target("camera"), seeing, scene)
+        if not set(view.names(settings, [scene]).splitlines()).issubset(settings.reads.splitlines()):
+            context.wants_to_settle = True
+        camera = view.filming(context.target("camera"), settings, context.depsgraph, context.frame)
+        emitter = seeing if camera == context.target("camera") else camera.matrix_world
+        angles = view.angles(camera, emitter, scene)
         if isinstance(angles, Problem):
             return angles
-        unseen = view.lens_problem(context.target("camera").data)
-    poses, problem = _poses(context, emitter)
-    winds, unsure = _winds(context)
-    if poses is None or unsure is flakes.NOT_FINITE:
+        unseen = view.lens_problem(camera.data)
+    poses, problem = _poses(context, camera or source(context.owner), emitter, angles)
+    wind, is_sure = births.winds(
+        context.owner, context.frame, flakes.longest_life(settings), settings.start_frame, context.fps)
+    if poses is None or wind is None:
         return flakes.NOT_FINITE
     acceleration = tuple(scene.gravity) if scene.use_gravity else (0.0, 0.0, 0.0)
     barrier, fault = colliders.barrier(context) if colliders.are_any(settings) else (None, None)
-    snow = flakes.made(keywords, acceleration, poses, winds, faces, angles, barrier)
+    snow = flakes.made(keywords, acceleration, poses, wind, faces, angles, barrier)
     if isinstance(snow, Problem):
         return snow
     seconds = (context.frame - settings.start_frame) / context.fps
     is_viewport = context.depsgraph.mode == 'VIEWPORT'
     is_found = not (is_viewport and landings.are_left(context, snow, seconds))
     flakes.fill(context.points, snow, seconds, settings.preview / 100.0 if is_viewport else 1.0, is_found)
+    unsure = None if is_sure else UNKNOWN_WIND
     return problem or unseen or unsure or fault or (None if is_found else FINDING) or _look_problem(settings)
 
 
@@ -80,12 +86,12 @@ def source(owner):
     return {'SURFACE': settings.surface, 'CAMERA': settings.camera}.get(settings.shape, owner)
 
 
-def _poses(context, present):
+def _poses(context, born_at, present, angles):
     """(Poses, Problem or None); None for poses that are not finite."""
     settings = context.settings
     poses, is_known = births.over_time(
-        source(context.owner), context.depsgraph.scene, present, context.frame, flakes.longest_life(settings),
-        settings.start_frame, context.fps)
+        born_at, context.depsgraph.scene, present, context.frame, flakes.longest_life(settings), settings.start_frame,
+        context.fps, None if angles is None else (angles, settings.closest, settings.farthest))
     return poses, None if is_known else UNKNOWN
 
 
@@ -96,21 +102,6 @@ def _faces(context, placed, surface):
     if deleted.is_deleted(found):
         return SURFACE_DELETED
     return meshes.faces(surface) or NO_FACES
-
-
-def _winds(context):
-    """(Winds of a wind that is keyed, else None; Problem or None)."""
-    settings = context.settings
-    if context.is_still or settings.drag == 0.0:
-        return None, None
-    moved = births.wind_tracks(context.owner)
-    if not all(one.is_known for one in moved):
-        return None, UNKNOWN_WIND
-    if all(one.extent is None for one in moved):
-        return None, None
-    found = births.winds(
-        moved, context.frame, flakes.longest_life(settings), settings.start_frame, context.fps)
-    return found, None if found else flakes.NOT_FINITE
 
 
 def _look_problem(settings):

@@ -38,6 +38,33 @@ class Lens:
         return value or None
 
 
+def cameras(settings, scene):
+    """Those that the timeline's markers bind, where the chosen camera is one of them and goes along with them: originals."""
+    chosen = pointed(settings, "camera")
+    if chosen is None or not settings.follow_markers or settings.shape != 'CAMERA':
+        return []
+    bound = list(dict.fromkeys(marker.camera.original for marker in scene.timeline_markers if marker.camera))
+    return bound if chosen.original in bound else []
+
+
+def filming(camera, settings, depsgraph, frame):
+    """The evaluated camera in whose view flakes are born on a frame: the one that is bound there, or the chosen one."""
+    scene = depsgraph.scene
+    if not cameras(settings, scene):
+        return camera
+    # As Blender has it: before the first marker its camera counts, and those that are not rendered do not.
+    bound = sorted(((marker.frame, marker.camera) for marker in scene.timeline_markers
+                    if marker.camera and not marker.camera.hide_render), key=lambda one: one[0])
+    passed = [one for at, one in bound if at <= frame] or [one for _, one in bound[:1]]
+    return passed[-1].evaluated_get(depsgraph) if passed else camera
+
+
+def names(settings, scenes):
+    """The names of the cameras that the solver waits for in some scenes, beside the chosen one, a line each."""
+    found = {camera.name for scene in scenes for camera in cameras(settings, scene)}
+    return "\n".join(sorted(found))
+
+
 def angles(camera, matrix, scene):
     """Half the angles, in X and Y, by which an evaluated camera sees, at the widest that its lens ever is; or a Problem."""
     if camera is None or matrix is None or camera.type != 'CAMERA':

@@ -54,7 +54,38 @@ def test_work_is_asked_for():
         yield
         assert len(cases.layer(cover)[0]) == 0
         assert work.asked(cover.name) is not None
+        yield from window_support.open_tab("Motus")
+        yield from settled()
+        before = window_support.screen()
         with window_support.override():
             assert bpy.ops.motus.snow_cover_work_out('INVOKE_DEFAULT', object=cover.name) == {'RUNNING_MODAL'}
-        yield from window_support.until(lambda: len(cases.layer(cover)[0]) > 0)
-        assert work.asked(cover.name) is None
+        name = cover.name
+        # Nothing here has Blender evaluate or draw: what shows is what the job itself has left.
+        assert (yield from window_support.until(lambda: work.asked(name) is None))
+        for _ in range(3):
+            yield
+        after = window_support.screen()
+        yield from settled()
+        wanted = window_support.screen()
+        assert shown(before, wanted, VIEW) > 0.01 and shown(before, wanted, SIDEBAR) > 0.01
+        assert shown(after, wanted, VIEW) == 0.0 and shown(after, wanted, SIDEBAR) == 0.0
+        assert len(cases.layer(bpy.data.objects[name])[0]) > 0
+
+
+VIEW, SIDEBAR = 'WINDOW', 'UI'
+
+
+def settled():
+    """Generator: all is drawn as it is."""
+    for _ in range(2):
+        window_support.draw_all()
+        yield
+
+
+def shown(one, other, kind):
+    """Which share of a region of the 3D viewport differs in two screens."""
+    region = window_support.region(kind)
+    height = one.shape[0]
+    rows = slice(height - region.y - region.height, height - region.y)
+    columns = slice(region.x, region.x + region.width)
+    return float((one[rows, columns] != other[rows, columns]).any(axis=2).mean())

@@ -10,8 +10,6 @@ KEY = "motus_snow_cover"
 NAME = "Motus Snow Cover"
 COLOR = 0.86, 0.90, 0.96, 1.0
 GRAIN, BUMP = 22.0, 0.25
-CLOSED = 0.035
-"""m: thinner snow leaves gaps, as far as its grain is uneven."""
 
 
 def dress(cover):
@@ -37,20 +35,15 @@ def _own():
 
 
 def _new():
-    """White, a little blue, and grainy; thin snow has gaps. Few nodes, for the file's sake."""
+    """White, a little blue, and grainy; closed wherever there is snow, as in Solid. Few nodes, for the file's sake."""
     material = bpy.data.materials.new(NAME)
     material[KEY] = True
     if not material.use_nodes:
         material.use_nodes = True
-    if hasattr(material, "blend_method"):
-        material.blend_method = 'CLIP'
-    if hasattr(material, "shadow_method"):
-        material.shadow_method = 'OPAQUE'
     nodes, links = material.node_tree.nodes, material.node_tree.links
     nodes.clear()
-    place, noise, bump, shader, depth, share, lies, clear, mix, output = (nodes.new(kind) for kind in (
-        "ShaderNodeNewGeometry", "ShaderNodeTexNoise", "ShaderNodeBump", "ShaderNodeBsdfPrincipled", "ShaderNodeAttribute",
-        "ShaderNodeMath", "ShaderNodeMath", "ShaderNodeBsdfTransparent", "ShaderNodeMixShader", "ShaderNodeOutputMaterial"))
+    place, noise, bump, shader, output = (nodes.new(kind) for kind in (
+        "ShaderNodeNewGeometry", "ShaderNodeTexNoise", "ShaderNodeBump", "ShaderNodeBsdfPrincipled", "ShaderNodeOutputMaterial"))
     for index, node in enumerate(nodes):
         node.location.x = 200.0 * index
     noise.inputs["Scale"].default_value = GRAIN
@@ -59,13 +52,8 @@ def _new():
     bump.inputs["Distance"].default_value = 0.02
     shader.inputs["Base Color"].default_value = material.diffuse_color = COLOR
     shader.inputs["Roughness"].default_value = 0.65
-    depth.attribute_name = "depth"
-    share.operation, share.inputs[1].default_value = 'DIVIDE', CLOSED
-    lies.operation = 'GREATER_THAN'
     for source, target in (
             (place.outputs["Position"], noise.inputs["Vector"]), (noise.outputs[0], bump.inputs["Height"]),
-            (bump.outputs["Normal"], shader.inputs["Normal"]), (depth.outputs["Fac"], share.inputs[0]),
-            (share.outputs[0], lies.inputs[0]), (noise.outputs[0], lies.inputs[1]), (lies.outputs[0], mix.inputs[0]),
-            (clear.outputs[0], mix.inputs[1]), (shader.outputs[0], mix.inputs[2]), (mix.outputs[0], output.inputs["Surface"])):
+            (bump.outputs["Normal"], shader.inputs["Normal"]), (shader.outputs[0], output.inputs["Surface"])):
         links.new(source, target)
     return material

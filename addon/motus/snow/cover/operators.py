@@ -9,6 +9,7 @@ from ...core.refusals import Refused, check_finite, check_local, check_unbaked, 
 from ...core.rows import Rows
 from ...core.system import Problem, is_owner
 from ...core.translations import tr
+from .. import colliders
 from . import build, rows, sources, work
 from .properties import KEYWORDS, SnowCoverKeywords
 
@@ -34,7 +35,7 @@ class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
     collection: _names("Collection", "Name of a collection on whose meshes snow lies too")
     emitters: _names("Emitters", "Names of the emitters of snow, between commas; empty takes the selected ones, or all of the scene")
     lands: bpy.props.BoolProperty(
-        name="Flakes Land", description="Give emitters that have no collider the surface as theirs, if there is just one, or the collection",
+        name="Flakes Land", description="Let flakes of emitters that have no collider land on all the surfaces and on the collection",
         default=True)
 
     modes = OBJECT_MODE
@@ -114,15 +115,15 @@ def _check_emitter(obj):
 
 
 def _let_land(emitters, surfaces, collection):
-    """Let flakes land that land on nothing as yet: an emitter has one mesh, or a collection of them."""
+    """Let flakes land that land on nothing as yet."""
     for emitter in emitters:
         snow = emitter.motus.snow
-        if emitter.library or snow.collider or snow.colliders or snow.recorded:
+        if emitter.library or colliders.are_any(snow):
             continue
-        if collection and not surfaces:
-            snow.colliders = collection
-        elif len(surfaces) == 1 and not collection:
-            snow.collider = surfaces[0]
+        snow.colliders = collection
+        snow.collider = surfaces[0] if surfaces else None
+        for surface in surfaces[1:]:
+            snow.more_colliders.add().object = surface
 
 
 def cover_for(context, name):

@@ -2,7 +2,7 @@
 
 import math
 
-from ...core import copies, scene_time, wiring
+from ...core import scene_time, wiring
 from ...core.lazy import numpy as np
 from ...core.refusals import INFINITE
 from ...core.scenery import meshes, seen, stillness
@@ -145,23 +145,12 @@ def _fall(context, emitter, pull, scenery):
             return None, angles
     span = last, max(0.0, end), snow.start_frame, context.fps
     poses, is_known = births.over_time(source, scene, source.matrix_world, *span)
-    winds, is_sure = _winds(emitter, span)
-    if poses is None or winds is flakes.NOT_FINITE:
+    wind, is_sure = births.winds(emitter, *span)
+    if poses is None or wind is None:
         return None, flakes.NOT_FINITE
     unseen = view.lens_problem(source.data) if angles is not None else None
-    return work.Fall(tuple(given.items()), pull, poses, winds, faces, angles, count, end), (
+    return work.Fall(tuple(given.items()), pull, poses, wind, faces, angles, count, end), (
         unseen if is_known and is_sure else UNKNOWN)
-
-
-def _winds(emitter, span):
-    """(Winds of a wind that is keyed, else None, or NOT_FINITE; whether it is known)."""
-    if emitter.motus.snow.drag == 0.0 or not copies.has_moving_settings(emitter):
-        return None, True
-    moved = births.wind_tracks(emitter)
-    is_known = all(one.is_known for one in moved)
-    if not is_known or all(one.extent is None for one in moved):
-        return None, is_known
-    return births.winds(moved, *span) or flakes.NOT_FINITE, True
 
 
 def births_until(snow, seconds):

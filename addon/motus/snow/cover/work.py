@@ -37,7 +37,7 @@ class Fall(NamedTuple):
     keywords: tuple
     acceleration: tuple
     poses: Any
-    winds: Any
+    wind: Any
     faces: Any
     angles: Any
     count: float
@@ -155,7 +155,7 @@ def _steps(plan):
     yield done
     for fall in plan.falls:
         snow = flakes.made(
-            fall.keywords, fall.acceleration, fall.poses, fall.winds, fall.faces, fall.angles, place.collider)
+            fall.keywords, fall.acceleration, fall.poses, fall.wind, fall.faces, fall.angles, place.collider)
         if isinstance(snow, Problem):
             return snow
         try:

@@ -22,6 +22,13 @@ INTERFACE = {
         "Fricción de aquello en que caen los copos; no resbalan en pendientes de tangente menor",
     "Collider": "Obstáculo",
     "Mesh object that flakes land on": "Objeto de malla sobre el que caen los copos",
+    "More Colliders": "Más obstáculos",
+    "Further mesh objects that flakes land on": "Más objetos de malla sobre los que caen los copos",
+    "Follow Markers": "Seguir los marcadores",
+    "Where markers of the timeline bind the camera, flakes are born in the view of whichever camera is bound":
+        "Donde los marcadores de la línea de tiempo vinculan la cámara, los copos nacen en la vista de la cámara vinculada en cada momento",
+    "What the solver waits for beside its settings, to notice where it has changed since":
+        "Qué espera el solucionador además de los ajustes, para notar si ha cambiado desde entonces",
     "Name of a mesh object that flakes land on": "Nombre de un objeto de malla sobre el que caen los copos",
     "The collider is gone: flakes fall on without it": "El obstáculo ya no está: los copos siguen cayendo",
     "The collider has no faces: flakes fall through it": "El obstáculo no tiene caras: los copos lo atraviesan",

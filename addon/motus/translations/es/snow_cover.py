@@ -77,8 +77,8 @@ INTERFACE = {
     "Take an object off the list": "Quita un objeto de la lista",
     "Take lying snow away; surfaces and falling snow stay":
         "Quita la nieve caída; las superficies y la nieve que cae se quedan",
-    "Give emitters that have no collider the surface as theirs, if there is just one, or the collection":
-        "Da a los emisores sin obstáculo la superficie, si hay una sola, o la colección",
+    "Let flakes of emitters that have no collider land on all the surfaces and on the collection":
+        "Deja que los copos de los emisores sin obstáculo caigan sobre todas las superficies y la colección",
     "The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces":
         "El manto tendría más de 2 millones de vértices: elige una resolución más gruesa, o menos superficies",
     "The list has no such object": "La lista no tiene ese objeto",

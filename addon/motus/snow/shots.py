@@ -1,0 +1,76 @@
+"""The shots of a camera, in whose view flakes are born: what lies between the cuts, at which the view is another one at once."""
+
+import math
+
+from ..core import tracks
+from ..core.lazy import numpy as np
+
+SUDDEN = 1.0 / 64.0
+"""Frames: what moves the view within them is a jump, not a motion."""
+SAME, OTHER = 0.9, 0.1
+"""Shares of the view that were seen before: after a jump that leaves less than SAME, or a frame that leaves less than OTHER, it is
+another shot."""
+ACROSS = 5
+"""Places along each axis of the view at which it is compared with the one before."""
+
+
+def alone(poses, moved, view, frame, start_frame, fps):
+    """Poses as if the camera had always filmed the shot that a frame is in: those that it has within the shot, held beyond.
+
+    poses: births.Poses of a track. view: what _places() takes, hashable.
+    """
+    first, last = (start_frame + fps * poses.seconds[at] for at in (0, -1))
+    cuts, before = tracks.kept(moved, ("snow shots", view, first, last), lambda: _cuts(moved, view, first, last))
+    if len(cuts) == 0:
+        return poses
+    number = int(np.searchsorted(cuts, frame, side="right"))
+    starts = (cuts - start_frame) / fps
+    start = starts[number - 1] if number > 0 else -math.inf
+    end = starts[number] if number < len(cuts) else math.inf
+    inside = (poses.seconds >= start) & (poses.seconds < end)
+    seconds, matrices = poses.seconds[inside], poses.matrices[inside]
+    if number < len(cuts) and end - SUDDEN / fps > seconds[-1]:
+        seconds = np.append(seconds, end - SUDDEN / fps)
+        matrices = np.append(matrices, before[number:number + 1], axis=0)
+    return poses._replace(stamp=(poses.stamp, number), seconds=seconds, matrices=matrices)
+
+
+def unscaled(matrices):
+    """Matrices (k, 4, 4) with axes of length 1, as Blender has those of a camera, however it or its parents are scaled."""
+    axes = matrices[:, :3, :3]
+    # Summed by hand, so that the bits are the same wherever the matrices lie.
+    lengths = np.sqrt(axes[:, 0] * axes[:, 0] + axes[:, 1] * axes[:, 1] + axes[:, 2] * axes[:, 2])
+    found = matrices.copy()
+    found[:, :3, :3] = axes / np.where(lengths > 0.0, lengths, 1.0)[:, None]
+    return found
+
+
+def _cuts(moved, view, first, last):
+    """(rising frames (n,) of the cuts after the first frame, matrices (n, 4, 4) just before them)."""
+    frames = np.array([at for at in moved.bounds(first, last) if at > first], float)
+    if len(frames) == 0:
+        return frames, np.empty((0, 4, 4))
+    after, before, earlier = (unscaled(moved.values(frames - back)) for back in (0.0, SUDDEN, 1.0))
+    is_cut = (_share_seen(before, after, view) < SAME) | (_share_seen(earlier, after, view) < OTHER)
+    return frames[is_cut], before[is_cut]
+
+
+def _share_seen(before, after, view):
+    """Which share of what is seen from poses (n, 4, 4) was seen from others (n, 4, 4)."""
+    places, slopes, closest, farthest = _places(*view)
+    found = np.einsum("nij,kj->nki", np.linalg.inv(before) @ after, places)
+    depths = -found[:, :, 2]
+    is_seen = (depths >= closest) & (depths <= farthest)
+    for axis, slope in enumerate(slopes):
+        is_seen &= np.abs(found[:, :, axis]) <= slope * depths
+    return is_seen.mean(axis=1)
+
+
+def _places(angles, closest, farthest):
+    """(places (k, 4) that are evenly spread in what a camera sees, in its space, tangents of the angles, closest, farthest)."""
+    shares = (np.arange(ACROSS) + 0.5) / ACROSS
+    depths = np.cbrt(closest ** 3 + shares * (farthest ** 3 - closest ** 3))
+    across, up, depth = (part.ravel() for part in np.meshgrid(2.0 * shares - 1.0, 2.0 * shares - 1.0, depths))
+    slopes = [math.tan(angle) for angle in angles]
+    places = np.stack([across * slopes[0] * depth, up * slopes[1] * depth, -depth, np.ones_like(depth)], axis=1)
+    return places, slopes, closest, farthest

@@ -1,0 +1,140 @@
+"""What solvers make of the native library, while each setting that may be keyed is keyed: once, not on each frame."""
+
+import collections
+import contextlib
+
+import bpy
+import live_scenes
+
+import support
+
+FIRST, LAST = 2, 40
+WARM, COUNTED = (5, 6), range(7, 16)
+EXPENSIVE = frozenset((
+    "Bezier", "BSpline", "Chain", "IkPlan", "Lattice", "LayerClip", "LayerStack", "LookAtPlan", "Picker", "PolyLine", "RotationTrack",
+    "SecondOrder", "SecondOrder.from_mass_spring", "SecondOrder.from_overshoot", "Snow", "SnowCollider", "SnowCover", "SnowLayer", "Spline", "TailPlan", "Timing.pins", "Timing.speeds", "Track", "Walker", "WalkerGround",
+    "layer_mask", "layer_moments", "pivot_accelerations", "refine", "smooth_ahead"))
+"""What solvers make of the native module and keep."""
+
+MADE_ANEW = {
+    ("path", "lag_rate"): "a follower that lags behind keyed speeds or places reads those of the last seconds: another table on each frame",
+}
+"""(system, setting) that has things of the library made on each frame -> why."""
+
+
+class _Counting:
+    """The native module, or a class of it, which counts what is made."""
+
+    def __init__(self, wrapped, counts, prefix=""):
+        self._wrapped, self._counts, self._prefix = wrapped, counts, prefix
+
+    def __getattr__(self, name):
+        found = getattr(self._wrapped, name)
+        full = self._prefix + name
+        if full in EXPENSIVE or any(one.startswith(f"{full}.") for one in EXPENSIVE):
+            return _Counting(found, self._counts, full if not isinstance(found, type) else f"{full}.")
+        return found
+
+    def __call__(self, *arguments, **keywords):
+        name = self._prefix.rstrip(".")
+        if name in EXPENSIVE:
+            self._counts[name] += 1
+        return self._wrapped(*arguments, **keywords)
+
+
+@contextlib.contextmanager
+def counting():
+    """{name of a class or an expensive function of the library: how often it was called}, from here to the end of the block."""
+    native, counts = support.addon("core.native"), collections.Counter()
+    module = native.module
+    native.module = _Counting(module, counts)
+    try:
+        yield counts
+    finally:
+        native.module = module
+
+
+def owners():
+    """(system, owner) of the file."""
+    declared = support.addon("core.system")
+    for name, system in declared.registered.items():
+        if isinstance(system, declared.System):
+            for obj in bpy.data.objects:
+                if declared.is_owner(system, obj):
+                    yield system, obj
+
+
+def keyable(group, path):
+    """(group of settings, name, path from the object) of all that may be keyed in a group and in those that it holds."""
+    for declared in group.bl_rna.properties:
+        name = declared.identifier
+        if name == "rna_type":
+            continue
+        if declared.type == 'COLLECTION':
+            for index, entry in enumerate(getattr(group, name)):
+                yield from keyable(entry, f"{path}.{name}[{index}]")
+        elif declared.type == 'POINTER' and isinstance(getattr(group, name), bpy.types.PropertyGroup):
+            yield from keyable(getattr(group, name), f"{path}.{name}")
+        elif declared.is_animatable and not declared.is_readonly and declared.type in {'FLOAT', 'INT', 'BOOLEAN', 'ENUM'}:
+            yield group, name, f"{path}.{name}"
+
+
+def values(group, name):
+    """Two values of a setting."""
+    declared, present = group.bl_rna.properties[name], getattr(group, name)
+    if declared.type == 'ENUM':
+        return present, next(one for one in declared.enum_items.keys() if one != present)
+    step = 0.1 * (min(declared.soft_max, 10.0) - max(declared.soft_min, -10.0)) if declared.type == 'FLOAT' else 1
+
+    def other(value):
+        if declared.type == 'BOOLEAN':
+            return not value
+        return value + step if value + step <= declared.hard_max else value - step
+
+    return (tuple(present), tuple(map(other, present))) if declared.is_array else (present, other(present))
+
+
+def is_keyed(owner, path):
+    """Whether the scene keys a setting already."""
+    actions = support.addon("core.actions")
+    return any(curve.data_path == path for player in actions.players(owner) for curve in actions.curves_of(player))
+
+
+@contextlib.contextmanager
+def keyed(owner, group, name, path):
+    """A setting has another value on each frame, or one of two in turns where there is nothing between them, until the block ends."""
+    present, other = values(group, name)
+    is_number = group.bl_rna.properties[name].type == 'FLOAT'
+    frames = (FIRST, LAST) if is_number else range(FIRST, LAST)
+    for frame in frames:
+        setattr(group, name, other if frame == LAST or not is_number and frame % 2 else present)
+        owner.keyframe_insert(path, frame=frame)
+    try:
+        yield
+    finally:
+        for frame in frames:
+            owner.keyframe_delete(path, frame=frame)
+        setattr(group, name, present)
+
+
+class MadeOnce(support.SceneTestCase):
+    @support.in_one_blender
+    def test_while_any_setting_is_keyed(self):
+        live_scenes.build()
+        found = [(system.name, owner.name, name, path) for system, owner in owners()
+                 for _, name, path in keyable(getattr(owner.motus, system.name), f"motus.{system.name}")]
+        self.assertGreater(len({(system, name) for system, _, name, _ in found}), 60)
+        for system, owner_name, name, path in found:
+            if (system, name) in MADE_ANEW:
+                continue
+            owner = bpy.data.objects[owner_name]
+            group = owner.path_resolve(path.rpartition(".")[0])
+            with keyed(owner, group, name, path) if not is_keyed(owner, path) else contextlib.nullcontext():
+                bpy.context.view_layer.update()
+                for frame in WARM:
+                    bpy.context.scene.frame_set(frame)
+                with counting() as counts:
+                    for frame in COUNTED:
+                        bpy.context.scene.frame_set(frame)
+            with self.subTest(owner=owner_name, path=path):
+                self.assertEqual(dict(counts), {})
