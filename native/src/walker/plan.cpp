@@ -134,11 +134,13 @@ std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obsta
             const double length = length_of(step.end - step.start);
             if (length <= least) continue;
             const glm::dvec3 up = direction_or(before->search.up + fall.search.up, fall.search.up);
-            const double over = looks_for_obstacles && ground_ != nullptr
-                                    ? obstacle(*ground_, step.start, step.end, up, settings_.reach_up)
-                                    : 0.0;
+            const Clearing over = looks_for_obstacles && ground_ != nullptr
+                                      ? clearing(*ground_, step.start, step.end, up, settings_.reach_up)
+                                      : Clearing{};
             const double share = std::min(1.0, length / (full_step * course_.way().stride));
-            step.rise = (settings_.clearance * share + over) * up;
+            step.rise = (settings_.clearance * share + over.rise) * up;
+            step.upwards = over.upwards;
+            step.downwards = over.downwards;
         }
         steps.push_back(step);
         before = &fall;
@@ -169,7 +171,7 @@ dynamics::Track Planner::leans_of(const Footsteps& steps) const {
                 const Step& step = step_at(steps.of(row(leg, stretch)), way.times[i]);
                 const double through = step.through(way.times[i]);
                 rest[leg] = in_world(way.poses[i], way.rest[leg]);
-                feet[leg] = step.start + (step.end - step.start) * along(through);
+                feet[leg] = step.start + (step.end - step.start) * step.share(through);
                 weights[leg] = 1.0 - (1.0 - least_weight) * above(through);
             }
             const glm::dvec3 origin(way.poses[i][3]);

@@ -57,10 +57,10 @@ Foot Walker::foot(std::size_t leg, double time) const {
         const double through = step.through(time);
         // Of a step that is over, or that has not begun, the very numbers.
         if (through >= 1.0) return Foot{step.end, step.end_normal, 0.0};
-        const double share = along(through);
+        const double share = step.share(through);
         const glm::dvec3 normal = step.start_normal + share * (step.end_normal - step.start_normal);
-        return Foot{step.start + share * (step.end - step.start) + above(through) * step.rise,
-                    direction_or(normal, step.end_normal), through};
+        const glm::dvec3 place = share >= 1.0 ? step.end : step.start + share * (step.end - step.start);
+        return Foot{place + above(through) * step.rise, direction_or(normal, step.end_normal), through};
     });
 }
 

@@ -8,24 +8,6 @@
 
 namespace motus::walker {
 
-/// A foot's way from one foothold to the next, on which it stands then until its next step. World space.
-struct Step {
-    double lift = 0.0;   ///< s
-    double touch = 0.0;  ///< s; `lift` where the foot is put there: at the first sample and after jumps
-    glm::dvec3 start{0.0};
-    glm::dvec3 end{0.0};
-    glm::dvec3 rise{0.0};  ///< by which the foot is above the middle of start and end, half-way
-    glm::dvec3 start_normal{0.0, 0.0, 1.0};
-    glm::dvec3 end_normal{0.0, 0.0, 1.0};
-    bool is_grounded = true;  ///< whether there is ground at `end`
-
-    /// 0 before it lifts, 1 from the touch on.
-    [[nodiscard]] double through(double time) const {
-        if (time >= touch) return 1.0;
-        return std::max(0.0, (time - lift) / (touch - lift));
-    }
-};
-
 /// How far along a foot is, u of its swing, [0, 1]: starts and ends without speed and acceleration, with the
 /// least jerk between (Flash, Hogan, "The coordination of arm movements" (1985)).
 [[nodiscard]] constexpr double along(double u) {
@@ -37,6 +19,31 @@ struct Step {
     const double parabola = 4.0 * u * (1.0 - u);
     return parabola * parabola * parabola;
 }
+
+/// A foot's way from one foothold to the next, on which it stands then until its next step. World space.
+struct Step {
+    double lift = 0.0;   ///< s
+    double touch = 0.0;  ///< s; `lift` where the foot is put there: at the first sample and after jumps
+    glm::dvec3 start{0.0};
+    glm::dvec3 end{0.0};
+    glm::dvec3 rise{0.0};  ///< by which the foot is above the middle of start and end, half-way
+    glm::dvec3 start_normal{0.0, 0.0, 1.0};
+    glm::dvec3 end_normal{0.0, 0.0, 1.0};
+    bool is_grounded = true;  ///< whether there is ground at `end`
+    /// Fractions of the swing, below 1 together, for which the foot goes straight up at first, and straight
+    /// down at last: 0 but beside an edge, as of a stair.
+    double upwards = 0.0, downwards = 0.0;
+
+    /// 0 before it lifts, 1 from the touch on.
+    [[nodiscard]] double through(double time) const {
+        if (time >= touch) return 1.0;
+        return std::max(0.0, (time - lift) / (touch - lift));
+    }
+    /// How far along the way from start to end the foot is, u of its swing, [0, 1].
+    [[nodiscard]] double share(double u) const {
+        return along(std::clamp((u - upwards) / (1.0 - upwards - downwards), 0.0, 1.0));
+    }
+};
 
 /// Why a foothold is none.
 enum class Trouble {
