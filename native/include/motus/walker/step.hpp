@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "motus/core/numeric.hpp"
+
 namespace motus::walker {
 
 /// How far along a foot is, u of its swing, [0, 1]: starts and ends without speed and acceleration, with the
@@ -67,9 +69,10 @@ class Footsteps {
         ends_.push_back(steps_.size());
     }
 
-    /// `row`: how many were added before.
+    /// `row`: how many were added before. std::invalid_argument where there is no such row.
     [[nodiscard]] std::span<const Step> of(std::size_t row) const { return between(row, row + 1); }
     [[nodiscard]] std::span<const Step> between(std::size_t first_row, std::size_t last_row) const {
+        require(first_row <= last_row && last_row <= ends_.size(), "row: must be one that was added");
         const std::size_t first = first_row == 0 ? 0 : ends_[first_row - 1];
         const std::size_t last = last_row == 0 ? 0 : ends_[last_row - 1];
         return std::span<const Step>(steps_).subspan(first, last - first);
@@ -83,8 +86,10 @@ class Footsteps {
     std::vector<std::size_t> ends_;
 };
 
-/// The last that has begun at a time, and the first one before all.
+/// The last that has begun at a time, and the first one before all. std::invalid_argument where there is
+/// none.
 [[nodiscard]] inline const Step& step_at(std::span<const Step> steps, double time) {
+    require(!steps.empty(), "steps: one at least is needed");
     const auto after = std::ranges::upper_bound(steps, time, {}, &Step::lift);
     return after == steps.begin() ? steps.front() : *(after - 1);
 }
