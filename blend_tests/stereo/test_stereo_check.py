@@ -82,6 +82,47 @@ class Check(StereoTestCase):
         self.assertEqual((scene.frame_current, scene.frame_subframe), (7, 0.5))
 
 
+class Cuts(StereoTestCase):
+    """Two cameras with rigs, which markers choose in turns: the first one to frame 10, the second one from there on."""
+
+    def setUp(self):
+        super().setUp()
+        scene = bpy.context.scene
+        square("Wall", (0.0, 10.0, 0.0), 80.0)
+        self.mild, self.wild = camera("Mild"), camera("Wild")
+        self.add(object="Mild", interocular=0.02, distance=8.0, screen='CINEMA')
+        self.add(object="Wild", interocular=0.3, distance=5.0, screen='CINEMA')
+        for name, frame in (("Mild", 1), ("Wild", 11)):
+            scene.timeline_markers.new(name, frame=frame).camera = bpy.data.objects[name]
+
+    def check(self, name):
+        self.assertEqual(bpy.ops.motus.stereo_check(object=name, frame_start=1, frame_end=20), {'FINISHED'})
+
+    def test_the_camera_of_each_frame_is_checked(self):
+        self.check("Mild")
+        self.assertEqual(sentences(self.mild), ())
+        found, = sentences(self.wild)
+        self.assertRegex(found, "^Diverges on a 12 m screen by .* in frames 11-20$")
+
+    def test_a_camera_counts_on_its_own_frames_alone(self):
+        bpy.context.scene.timeline_markers.remove(bpy.context.scene.timeline_markers["Wild"])
+        self.check("Wild")
+        self.assertEqual(sentences(self.wild), ())
+
+    def test_a_camera_without_a_rig_is_checked_on_the_same_screen(self):
+        bpy.ops.motus.stereo_rig_remove(object="Wild")
+        self.wild.data.stereo.interocular_distance, self.wild.data.stereo.convergence_distance = 0.3, 5.0
+        self.check("Mild")
+        found, = sentences(self.wild)
+        self.assertRegex(found, "^Diverges on a 12 m screen by .* in frames 11-20$")
+
+    def test_the_scene_keeps_its_camera(self):
+        scene = bpy.context.scene
+        scene.camera = self.wild  # as somebody may choose by hand on the first frame
+        self.check("Mild")
+        self.assertEqual((scene.camera, scene.frame_current), (self.wild, 1))
+
+
 class Measure(StereoTestCase):
     def test_near_and_far(self):
         obj = self.add(convergence='BUDGET')

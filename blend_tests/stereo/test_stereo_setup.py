@@ -350,6 +350,29 @@ class Output(StereoTestCase):
         self.assertEqual(image.views_format, 'INDIVIDUAL')
         self.assertTrue(bpy.context.scene.render.use_multiview)
 
+    def test_what_the_scene_had_before_does_not_count(self):
+        self.add()
+        both = bpy.context.scene.render.image_settings.stereo_3d_format
+        both.anaglyph_type, both.interlace_type = 'YELLOW_BLUE', 'COLUMN_INTERLEAVED'
+        both.use_sidebyside_crosseyed = both.use_interlace_swap = True
+        bpy.ops.motus.stereo_output(object="Camera", format='ANAGLYPH')
+        self.assertEqual(both.anaglyph_type, 'RED_CYAN')
+        bpy.ops.motus.stereo_output(object="Camera", format='SIDEBYSIDE')
+        self.assertFalse(both.use_sidebyside_crosseyed)
+        bpy.ops.motus.stereo_output(object="Camera", format='INTERLACE')
+        self.assertEqual((both.interlace_type, both.use_interlace_swap), ('ROW_INTERLEAVED', False))
+
+    def test_camera_views_stay_plain(self):
+        views = support.addon("core.viewports").all_spaces()
+        self.assertTrue(views)
+        views[0].stereo_3d_camera = 'RIGHT'  # as somebody has chosen
+        bpy.context.scene.render.use_multiview = False
+        self.add()
+        self.assertEqual([view.stereo_3d_camera for view in views], ['RIGHT'] + (len(views) - 1) * ['LEFT'])
+        bpy.ops.motus.stereo_rig_remove(object="Camera")
+        self.assertEqual([view.stereo_3d_camera for view in views], ['RIGHT'] + (len(views) - 1) * ['S3D'])
+        views[0].stereo_3d_camera = 'S3D'
+
     def test_all_around(self):
         obj = camera()
         before = state(obj)

@@ -749,7 +749,7 @@ class Walker:
         self, times: ArrayLike, poses: ArrayLike, rest: ArrayLike, ground: WalkerGround | None = None, *, phases: ArrayLike,
         duty: float = 0.5, stride: float = 0.5, cadence: float = 1.0, clearance: float = 0.1, reach_up: float = 0.5,
         reach_down: float = 1.0, minimum_step: float = 0.0, up: ArrayLike = (0.0, 0.0, 1.0),
-        hips: ArrayLike | None = None, lengths: ArrayLike | None = None, resets: Sequence[int] | None = None,
+        hips: ArrayLike | None = None, lengths: ArrayLike | None = None, bodies: ArrayLike | None = None, resets: Sequence[int] | None = None,
         jump: float | None = None, frequency: float = 2.0, damping: float = 1.0, response: float = 0.0,
         height: float = 1.0, tilt: float = 1.0,
     ) -> None: ...

@@ -1,6 +1,7 @@
 """Going to frames, and back to how everything stood before."""
 
 import math
+from contextlib import suppress
 
 import bpy
 
@@ -31,11 +32,12 @@ def as_text(frame):
 
 
 class Kept:
-    """The frame, and what animated properties of some objects stand at, keyed or not."""
+    """The frame, the scene's camera, and what animated properties of some objects stand at, keyed or not."""
 
     def __init__(self, scene, objects=()):
         self._scene = scene
         self._frame = scene.frame_current, scene.frame_subframe
+        self._camera = scene.camera
         self._values = {(obj, path): value for obj in objects for path, value in _animated(obj).items()}
 
     def restore(self, written=()):
@@ -45,6 +47,10 @@ class Kept:
         """
         whole, part = self._frame
         self._scene.frame_set(whole, subframe=part)
+        # Markers choose cameras on the way, and the scene may have had another one on this frame.
+        if self._scene.camera != self._camera:
+            with suppress(ReferenceError):  # if the camera was removed meanwhile
+                self._scene.camera = self._camera
         for obj in dict.fromkeys(obj for obj, _ in self._values):
             for path, now in _animated(obj).items():
                 kept = self._values.get((obj, path), now)

@@ -109,6 +109,11 @@ def space_for(context):
     return max(areas, key=lambda area: area.width * area.height).spaces.active if areas else None
 
 
+def all_spaces():
+    """The spaces of all 3D viewports in the file, of all workspaces."""
+    return [space for screen in bpy.data.screens for area in screen.areas for space in area.spaces if space.type == 'VIEW_3D']
+
+
 AHEAD = 10.0
 """m before a camera that a viewport looks through, where nothing says what it looks at."""
 
@@ -159,7 +164,7 @@ class PerViewport:
     def drop_gone(self):
         """Drop what is kept of viewports that are there no more."""
         if self._kept:
-            there = {space.as_pointer() for screen in bpy.data.screens for area in screen.areas for space in area.spaces}
+            there = {space.as_pointer() for space in all_spaces()}
             for gone in self._kept.keys() - there:
                 del self._kept[gone]
 
@@ -218,8 +223,11 @@ def change(space, values):
         for path in _VIEW:
             _keep(space, path)
     for path, value in values.items():
-        if not has(space, {path: value}):
+        is_new = not has(space, {path: value})
+        # A setting that has the value already is given it back too, unless the value comes from an earlier change.
+        if is_new or path not in (_before.get(space) or {}):
             _keep(space, path)
+        if is_new:
             _set(space, path, value)
 
 

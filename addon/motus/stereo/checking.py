@@ -9,11 +9,33 @@ from ..core.translations import tr
 from . import judging, results, rig, samples, screens, targets
 
 
+class _Found:
+    """What was found of one camera on the frames that it is seen on."""
+
+    def __init__(self, screen):
+        self.screen = screen
+        self.faults = {}
+        """{kind: [(frame, how bad)]}"""
+        self.parallax = []
+        """An array a frame."""
+
+    def add(self, scene, camera, depsgraph, frame):
+        """Judge the present frame."""
+        eyes, lens = rig.eyes(scene, camera, depsgraph)
+        if eyes is None:
+            return
+        seen = judging.judge(eyes, lens, self.screen, rig.width_in_pixels(scene.render), *samples.take(scene, camera, depsgraph))
+        self.parallax.append(seen.parallax)
+        for kind, value in seen.faults.items():
+            self.faults.setdefault(kind, []).append((frame, value))
+
+
 class MOTUS_OT_stereo_check(OverFrames, bpy.types.Operator):
     bl_idname = "motus.stereo_check"
     bl_label = "Check Stereo"
     bl_description = (
-        "Look for the frames on which the audience's eyes would have to turn apart, or something is cut off in one of them")
+        "Look for the frames on which the audience's eyes would have to turn apart, or something is cut off in one of them. If markers "
+        "choose the scene's cameras, the camera of each frame is checked")
     bl_options = {'REGISTER'}
     modes = OBJECT_MODE
     needs_native = True
@@ -27,39 +49,39 @@ class MOTUS_OT_stereo_check(OverFrames, bpy.types.Operator):
     def steps(self, context, frames):
         camera = targets.rig_for(context, self.object)
         targets.check_solved(context, camera)
-        self._camera, self._faults, self._parallax = camera, {}, []
-        return self._walk(context, camera, frames)
+        self._camera, self._found = camera, {camera: _Found(screens.of(camera.motus.stereo))}
+        return self._walk(context, frames)
 
-    def _walk(self, context, camera, frames):
-        scene, screen = context.scene, screens.of(camera.motus.stereo)
-        pixels = rig.width_in_pixels(scene.render)
-        kept = Kept(scene, (camera,))
+    def _walk(self, context, frames):
+        scene = context.scene
+        kept = Kept(scene, rig.all_rigs())
         try:
             for index, frame in enumerate(frames):
                 go_to(scene, frame)
-                depsgraph = context.view_layer.depsgraph
-                eyes, lens = rig.eyes(scene, camera, depsgraph)
-                if eyes is not None:
-                    found = judging.judge(eyes, lens, screen, pixels, *samples.take(scene, camera, depsgraph))
-                    self._parallax.append(found.parallax)
-                    for kind, value in found.faults.items():
-                        self._faults.setdefault(kind, []).append((frame, value))
+                camera = rig.shown(scene, self._camera)
+                if camera not in self._found:
+                    self._found[camera] = _Found(screens.of((camera if rig.has_rig(camera) else self._camera).motus.stereo))
+                self._found[camera].add(scene, camera, context.view_layer.depsgraph, frame)
                 yield index + 1
         finally:
             kept.restore()
 
     def result(self, context):
-        screen = screens.of(self._camera.motus.stereo)
-        pixels = rig.width_in_pixels(context.scene.render)
         told = []
-        for kind, faults in self._faults.items():
-            frames, values = zip(*faults)
-            told.append(judging.sentence(kind, max(values), ranges(frames, self.step), screen, pixels))
-        results.keep(self._camera, told, self._parallax)
+        for camera, found in self._found.items():
+            said = self._said(context.scene, found)
+            told += said if len(self._found) == 1 else [f"{camera.name}: {sentence}" for sentence in said]
+            results.keep(camera, said, found.parallax)
         for sentence in told:
             self.report({'WARNING'}, sentence)
         if not told:
+            screen = screens.of(self._camera.motus.stereo)
             self.report({'INFO'}, tr("All is well on a {width} m screen").format(width=f"{screen['width']:g}"))
+
+    def _said(self, scene, found):
+        pixels = rig.width_in_pixels(scene.render)
+        return [judging.sentence(kind, max(value for _, value in faults), ranges([frame for frame, _ in faults], self.step),
+                                 found.screen, pixels) for kind, faults in found.faults.items()]
 
 
 classes = (MOTUS_OT_stereo_check,)

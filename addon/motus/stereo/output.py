@@ -11,7 +11,7 @@ from .operators import OfARig
 
 FORMATS = (
     ('PAIR', "Pair", "A file for each eye"),
-    ('SIDEBYSIDE', "Side by Side", "Both eyes in one image, beside each other"),
+    ('SIDEBYSIDE', "Side by Side", "Both eyes in one image, the left eye's on the left"),
     ('TOPBOTTOM', "Top-Bottom", "Both eyes in one image, one above the other"),
     ('ANAGLYPH', "Anaglyph", "Both eyes on top of each other, for red and cyan glasses"),
     ('INTERLACE', "Interlaced", "The rows of one image, in turns"),
@@ -72,9 +72,12 @@ class MOTUS_OT_stereo_output(OfARig, Operator, bpy.types.Operator):
         image.views_format = 'INDIVIDUAL' if self.format == 'PAIR' else 'STEREO_3D'
         if self.format == 'PAIR':
             return
-        image.stereo_3d_format.display_mode = self.format
+        both = image.stereo_3d_format
+        both.display_mode = self.format
+        both.anaglyph_type, both.interlace_type = 'RED_CYAN', 'ROW_INTERLEAVED'
+        both.use_sidebyside_crosseyed = both.use_interlace_swap = False
         if self.format in {'SIDEBYSIDE', 'TOPBOTTOM'}:
-            image.stereo_3d_format.use_squeezed_frame = self.squeeze
+            both.use_squeezed_frame = self.squeeze
 
 
 classes = (MOTUS_OT_stereo_output,)

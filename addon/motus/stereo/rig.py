@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ..core import actions, wiring
+from ..core import actions, viewports, wiring
 from ..core.forgetting import forget
 from ..core.system import Group, Property, registered
 from ..core.translations import tr
@@ -15,6 +15,8 @@ OUTPUTS = ("interocular", "convergence")
 """What Blender's camera is given; see lens.Lens.off_axis."""
 MODES = {'OFFAXIS': "off_axis", 'PARALLEL': "parallel", 'TOE': "toe_in"}
 CENTRE = 'CENTER'
+ONE_EYE, BOTH_EYES = 'LEFT', 'S3D'
+"""What a viewport that looks through a camera shows in a scene with multiview."""
 
 
 def system():
@@ -83,6 +85,17 @@ def begin_multiview(scene):
         return
     noted.before_views, noted.is_multiview_made = render.views_format, True
     render.use_multiview, render.views_format = True, 'STEREO_3D'
+    _look_through(ONE_EYE, BOTH_EYES)
+
+
+def _look_through(eye, before):
+    """Let the viewports that look through a camera in one way look in another way.
+
+    With multiview alone Blender would show both eyes on top of each other in every camera view, without being asked to.
+    """
+    for space in viewports.all_spaces():
+        if space.stereo_3d_camera == before:
+            space.stereo_3d_camera = eye
 
 
 def _give_multiview_back(scene):
@@ -91,6 +104,8 @@ def _give_multiview_back(scene):
     if not noted.is_multiview_made or scene.library or any(has_rig(obj) for obj in scene.objects):
         return
     scene.render.use_multiview = False
+    if not any(other.render.use_multiview for other in bpy.data.scenes):
+        _look_through(BOTH_EYES, ONE_EYE)
     around.put(scene.render, "views_format", noted.before_views)
     scene.motus.property_unset("stereo")
 
@@ -121,6 +136,11 @@ def axis_matrix(matrix):
 def width_in_pixels(render):
     """Of the rendered image."""
     return render.resolution_x * render.resolution_percentage // 100
+
+
+def shown(scene, camera):
+    """The camera that the scene renders on its present frame if markers choose cameras; else the given one."""
+    return scene.camera if scene.camera and any(marker.camera for marker in scene.timeline_markers) else camera
 
 
 def all_rigs():

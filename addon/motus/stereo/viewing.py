@@ -8,9 +8,13 @@ from ..core.refusals import Refused
 from ..core.translations import tr
 from . import rig, targets
 
-_BOTH = {"region_3d.view_perspective": 'CAMERA', "stereo_3d_camera": 'S3D', "overlay.show_overlays": False}
-_ONE = {"region_3d.view_perspective": 'PERSP', "overlay.show_overlays": True, "stereo_3d_camera": 'S3D'}
-"""Values of a viewport, by their paths: through both eyes, and otherwise."""
+_BOTH = {"region_3d.view_perspective": 'CAMERA', "stereo_3d_camera": rig.BOTH_EYES, "overlay.show_overlays": False}
+_ONE = {"region_3d.view_perspective": 'PERSP', "overlay.show_overlays": True, "stereo_3d_camera": rig.ONE_EYE}
+"""Values of a viewport, by their paths: through both eyes, and those of a viewport of which it is not known what it was."""
+_DISPLAY = {"display_mode": 'ANAGLYPH', "anaglyph_type": 'RED_CYAN'}
+"""How a window shows both images."""
+_displays = viewports.PerViewport()
+"""{name: value}: how the window showed both images before the viewport looked through both eyes."""
 
 
 def is_shown(context, camera):
@@ -40,15 +44,24 @@ class MOTUS_OT_stereo_view(Operator, bpy.types.Operator):
         if is_shown(context, camera):
             local = {"camera": context.scene.camera, "use_local_camera": False} if space.use_local_camera else {}
             viewports.restore(space, _ONE | local)
+            _show_images(context.window, _displays.take(space) or {})
             return
         if not rig.renders_both_eyes(context.scene):
             raise Refused(rig.one_eye())
         if context.scene.camera != camera:
             viewports.change(space, {"camera": camera, "use_local_camera": True})
         viewports.change(space, _BOTH)
-        display = context.window.stereo_3d_display
-        if display.display_mode != 'ANAGLYPH':
-            display.display_mode = 'ANAGLYPH'
+        if _displays.get(space) is None:
+            _displays.put(space, {name: getattr(context.window.stereo_3d_display, name) for name in _DISPLAY})
+        _show_images(context.window, _DISPLAY)
+
+
+def _show_images(window, values):
+    """Set how a window shows both images."""
+    for name, value in values.items():
+        # Blender makes the windows anew at each assignment of the mode.
+        if getattr(window.stereo_3d_display, name) != value:
+            setattr(window.stereo_3d_display, name, value)
 
 
 classes = (MOTUS_OT_stereo_view,)

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from ..core import deleted, libraries
-from ..core.system import leader_of, registered
+from ..core.system import has_settings, is_owner, leader_of, of_owner, registered
 
 
 class Foot(NamedTuple):
@@ -47,6 +47,16 @@ def _thing(owner, leg):
     if foot is None or deleted.is_deleted(foot):
         return None
     return foot if libraries.is_free_or_of(foot, leader_of(registered["walker"], foot), owner) else None
+
+
+def stretches(owner, leg):
+    """Whether a leg becomes as long as it has to be: its chain of Inverse Kinematics stretches all the way to the foot."""
+    system = registered["ik"]
+    if not (has_settings(system, owner) and is_owner(system, owner)):
+        return False
+    foot = owner.original if leg.name else leg.foot and leg.foot.original
+    return any(entry.stretch >= 1.0 and entry.target and entry.target.original == foot and (not leg.name or entry.target_bone == leg.name)
+               for entry in of_owner(system, owner).entries)
 
 
 def names_body(owner):

@@ -11,7 +11,7 @@ from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.system import Problem
 from ..core.tracks import keys
-from . import ground
+from . import carrying, ground, legs
 from .properties import NUMBERS
 
 UNLIKE = 1e-4
@@ -26,6 +26,8 @@ EVERYWHERE = 1e6
 """m: length of a leg of which nobody knows how long it is."""
 SCALED = "stride", "clearance", "minimum_step", "reach_up", "reach_down"
 """Lengths before the body's scale, under the library's names."""
+BODY = "body_height", "body_tilt"
+"""Settings of what rises and leans."""
 SETTINGS = {"height": "body_height", "tilt": "body_tilt", "up": "up_axis", "forward": "forward_axis", "hips": "hip", "lengths": "length",
             "phases": "phase"}
 """Arguments of the library that settings, also of legs, give under another name."""
@@ -107,8 +109,9 @@ def of(owner, scene, numbers, frame=None):
     if poses is None:
         return MOTION_NOT_FINITE
     placed, unsure = ground.parts(owner.motus.walker, scene)
-    stamp = numbers, poses.digest, tuple(one.stamp for one in placed)
-    made = tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed))
+    bodies, moving = carrying.moved(owner, poses.seconds * fps, poses.digest) if any(numbers.lengths) else (None, None)
+    stamp = numbers, poses.digest, tuple(one.stamp for one in placed), moving
+    made = tracks.kept_by(stamp, "walker plan", lambda: _made(numbers, poses, placed, bodies))
     if isinstance(made, Problem):
         return made
     walker, has_problems = made
@@ -124,9 +127,13 @@ def read(settings):
             return replace(OUT_OF_RANGE, about=name)
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
+    owner = settings.id_data
     rest, hips = ([tuple(getattr(leg, name)) for leg in settings.legs] for name in ("rest", "hip"))
-    lengths, phases = ([getattr(leg, name) for leg in settings.legs] for name in ("length", "phase"))
-    values = tuple(getattr(settings, name) for name in NUMBERS)
+    lengths = [0.0 if legs.stretches(owner, leg) else leg.length for leg in settings.legs]
+    phases = [leg.phase for leg in settings.legs]
+    # Where nothing rises and leans, the hips stay where they are moved.
+    stays = () if legs.body(owner) else BODY
+    values = tuple(0.0 if name in stays else getattr(settings, name) for name in NUMBERS)
     found = dict(zip(NUMBERS, ((number,) for number in values)))
     found |= {"length": lengths, "phase": phases, "rest": itertools.chain(*rest), "hip": itertools.chain(*hips)}
     for name, numbers in found.items():
@@ -223,7 +230,7 @@ def _sampled(track, first, last, fps):
     return _digested(seconds, track.values(frames[places]))
 
 
-def _made(numbers, poses, placed):
+def _made(numbers, poses, placed, bodies):
     """(the native Walker, whether there are problems with its steps), or what is wrong with the settings."""
     # The largest: what grows from nothing has legs as well.
     scale = np.abs(np.linalg.det(poses.matrices[:, :3, :3])).max() ** (1.0 / 3.0)
@@ -233,7 +240,7 @@ def _made(numbers, poses, placed):
         if numbers.gait != 'OWN':
             phases, usual = native.module.walker_gait(numbers.gait.lower(), rest, numbers.forward, numbers.up)
             duty = duty or usual
-        given = {name: scale * numbers.value(name) for name in SCALED} | _reach(numbers, scale)
+        given = {name: scale * numbers.value(name) for name in SCALED} | _reach(numbers, poses.matrices, bodies)
         given["stride"] = max(given["stride"], LEAST_STRIDE)
         jump = scale * numbers.value("jump")
         walker = native.module.Walker(
@@ -253,8 +260,11 @@ def _refusal(sentence):
     return TOO_FAR if name == "poses" else replace(OUT_OF_RANGE, about=SETTINGS.get(name, name))
 
 
-def _reach(numbers, scale):
+def _reach(numbers, matrices, bodies):
     """Keywords of what legs can reach; none where nothing is known of them."""
     if not any(numbers.lengths):
         return {}
-    return {"hips": np.array(numbers.hips), "lengths": np.array([scale * one if one else EVERYWHERE for one in numbers.lengths])}
+    # A leg may point along any axis of a body that is scaled unevenly: along the longest one it reaches farthest.
+    scale = np.linalg.norm(matrices[:, :3, :3], 2, axis=(1, 2)).max()
+    return {"hips": np.array(numbers.hips), "lengths": np.array([scale * one if one else EVERYWHERE for one in numbers.lengths]),
+            "bodies": bodies}

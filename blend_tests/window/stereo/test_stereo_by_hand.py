@@ -29,6 +29,42 @@ def test_fits_what_is_seen():
     assert 0.0 < settings.far_parallax <= 2.0
 
 
+def show(camera, name):
+    with window_support.override():
+        bpy.ops.motus.stereo_view(object=camera.name)
+    window_support.draw_all()
+    yield
+    return (yield from window_support.picture(name))
+
+
+def colored(path):
+    """How many pixels of the 3D viewport are reddish or bluish."""
+    width, _, values = window_support.pixels(path)
+    seen = np.array(values).reshape(-1, width, 4)
+    view = window_support.region()
+    inner = seen[view.y + view.height // 4:view.y + 3 * view.height // 4, view.x + view.width // 4:view.x + 3 * view.width // 4]
+    return int((np.abs(inner[..., 0] - inner[..., 2]) > 0.2).sum())
+
+
+def test_a_camera_view_is_plain_until_it_is_asked_for():
+    camera = build()
+    space, display = window_support.area().spaces.active, window_support.window().stereo_3d_display
+    space.shading.color_type = 'OBJECT'
+    space.region_3d.view_perspective, space.overlay.show_overlays = 'CAMERA', False
+    display.anaglyph_type = 'GREEN_MAGENTA'
+    window_support.draw_all()
+    yield
+    plain = yield from window_support.picture("stereo_plain")
+    assert colored(plain) == 0
+    both = yield from show(camera, "stereo_both_from_camera")
+    assert display.anaglyph_type == 'RED_CYAN' and colored(both) > 40
+    back = yield from show(camera, "stereo_plain_again")
+    assert (space.region_3d.view_perspective, display.anaglyph_type) == ('CAMERA', 'GREEN_MAGENTA')
+    assert not space.overlay.show_overlays and colored(back) == 0
+    display.anaglyph_type, space.shading.color_type = 'RED_CYAN', 'MATERIAL'
+    space.region_3d.view_perspective, space.overlay.show_overlays = 'PERSP', True
+
+
 def test_anaglyph_view_and_back():
     camera = build()
     space = window_support.area().spaces.active

@@ -48,7 +48,7 @@ template <class Work>
 
 void measure(const char* name, const Settings& settings, double time) {
     const Snow snow(settings);
-    Buffers buffers(snow.living(time).count);
+    Buffers buffers(snow.living(time).count());
     std::array<double, 2> taken{};
     for (const std::size_t threads : {std::size_t{1}, std::size_t{2}}) {
         taken[threads - 1] = milliseconds(threads, [&] {
@@ -123,7 +123,7 @@ void measure_landings(Settings settings) {
     const double found = bench::nanoseconds(
         [&] {
             const Snow snow(settings);
-            Buffers buffers(snow.living(100.0).count);
+            Buffers buffers(snow.living(100.0).count());
             snow.evaluate(snow.living(100.0), buffers.fields(), 1);
             keep(buffers);
         },

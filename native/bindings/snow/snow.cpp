@@ -339,7 +339,7 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
         const py::gil_scoped_release released;
         return known ? self.known(time) : self.living(time);
     }();
-    const auto count = static_cast<py::ssize_t>(living.count);
+    const auto count = static_cast<py::ssize_t>(living.count());
     const py::object out = PyCallable_Check(given_out.ptr()) != 0 ? given_out(count) : given_out;
     if (!out.is_none() && !py::isinstance<py::dict>(out)) wrong_type(out, "out", "a dict of arrays");
     const std::vector<Field> names = wanted(fields, out);
@@ -353,7 +353,7 @@ void set_field(std::string_view name, py::array& array, snow::Fields& fields) {
         result[key] = array;
     }
     {
-        const ReleaseGil released(living.count, flake_cost);
+        const ReleaseGil released(living.count(), flake_cost);
         self.evaluate(living, rows);
     }
     return result;

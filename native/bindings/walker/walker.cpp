@@ -98,9 +98,9 @@ struct WayArguments {
                                const py::object& clearance, const py::object& reach_up,
                                const py::object& reach_down, const py::object& minimum_step,
                                const py::object& up, const py::object& hips, const py::object& lengths,
-                               const py::object& resets, const py::object& jump, const py::object& frequency,
-                               const py::object& damping, const py::object& response,
-                               const py::object& height, const py::object& tilt) {
+                               const py::object& bodies, const py::object& resets, const py::object& jump,
+                               const py::object& frequency, const py::object& damping,
+                               const py::object& response, const py::object& height, const py::object& tilt) {
     walker::Way way = way_of({times, poses, rest, phases, duty, stride, cadence, up, resets, jump});
     walker::Settings settings;
     settings.clearance = number(clearance, "clearance");
@@ -109,6 +109,7 @@ struct WayArguments {
     settings.minimum_step = number(minimum_step, "minimum_step");
     if (!hips.is_none()) settings.hips = points_argument(hips, "hips");
     if (!lengths.is_none()) settings.lengths = numbers_argument(lengths, "lengths");
+    if (!bodies.is_none()) settings.bodies = matrices(bodies, "bodies");
     settings.filter = {number(frequency, "frequency"), number(damping, "damping"),
                        number(response, "response")};
     settings.height = number(height, "height");
@@ -225,7 +226,8 @@ clearance: of a foot half-way through its swing, above the ground under its way,
 reach_up, reach_down: how far above and below a rest place ground is looked for.  minimum_step: shorter ones are left out; all
 of these >= 0.  up: not zero.
 hips (n, 3), lengths (n,), >= 0, in the world, of whole legs; both or None: footholds out of reach are looked for nearer to
-the hip.  resets: rising indices of samples to which the body jumps, where the plan begins anew; so it does where a rest place
+the hip.  bodies (k, 4, 4) or None: how the body's own animation moves the hips in the body's space at the samples, before the
+body follows its feet.  resets: rising indices of samples to which the body jumps, where the plan begins anew; so it does where a rest place
 goes further than `jump`, > 0, from one sample to the next; None: 4 strides.
 frequency, damping, response: the SecondOrder of the body's height and tilt, of the plane that its feet stand on; height,
 tilt, [0, 1]: how much of each.
@@ -234,8 +236,8 @@ Raises ValueError or TypeError that names the argument, also where more than 1,0
              "phases"_a, "duty"_a = 0.5, "stride"_a = 0.5, "cadence"_a = 1.0, "clearance"_a = 0.1,
              "reach_up"_a = 0.5, "reach_down"_a = 1.0, "minimum_step"_a = 0.0,
              "up"_a = py::make_tuple(0.0, 0.0, 1.0), "hips"_a = py::none(), "lengths"_a = py::none(),
-             "resets"_a = py::none(), "jump"_a = py::none(), "frequency"_a = 2.0, "damping"_a = 1.0,
-             "response"_a = 0.0, "height"_a = 1.0, "tilt"_a = 1.0)
+             "bodies"_a = py::none(), "resets"_a = py::none(), "jump"_a = py::none(), "frequency"_a = 2.0,
+             "damping"_a = 1.0, "response"_a = 0.0, "height"_a = 1.0, "tilt"_a = 1.0)
         .def(
             "feet",
             [](const Walker& self, const py::object& times) {

@@ -1,8 +1,11 @@
 #include "motus/bones/rig.hpp"
 
+#include "motus/core/numeric.hpp"
+
 namespace motus::bones {
 
 glm::dmat4 matrix_at(std::span<const float> matrices, std::size_t bone) {
+    require(bone < matrices.size() / 16, "matrices: there must be one of the bone");
     const float* value = matrices.data() + 16 * bone;
     glm::dmat4 matrix;
     for (int column = 0; column < 4; ++column) {
@@ -12,6 +15,7 @@ glm::dmat4 matrix_at(std::span<const float> matrices, std::size_t bone) {
 }
 
 Rest rest_of(const RigView& rig, std::size_t bone) {
+    require(bone < rig.parents.size() && bone < rig.inheritance.size(), "rig: must have the bone");
     const int parent = rig.parents[bone];
     const int flags = rig.inheritance[bone];
     Rest rest;

@@ -92,8 +92,10 @@ void TailPlan::solve(const RigView& rig, const glm::dmat4& world, std::span<cons
     if (targets.size() != size_) throw std::invalid_argument("targets: one per bone is needed");
     if (weights.size() != size_) throw std::invalid_argument("weights: one per bone is needed");
     if (rotations.size() != size_) throw std::invalid_argument("rotations: one per bone is needed");
-    if (rig.parents.size() != bones || rig.rest.size() != 16 * bones || rig.poses.size() != 16 * bones ||
-        rig.basis.size() != 16 * bones || rig.inheritance.size() != bones)
+    if (!std::ranges::equal(rig.parents, parents_))
+        throw std::invalid_argument("rig: its parents must be the plan's");
+    if (rig.rest.size() != 16 * bones || rig.poses.size() != 16 * bones || rig.basis.size() != 16 * bones ||
+        rig.inheritance.size() != bones)
         throw std::invalid_argument("rig: must have as many bones as the plan");
 
     const glm::dmat4 to_rig = glm::inverse(world);

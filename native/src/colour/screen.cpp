@@ -192,7 +192,15 @@ void judge_evenness(ScreenNumbers& found, Report& report) {
 
 }  // namespace
 
+void check(const Picture& picture) {
+    require(picture.width > 0 && !picture.pixels.empty() && picture.pixels.size() % picture.width == 0,
+            "picture: must have whole rows of pixels, and one pixel at least");
+    require(std::ranges::all_of(picture.pixels, [](const glm::vec4& pixel) { return is_finite(pixel); }),
+            "picture: must be finite");
+}
+
 std::optional<glm::dvec3> screen_color(const Picture& picture) {
+    check(picture);
     std::vector<Weighted> hues;
     std::vector<std::size_t> places;
     double whole = 0.0;
@@ -237,7 +245,8 @@ double matte(const glm::dvec3& pixel, const glm::dvec3& screen, double balance) 
 }
 
 Report judge_screen(const Picture& picture, const glm::dvec3& color) {
-    require(is_screen_color(color), "color must be a green or a blue");
+    check(picture);
+    require(is_screen_color(color), "color: must be a green or a blue");
     const glm::length_t channel = channel_of(color);
     // Neither screen nor subject is where the two may be mixed.
     constexpr std::size_t reach = 2;

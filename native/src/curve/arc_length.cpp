@@ -1,10 +1,12 @@
 #include "motus/curve/arc_length.hpp"
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <stdexcept>
 #include <utility>
 
 #include "inverse_table.hpp"
+#include "motus/core/numeric.hpp"
 #include "speed_table.hpp"
 
 namespace motus::curve {
@@ -31,12 +33,13 @@ double ArcLength::length_at(double t) const {
 
 double ArcLength::t_at_length(double s) const {
     if (s > 0.0 && s < length_) return inverse().t_at(s);
+    if (std::isnan(s)) return s;
     if (s <= 0.0 || length_ == 0.0) return 0.0;
-    return s >= length_ ? static_cast<double>(curve_.segment_count())
-                        : s;  // the last: not a number stays one
+    return static_cast<double>(curve_.segment_count());
 }
 
 double ArcLength::segment_start(std::size_t index) const {
+    require(index <= curve_.segment_count(), "index: must be one of a segment, or segment_count()");
     return speed_->segment_start(index);
 }
 
@@ -72,7 +75,7 @@ double length_at(const ArcLength& path, double t, Extend extend) {
 }
 
 Extended t_at_length(const ArcLength& path, double s, Extend extend) {
-    if (path.length() == 0.0) return {};
+    if (path.length() == 0.0) return {path.t_at_length(s)};
     const Extended inside = extended(s, path.length(), extend);
     return {path.t_at_length(inside.value), inside.beyond};
 }

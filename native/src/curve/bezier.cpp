@@ -100,6 +100,7 @@ void elevate_once(std::span<const glm::dvec3> points, std::span<glm::dvec3> out)
 }  // namespace
 
 std::pair<Curve, Curve> split(const Curve& curve, double t) {
+    if (std::isnan(t)) throw std::invalid_argument("t: must be a number");
     const Location at = locate(curve, t);
     const std::span<const glm::dvec3> all = curve.control_points();
     const std::size_t size = curve.segment(0).size();
@@ -141,7 +142,12 @@ Curve reversed(const Curve& curve) {
 Curve transformed(const Curve& curve, const glm::dmat4& matrix) {
     std::vector<glm::dvec3> points;
     points.reserve(curve.control_points().size());
-    for (const glm::dvec3& p : curve.control_points()) points.emplace_back(matrix * glm::dvec4(p, 1.0));
+    for (const glm::dvec3& p : curve.control_points()) {
+        points.emplace_back(matrix * glm::dvec4(p, 1.0));
+        for (int axis = 0; axis < 3; ++axis)
+            if (!(std::abs(points.back()[axis]) <= coordinate_limit))
+                throw std::invalid_argument("matrix: must leave every coordinate finite, and at most 1e100");
+    }
     return Curve::chain(curve.degree(), points, curve.cyclic());
 }
 

@@ -47,6 +47,7 @@ void require_order(int order) {
 
 std::vector<double> bspline_knots(std::size_t point_count, const BSplineSettings& settings) {
     require_order(settings.order);
+    if (point_count == 0) throw std::invalid_argument("point_count: at least 1 is needed");
     const auto order = static_cast<std::size_t>(settings.order);
     const bool cyclic = settings.cyclic;
     const std::size_t count = point_count + order + (cyclic ? order - 1 : 0);

@@ -221,6 +221,7 @@ Jet jet(const Curve& curve, const Location& at) {
 glm::dvec3 tangent(const Curve& curve, double t) {
     const Location at = locate(curve, t);
     const bernstein::Segment segment = curve.segment(at.segment);
+    if (std::isnan(at.t)) return glm::dvec3(at.t);
     const double extent = bernstein::extent(segment);
     if (extent == 0.0) return neighbour_tangent(curve, at.segment);
     const glm::dvec3 d1 = bernstein::jet(segment, at.t).d1;
@@ -237,6 +238,7 @@ glm::dvec3 tangent(const Curve& curve, double t, Extend extend) {
 double curvature(const Curve& curve, double t) {
     const Location at = locate(curve, t);
     const bernstein::Segment segment = curve.segment(at.segment);
+    if (std::isnan(at.t)) return at.t;
     const double extent = bernstein::extent(segment);
     if (extent == 0.0) return 0.0;
     const Jet all = bernstein::jet(segment, at.t);
@@ -254,6 +256,7 @@ double curvature(const Curve& curve, double t, Extend extend) {
 double torsion(const Curve& curve, double t) {
     const Location at = locate(curve, t);
     const bernstein::Segment segment = curve.segment(at.segment);
+    if (std::isnan(at.t)) return at.t;
     const double extent = bernstein::extent(segment);
     if (extent == 0.0) return 0.0;
     const Jet all = bernstein::jet(segment, at.t);

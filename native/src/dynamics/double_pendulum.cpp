@@ -29,8 +29,8 @@ void require_valid(const DoublePendulum& pendulum) {
 }
 
 void require_valid(const DoublePendulumState& start) {
-    require(std::isfinite(start.theta1), "theta1 must be finite");
-    require(std::isfinite(start.theta2), "theta2 must be finite");
+    require(is_angle(start.theta1), "theta1 must be finite, and 1e9 at most");
+    require(is_angle(start.theta2), "theta2 must be finite, and 1e9 at most");
     require(std::isfinite(start.omega1), "omega1 must be finite");
     require(std::isfinite(start.omega2), "omega2 must be finite");
 }
@@ -131,8 +131,12 @@ void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start,
     MotionSettings<System> settings = scale.settings(pendulum, start, System{});
     if (pivot != nullptr) drive(settings, *pivot, scale.unit(), pendulum.length1);
     Motion<System> motion(std::move(settings));
-    for (std::size_t i = 0; i < times.size(); ++i)
-        out[i] = scale.state(motion.at(scale.unit().from_seconds(times[i])), System{});
+    // Nothing is written before all is known: each time may lie where there is no state.
+    std::vector<DoublePendulumState> states;
+    states.reserve(times.size());
+    for (const double time : times)
+        states.push_back(scale.state(motion.at(scale.unit().from_seconds(time)), System{}));
+    std::ranges::copy(states, out.begin());
 }
 
 void integrate(const DoublePendulum& pendulum, const DoublePendulumState& start, const PivotMotion* pivot,
@@ -212,6 +216,8 @@ double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& s
 }
 
 double energy(const DoublePendulum& pendulum, const DoublePendulumState& state) {
+    require_valid(pendulum);
+    require_valid(state);
     const double v1 = pendulum.length1 * state.omega1;
     const double v2 = pendulum.length2 * state.omega2;
     const double height1 = -pendulum.length1 * std::cos(state.theta1);

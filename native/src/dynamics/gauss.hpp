@@ -8,67 +8,10 @@
 #include <cstddef>
 #include <span>
 
+#include "gauss_table.hpp"
 #include "motus/core/wide.hpp"
 
 namespace motus::dynamics {
-
-inline constexpr int stages = 8;
-
-/// Of a step from 0 to 1.
-struct GaussTable {
-    std::array<double, stages> nodes{};
-    std::array<double, stages> weights{};
-    std::array<std::array<double, stages>, stages> integrals{};  ///< [j][i]: of stage j's part, up to node i
-    std::array<std::array<double, stages>, stages> next{};  ///< [j][i]: that part at node i of the next step
-    std::array<double, stages> tail{};  ///< what stage j gives to the coefficient of the last Legendre
-                                        ///< polynomial
-};
-
-[[nodiscard]] constexpr long double legendre(int degree, long double x) {
-    long double before = 1.0L;
-    long double value = x;
-    if (degree == 0) return before;
-    for (int k = 1; k < degree; ++k) {
-        const auto n = static_cast<long double>(k);
-        const long double next = ((2.0L * n + 1.0L) * x * value - n * before) / (n + 1.0L);
-        before = value;
-        value = next;
-    }
-    return value;
-}
-
-[[nodiscard]] constexpr GaussTable make_gauss_table() {
-    constexpr std::array<long double, stages / 2> roots{
-        0.18343464249564980493947614236018398L, 0.52553240991632898581773904918924635L,
-        0.79666647741362673959155393647583044L, 0.96028985649753623168356086856947299L};
-    std::array<long double, stages> x{};
-    for (std::size_t i = 0; i < roots.size(); ++i) {
-        x[roots.size() - 1 - i] = -roots[i];
-        x[roots.size() + i] = roots[i];
-    }
-    GaussTable table;
-    for (std::size_t j = 0; j < stages; ++j) {
-        const long double before = legendre(stages - 1, x[j]);
-        const long double weight = 2.0L * (1.0L - x[j] * x[j]) / (stages * stages * before * before);
-        table.nodes[j] = static_cast<double>(0.5L + 0.5L * x[j]);
-        table.weights[j] = static_cast<double>(0.5L * weight);
-        table.tail[j] = static_cast<double>((stages - 0.5L) * before * weight);
-        for (std::size_t i = 0; i < stages; ++i) {
-            // The part of stage j is 1 at its node and 0 at the others: a sum of Legendre polynomials.
-            long double integral = x[i] + 1.0L;
-            for (int k = 1; k < stages; ++k)
-                integral += legendre(k, x[j]) * (legendre(k + 1, x[i]) - legendre(k - 1, x[i]));
-            table.integrals[j][i] = static_cast<double>(0.25L * weight * integral);
-            long double part = 1.0L;
-            for (std::size_t k = 0; k < stages; ++k)
-                if (k != j) part *= (x[i] + 2.0L - x[k]) / (x[j] - x[k]);
-            table.next[j][i] = static_cast<double>(part);
-        }
-    }
-    return table;
-}
-
-inline constexpr GaussTable gauss = make_gauss_table();
 
 /// Acceleration of the pivot at the start and at the end of a step; linear between.
 struct Drive {

@@ -13,7 +13,7 @@ using State = std::array<double, LimitedSystem::size>;
 /// Angular velocities and accelerations, the latter within the limits.
 [[nodiscard]] State derivative(const LimitedSystem& system, const State& at, double pivot_x, double pivot_z) {
     const DoubleSystem& free = system.free;
-    const SineCosine<Pair> each = sine_cosine(Pair(at[0], at[1]));
+    const SineCosine<Pair> each = sine_cosine_within_limit(Pair(at[0], at[1]));
     const double sine1 = lane(each.sine, 0), cosine1 = lane(each.cosine, 0);
     const double sine2 = lane(each.sine, 1), cosine2 = lane(each.cosine, 1);
     const double sine = sine1 * cosine2 - cosine1 * sine2;

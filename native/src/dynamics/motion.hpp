@@ -27,7 +27,7 @@ struct SingleSystem {
 
     template <class Real>
     [[gnu::always_inline]] void operator()(const Real* y, Real pivot_x, Real pivot_z, Real* f) const {
-        const auto [sine, cosine] = sine_cosine(y[0]);
+        const auto [sine, cosine] = sine_cosine_within_limit(y[0]);
         f[0] = y[1];
         f[1] = Real(0.0) - ((Real(gravity) + pivot_z) * sine + pivot_x * cosine) - Real(damping) * y[1];
     }
@@ -56,8 +56,8 @@ struct DoubleSystem {
 
     template <class Real>
     [[gnu::always_inline]] void operator()(const Real* y, Real pivot_x, Real pivot_z, Real* f) const {
-        const auto [sine1, cosine1] = sine_cosine(y[0]);
-        const auto [sine2, cosine2] = sine_cosine(y[1]);
+        const auto [sine1, cosine1] = sine_cosine_within_limit(y[0]);
+        const auto [sine2, cosine2] = sine_cosine_within_limit(y[1]);
         const Real sine = sine1 * cosine2 - cosine1 * sine2;
         const Real cosine = cosine1 * cosine2 + sine1 * sine2;
         velocities(y + 2, sine, cosine, f);

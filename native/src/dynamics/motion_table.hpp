@@ -97,6 +97,13 @@ class MotionTable {
         [[nodiscard]] std::size_t last() const { return rest == 0.0 ? node : node + 1; }
     };
 
+    /// Whether a state is of numbers, and its angles are such that their sines mean something.
+    [[nodiscard]] static bool are_within_bounds(const State& state) {
+        return are_finite(state) &&
+               std::ranges::all_of(std::span(state).first(System::size / 2),
+                                   [](double angle) { return std::abs(angle) <= sine_limit; });
+    }
+
     /// Of a step; one of half the length has a 256th of it. An error of the momenta becomes one of the
     /// velocities that is larger the smaller `inertia` is.
     static constexpr double largest_tail = 1e-5;
@@ -158,7 +165,7 @@ class MotionTable {
                 table_.end_ = End::is_long;
                 return;
             }
-            if (!step.converged || !are_finite(state_) || step.tail > table_.largest_tail_) {
+            if (!step.converged || !are_within_bounds(state_) || step.tail > table_.largest_tail_) {
                 if (level_ == highest_level) {
                     table_.end_ = End::leaves_bounds;
                     return;

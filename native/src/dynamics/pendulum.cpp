@@ -28,6 +28,7 @@ void require_valid(const Pendulum& pendulum, const PendulumState& start, std::sp
 /// What is the same with and without a moved pivot.
 [[nodiscard]] MotionSettings<SingleSystem> settings_of(const Pendulum& pendulum, const PendulumState& start,
                                                        const TimeUnit& unit) {
+    require(is_angle(start.angle), "angle must be 1e9 at most with damping or a moved pivot");
     MotionSettings<SingleSystem> settings;
     settings.system = {unit.gravity, unit.from_rate(pendulum.damping)};
     settings.start = {start.angle, unit.from_rate(start.velocity)};
@@ -35,13 +36,26 @@ void require_valid(const Pendulum& pendulum, const PendulumState& start, std::sp
     return settings;
 }
 
+/// The state that `state_at` gives for each time; nothing where one of them throws.
+template <class StateAt>
+void write(std::span<const double> times, std::span<PendulumState> out, const StateAt& state_at) {
+    std::vector<PendulumState> states;
+    states.reserve(times.size());
+    for (const double time : times) {
+        states.push_back(state_at(time));
+        if (!are_finite(states.back().angle, states.back().velocity))
+            throw std::domain_error("times must not reach where the angle is beyond all numbers");
+    }
+    std::ranges::copy(states, out.begin());
+}
+
 void integrate(MotionSettings<SingleSystem> settings, const TimeUnit& unit, std::span<const double> times,
                std::span<PendulumState> out) {
     Motion<SingleSystem> motion(std::move(settings));
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        const auto [angle, velocity] = motion.at(unit.from_seconds(times[i]));
-        out[i] = {angle, unit.to_rate(velocity)};
-    }
+    write(times, out, [&](double time) {
+        const auto [angle, velocity] = motion.at(unit.from_seconds(time));
+        return PendulumState{angle, unit.to_rate(velocity)};
+    });
 }
 
 }  // namespace
@@ -51,12 +65,7 @@ void single_pendulum(const Pendulum& pendulum, const PendulumState& start, std::
     require_valid(pendulum, start, times, out);
     if (pendulum.damping == 0.0) {
         const Swing swing(pendulum, start);
-        std::ranges::transform(times, out.begin(), [&](double time) {
-            const PendulumState state = swing.at(time);
-            if (!are_finite(state.angle, state.velocity))
-                throw std::domain_error("times must not reach where the angle is beyond all numbers");
-            return state;
-        });
+        write(times, out, [&](double time) { return swing.at(time); });
         return;
     }
     const TimeUnit unit(pendulum.length, pendulum.gravity);

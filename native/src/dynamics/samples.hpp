@@ -107,7 +107,7 @@ struct Place {
         time = std::clamp(time - place.cycles * cycle, times.front(), times.back());
     }
     place.sample = sample_before(time, times);
-    place.seconds = std::max(time - times[place.sample], 0.0);
+    place.seconds = std::clamp(time - times[place.sample], 0.0, std::numeric_limits<double>::max());
     return place;
 }
 

@@ -174,6 +174,7 @@ double settling_time(const SecondOrder& filter, double tolerance) {
 }
 
 Step make_step(const SecondOrder& filter, double length) {
+    require(length >= 0.0 && std::isfinite(length), "length must be at least 0 and finite");
     const double w = filter.rate();
     const auto [c, s] = waves(w, filter.damping(), length);
     const double a = filter.damping() * w;

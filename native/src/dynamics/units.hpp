@@ -17,6 +17,12 @@ namespace motus::dynamics {
     return std::isfinite(value) && value >= 0.0;
 }
 
+/// Whether an angle is one that a motion can be integrated from.
+[[nodiscard]] inline bool is_angle(double value) {
+    constexpr double largest = 1e9;
+    return std::abs(value) <= largest;
+}
+
 /// The power of two next to a number > 0, in its exponent; between -1000 and 1000.
 [[nodiscard]] inline int exponent_of(double value) {
     constexpr int most = 1000;

@@ -8,6 +8,7 @@
 #include <limits>
 #include <numbers>
 
+#include "motus/core/numeric.hpp"
 #include "motus/core/parallel.hpp"
 #include "motus/lattice/lattice.hpp"
 
@@ -17,6 +18,28 @@ namespace {
 using Plane = std::vector<glm::dvec2>;
 
 constexpr double gain = 1.0 - 1e-9;  // less is rounding
+
+[[nodiscard]] OrientedBox box_around(std::span<const glm::vec3> points, const glm::dmat3& axes) {
+    OrientedBox box;
+    box.axes = axes;
+    if (points.empty()) return box;
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    glm::dvec3 low(infinity), high(-infinity);
+    for (const glm::vec3& point : points) {
+        const glm::dvec3 at = glm::dvec3(point) * axes;
+        low = glm::min(low, at);
+        high = glm::max(high, at);
+    }
+    box.center = axes * (0.5 * (low + high));
+    box.size = high - low;
+    return box;
+}
+
+void check(std::span<const glm::vec3> points, const glm::dmat3& axes) {
+    require(std::ranges::all_of(points, [](const glm::vec3& point) { return is_finite(point); }),
+            "points: must be finite");
+    require(is_finite(axes), "axes: must be finite");
+}
 
 [[nodiscard]] double cross(const glm::dvec2& a, const glm::dvec2& b) {
     return a.x * b.y - a.y * b.x;
@@ -208,7 +231,7 @@ void add_reaching(std::span<const glm::vec3> points, const glm::dmat3& axes, std
     for (int round = 0; round < rounds; ++round) {
         const double before = measure(box);
         for (int axis = 0; axis < 3; ++axis) {
-            const OrientedBox tried = box_along(points, turned_about(points, box.axes, axis));
+            const OrientedBox tried = box_around(points, turned_about(points, box.axes, axis));
             if (measure(tried) < measure(box)) box = tried;
         }
         if (!(measure(box) < before * gain)) break;
@@ -241,42 +264,32 @@ void add_reaching(std::span<const glm::vec3> points, const glm::dmat3& axes, std
 }  // namespace
 
 OrientedBox box_along(std::span<const glm::vec3> points, const glm::dmat3& axes) {
-    OrientedBox box;
-    box.axes = axes;
-    if (points.empty()) return box;
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    glm::dvec3 low(infinity), high(-infinity);
-    for (const glm::vec3& point : points) {
-        const glm::dvec3 at = glm::dvec3(point) * axes;
-        low = glm::min(low, at);
-        high = glm::max(high, at);
-    }
-    box.center = axes * (0.5 * (low + high));
-    box.size = high - low;
-    return box;
+    check(points, axes);
+    return box_around(points, axes);
 }
 
 OrientedBox small_box(std::span<const glm::vec3> points, const glm::dmat3& axes) {
-    if (points.empty()) return box_along(points, axes);
+    check(points, axes);
+    if (points.empty()) return box_around(points, axes);
     std::vector<glm::vec3> chosen = extremes(points);
-    OrientedBox small = shrunk(chosen, box_along(chosen, axes));
+    OrientedBox small = shrunk(chosen, box_around(chosen, axes));
     for (const glm::dmat3& turn : starts()) {
-        const OrientedBox found = shrunk(chosen, box_along(chosen, axes * turn));
+        const OrientedBox found = shrunk(chosen, box_around(chosen, axes * turn));
         if (measure(found) < measure(small) * gain) small = found;
     }
     // Around all points the box is larger, by points that were not among those chosen: shrunk with them once
     // more, until there are none. Then what is smallest for the chosen is so for all.
     constexpr int rounds = 20;
-    OrientedBox box = box_along(points, small.axes);
+    OrientedBox box = box_around(points, small.axes);
     for (int round = 0; round < rounds && measure(small) < measure(box) * gain; ++round) {
         add_reaching(points, small.axes, chosen);
-        small = shrunk(chosen, box_along(chosen, small.axes));
-        const OrientedBox tried = box_along(points, small.axes);
+        small = shrunk(chosen, box_around(chosen, small.axes));
+        const OrientedBox tried = box_around(points, small.axes);
         if (measure(tried) < measure(box)) box = tried;
     }
-    const OrientedBox plain = box_along(points, axes);
+    const OrientedBox plain = box_around(points, axes);
     if (measure(plain) * gain <= measure(box)) return plain;
-    return box_along(points, named_like(box.axes, axes));
+    return box_around(points, named_like(box.axes, axes));
 }
 
 }  // namespace motus::lattice

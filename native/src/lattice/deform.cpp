@@ -1,6 +1,5 @@
-#include <stdexcept>
-
 #include "motus/core/ieee_floats.hpp"
+#include "motus/core/numeric.hpp"
 #include "motus/core/parallel.hpp"
 #include "motus/core/unfilled.hpp"
 #include "motus/lattice/lattice.hpp"
@@ -87,11 +86,12 @@ void deform(const Lattice& lattice, std::span<const glm::vec3> displacements, co
             std::span<const glm::vec3> positions, std::span<glm::vec3> out) {
     const Grid grid(lattice);
     const std::size_t points = point_count(lattice);
-    if (displacements.size() != points || (!influence.points.empty() && influence.points.size() != points))
-        throw std::invalid_argument("a lattice wants a displacement and a weight for each of its points");
-    if (out.size() != positions.size() ||
-        (!influence.positions.empty() && influence.positions.size() != positions.size()))
-        throw std::invalid_argument("as many results and factors as positions are wanted");
+    require(displacements.size() == points, "displacements: one for each lattice point is wanted");
+    require(influence.points.empty() || influence.points.size() == points,
+            "influence: a weight for each lattice point is wanted, or none");
+    require(influence.positions.empty() || influence.positions.size() == positions.size(),
+            "influence: a factor for each position is wanted, or none");
+    require(out.size() == positions.size(), "out: must be as long as positions");
     in_ieee_floats([&] {
         const std::vector<Four> values = packed(displacements, influence.points);
         const bool fades = !influence.points.empty();

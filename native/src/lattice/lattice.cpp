@@ -53,10 +53,10 @@ void add_bernstein(Taps& taps, int points, double coordinate) {
 Grid::Grid(const Lattice& lattice)
     : origin_(lattice.origin), to_coordinates_(1.0), resolution_(lattice.resolution), basis_(lattice.basis) {
     for (const int points : resolution_) {
-        require(points >= 1 && points <= max_resolution, "a lattice has 1 to 64 points along an axis");
+        require(points >= 1 && points <= max_resolution, "resolution: must be 1 to 64 points along an axis");
     }
     require(is_finite(lattice.origin) && is_finite(lattice.axes) && are_independent(lattice.axes),
-            "the axes of a lattice must be finite and independent");
+            "axes: must be finite and independent, and the origin finite");
     to_coordinates_ = glm::inverse(lattice.axes);
 }
 
@@ -109,7 +109,7 @@ std::vector<glm::dvec3> rest_points(const Lattice& lattice) {
 
 Weights weights_at(const Lattice& lattice, const glm::dvec3& place) {
     const Grid grid(lattice);
-    require(is_finite(place), "a place in a lattice must be finite");
+    require(is_finite(place), "place: must be finite");
     const glm::dvec3 at = grid.coordinates(place);
     // By axis each point once: those beyond the ends are the last one.
     std::array<std::array<double, max_resolution>, 3> sums{};

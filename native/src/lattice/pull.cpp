@@ -128,8 +128,8 @@ void add_part(const Weights& weights, const Part& part, const PullOptions& optio
     std::vector<std::vector<std::size_t>> parts_of(pulls);
     for (std::size_t i = 0; i < parts.size(); ++i) {
         const Part& part = parts[i];
-        require(part.pull < pulls, "a part of a pull that is not there");
-        require(are_finite(part.share, part.influence), "shares and influences must be finite");
+        require(part.pull < pulls, "parts: a pull is not there");
+        require(are_finite(part.share, part.influence), "parts: shares and influences must be finite");
         parts_of[part.pull].push_back(i);
     }
     Rows rows;
@@ -165,6 +165,12 @@ void add_part(const Weights& weights, const Part& part, const PullOptions& optio
         if (is_moved[i]) moved.push_back(static_cast<std::uint32_t>(i));
     }
     return moved;
+}
+
+void check_count(const std::vector<Row>& rows, std::size_t points) {
+    if (rows.size() > max_pulls && moved_points(rows, points).size() > max_pulls)
+        throw std::invalid_argument("displacements: at most " + std::to_string(max_pulls) +
+                                    " are possible where the lattice has more points");
 }
 
 /// B B^T, size rows.size().
@@ -209,9 +215,6 @@ void add_moves(const std::vector<Row>& rows, std::span<const glm::dvec3> factors
 void solve(const std::vector<Row>& rows, std::span<const glm::dvec3> displacements,
            const std::function<double(double)>& inverse, std::span<glm::dvec3> out) {
     const std::vector<std::uint32_t> moved = moved_points(rows, out.size());
-    if (std::min(rows.size(), moved.size()) > max_pulls)
-        throw std::invalid_argument("displacements: at most " + std::to_string(max_pulls) +
-                                    " are possible where the lattice has more points");
     if (rows.size() <= moved.size()) {
         add_moves(rows, times_function(between_pulls(rows, out.size()), displacements, inverse), out);
         return;
@@ -231,17 +234,23 @@ std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const Par
                                      std::span<const glm::dvec3> displacements, const PullOptions& options,
                                      std::span<glm::dvec3> out) {
     const std::size_t points = rest_points(lattice).size();  // which checks the lattice
-    require(out.size() == points, "a displacement for each lattice point is wanted");
+    require(out.size() == points, "out: a displacement for each lattice point is wanted");
     require(options.point_weights.empty() || options.point_weights.size() == points,
-            "a weight for each lattice point is wanted");
-    require(options.max_gain > 0.0 && std::isfinite(options.max_gain), "max_gain must be finite and > 0");
+            "point_weights: one for each lattice point is wanted");
+    require(are_finite(options.point_weights), "point_weights: must be finite");
+    require(options.max_gain > 0.0 && std::isfinite(options.max_gain), "max_gain: must be finite and > 0");
     require(std::ranges::all_of(displacements, [](const glm::dvec3& d) { return is_finite(d); }),
-            "displacements must be finite");
+            "displacements: must be finite");
 
     const Rows rows = rows_of(lattice, parts, displacements.size(), options);
-    std::fill(out.begin(), out.end(), glm::dvec3(0.0));
     std::vector<glm::dvec3> left(displacements.begin(), displacements.end());
-    if (!std::isfinite(rows.weakest)) return left;
+    if (!std::isfinite(rows.weakest)) {
+        std::ranges::fill(out, glm::dvec3(0.0));
+        return left;
+    }
+    check_count(rows.influenced, points);
+    // From here on nothing is refused.
+    std::ranges::fill(out, glm::dvec3(0.0));
     // Below `least` the inverse falls again: the solution stays bounded there, and follows the data
     // continuously.
     const double least = rows.weakest / (options.max_gain * options.max_gain);

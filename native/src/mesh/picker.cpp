@@ -35,7 +35,7 @@ void check_input(std::span<const glm::vec3> positions, std::span<const glm::ivec
                  std::size_t threads) {
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() - fan_out;
     if (positions.size() >= most || triangles.size() >= most)
-        throw std::invalid_argument("A mesh to pick from has too many vertices or triangles");
+        throw std::invalid_argument("positions and triangles must each be fewer than 2^32 - 1");
     const auto check = [&](std::size_t first, std::size_t last) {
         // Negative ones are very large without a sign.
         std::uint32_t largest = 0;
@@ -43,7 +43,7 @@ void check_input(std::span<const glm::vec3> positions, std::span<const glm::ivec
             largest = std::max({largest, static_cast<std::uint32_t>(t.x), static_cast<std::uint32_t>(t.y),
                                 static_cast<std::uint32_t>(t.z)});
         if (largest >= positions.size())
-            throw std::invalid_argument("A triangle names a vertex that the mesh does not have");
+            throw std::invalid_argument("triangles: one names a vertex that the mesh does not have");
     };
     in_parts(triangles.size(), triangle_grain, check, threads);
 }
@@ -137,7 +137,7 @@ std::size_t Picker::triangle_count() const noexcept {
 
 void Picker::refit(std::span<const glm::vec3> positions) {
     if (positions.size() != vertex_count())
-        throw std::invalid_argument("A refit needs the positions of all vertices of the mesh");
+        throw std::invalid_argument("positions: there must be one for each vertex of the mesh");
     if (positions.empty()) return;
     std::atomic<bool> all_finite{true};
     const auto take_over = [&](std::size_t first, std::size_t last) {
@@ -155,9 +155,9 @@ void Picker::refit(std::span<const glm::vec3> positions) {
 
 void Picker::refit(std::span<const glm::vec3> positions, std::span<const std::uint32_t> moved) {
     if (positions.size() != vertex_count())
-        throw std::invalid_argument("A refit needs the positions of all vertices of the mesh");
+        throw std::invalid_argument("positions: there must be one for each vertex of the mesh");
     if (std::any_of(moved.begin(), moved.end(), [&](std::uint32_t v) { return v >= positions.size(); }))
-        throw std::invalid_argument("A vertex that moved is not one of the mesh");
+        throw std::invalid_argument("moved: a vertex is not one of the mesh");
     if (positions.empty()) return;
 
     // A leaf that has to change touches the place where a vertex was. Vertices that follow each other along

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <utility>
 
 #include "motus/core/ieee_floats.hpp"
+#include "motus/core/numeric.hpp"
 #include "noise_kernel.hpp"
 #include "shape.hpp"
 
@@ -20,7 +22,7 @@ namespace {
     return ((hash >> bit) & 1U) != 0 ? -number : number;
 }
 
-/// A coordinate: the whole number below it, and how far it is from there.
+/// A coordinate that is a number: the whole one below it, and how far it is from there.
 struct Coordinate {
     explicit Coordinate(double number) noexcept {
         const double near = std::clamp<double>(number, -farthest, farthest);
@@ -195,6 +197,15 @@ template <std::size_t dimensions>
     (std::make_index_sequence<dimensions>());
 }
 
+constexpr float not_a_number = std::numeric_limits<float>::quiet_NaN();
+
+template <glm::length_t size>
+[[nodiscard]] bool has_nan(const glm::vec<size, double>& place) noexcept {
+    for (glm::length_t axis = 0; axis < size; ++axis)
+        if (std::isnan(place[axis])) return true;
+    return false;
+}
+
 template <class T>
 [[nodiscard]] std::array<double, 2> numbers(const glm::vec<2, T>& place) noexcept {
     return {place.x, place.y};
@@ -210,8 +221,8 @@ template <int dimensions>
     return {places.empty() ? nullptr : &places[0].x, dimensions * places.size()};
 }
 
-void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t seed,
-          std::span<float> out) noexcept {
+void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t seed, std::span<float> out) {
+    require(places.size() == dimensions * out.size(), "out: must have a number for each place");
     const auto fill_by = noise_kernels().back().fill[dimensions - 1];
     in_ieee_floats([&] {
         for (std::size_t begin = 0; begin < out.size(); begin += noise_block) {
@@ -233,34 +244,40 @@ void fill(std::size_t dimensions, std::span<const float> places, std::uint32_t s
 }  // namespace
 
 float value(double place, std::uint32_t seed) noexcept {
+    if (std::isnan(place)) return not_a_number;
     return in_ieee_floats([&] { return value_at(place, seed); });
 }
 float value(const glm::dvec2& place, std::uint32_t seed) noexcept {
+    if (has_nan(place)) return not_a_number;
     return in_ieee_floats([&] { return value_at(numbers(place), seed); });
 }
 float value(const glm::dvec3& place, std::uint32_t seed) noexcept {
+    if (has_nan(place)) return not_a_number;
     return in_ieee_floats([&] { return value_at(numbers(place), seed); });
 }
 
 float gradient(double place, std::uint32_t seed) noexcept {
+    if (std::isnan(place)) return not_a_number;
     return in_ieee_floats([&] { return slope_at(place, seed); });
 }
 glm::vec2 gradient(const glm::dvec2& place, std::uint32_t seed) noexcept {
+    if (has_nan(place)) return glm::vec2(not_a_number);
     const auto slope = in_ieee_floats([&] { return slope_at(numbers(place), seed); });
     return {slope[0], slope[1]};
 }
 glm::vec3 gradient(const glm::dvec3& place, std::uint32_t seed) noexcept {
+    if (has_nan(place)) return glm::vec3(not_a_number);
     const auto slope = in_ieee_floats([&] { return slope_at(numbers(place), seed); });
     return {slope[0], slope[1], slope[2]};
 }
 
-void values(std::span<const float> places, std::uint32_t seed, std::span<float> out) noexcept {
+void values(std::span<const float> places, std::uint32_t seed, std::span<float> out) {
     fill(1, places, seed, out);
 }
-void values(std::span<const glm::vec2> places, std::uint32_t seed, std::span<float> out) noexcept {
+void values(std::span<const glm::vec2> places, std::uint32_t seed, std::span<float> out) {
     fill(2, numbers_of(places), seed, out);
 }
-void values(std::span<const glm::vec3> places, std::uint32_t seed, std::span<float> out) noexcept {
+void values(std::span<const glm::vec3> places, std::uint32_t seed, std::span<float> out) {
     fill(3, numbers_of(places), seed, out);
 }
 

@@ -23,7 +23,9 @@ bool reads_smoothing(FrameMode mode) {
     return mode == FrameMode::banking || mode == FrameMode::curvature;
 }
 
-FrameSettings checked(FrameSettings settings, const curve::Curve& curve) {
+FrameSettings checked(FrameSettings settings, const curve::ArcLength* path) {
+    require(path != nullptr, "path must be there");
+    const curve::Curve& curve = path->curve();
     if (settings.mode == FrameMode::banking) {
         require(std::isfinite(settings.gravity) && settings.gravity > 0.0,
                 "gravity must be finite and above 0");
@@ -111,21 +113,22 @@ glm::dquat rotation_to(const Place& place, Across up) {
 }  // namespace
 
 Frames::Frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings)
-    : settings_(checked(std::move(settings), path->curve())) {
-    tables_ = std::make_shared<const FrameTables>(std::move(path), settings_.mode, settings_.smoothing);
+    : settings_(std::make_shared<const FrameSettings>(checked(std::move(settings), path.get()))) {
+    tables_ = std::make_shared<const FrameTables>(std::move(path), settings_->mode, settings_->smoothing);
 }
 
 Frames::Frames(std::shared_ptr<const FrameTables> tables, FrameSettings settings)
-    : tables_(std::move(tables)), settings_(std::move(settings)) {}
+    : tables_(std::move(tables)), settings_(std::make_shared<const FrameSettings>(std::move(settings))) {}
 
 glm::dquat Frames::at(double s, double speed) const {
     return pose(s, speed).rotation;
 }
 
 Pose Frames::pose(double s, double speed) const {
+    if (std::isnan(s)) return {glm::dvec3(s), {s, s, s, s}};
     const Place place = tables_->frames().at(s);
     if (tables_->frames().length() <= 0.0) return {place.position, {1.0, 0.0, 0.0, 0.0}};
-    return {place.position, rotation_to(place, up_across(*tables_, settings_, place, speed))};
+    return {place.position, rotation_to(place, up_across(*tables_, *settings_, place, speed))};
 }
 
 const curve::ArcLength& Frames::path() const noexcept {
@@ -137,7 +140,7 @@ std::size_t Frames::station_count() const noexcept {
 }
 
 Frames shared_frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings) {
-    settings = checked(std::move(settings), path->curve());
+    settings = checked(std::move(settings), path.get());
     const FrameTablesKey key{path->curve(), settings.mode,
                              reads_smoothing(settings.mode) ? settings.smoothing : 0.0};
     auto tables = frame_tables_cache().get(key, [&path](const FrameTablesKey& wanted) {

@@ -32,7 +32,7 @@ class Neighbour {
     std::uint32_t both_ = 2 * none;
 };
 /// By triangle, the ones beyond its edges: from corner i to corner i + 1. None where an edge is of one
-/// triangle or of more than two.
+/// triangle or of more than two. Triangles with a vertex twice count as none.
 using Beyond = std::vector<std::array<Neighbour, 3>>;
 
 [[nodiscard]] Beyond beyond_edges(std::span<const glm::ivec3> triangles) {
@@ -45,6 +45,8 @@ using Beyond = std::vector<std::array<Neighbour, 3>>;
     std::vector<Edge> edges;
     edges.reserve(3 * triangles.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const glm::ivec3& corners = triangles[i];
+        if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x) continue;
         for (int side = 0; side < 3; ++side) {
             const auto a = static_cast<std::uint64_t>(triangles[i][side]);
             const auto b = static_cast<std::uint64_t>(triangles[i][(side + 1) % 3]);
@@ -66,6 +68,14 @@ using Beyond = std::vector<std::array<Neighbour, 3>>;
         i = end;
     }
     return beyond;
+}
+
+/// From a point to the straight way between two.
+[[nodiscard]] double distance_to(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& point) {
+    const glm::dvec3 way = b - a;
+    const double square = glm::dot(way, way);
+    const double share = square > 0.0 ? std::clamp(glm::dot(point - a, way) / square, 0.0, 1.0) : 0.0;
+    return length_of(point - (a + share * way));
 }
 
 [[nodiscard]] mesh::Picker picker_of(std::span<const glm::vec3> positions,
@@ -113,6 +123,15 @@ struct Collider::Mesh {
         return beyond;
     }
 
+    [[nodiscard]] glm::dvec3 normal(std::uint32_t triangle) const {
+        const auto [a, b, c] = corners(triangle);
+        return unit_vector(glm::cross(b - a, c - a));
+    }
+
+    /// What lies beyond a triangle's edge where something crosses it at a point. Triangles without area,
+    /// which have no slope, are passed: each by the edge that is nearest to the point.
+    [[nodiscard]] Neighbour across(std::uint32_t triangle, std::size_t side, const glm::dvec3& point) const;
+
     mesh::Picker picker;
     std::vector<glm::vec3> positions;
     std::vector<glm::ivec3> triangles;
@@ -124,6 +143,32 @@ struct Collider::Mesh {
     mutable std::once_flag once;
     mutable Beyond beyond;
 };
+
+Neighbour Collider::Mesh::across(std::uint32_t triangle, std::size_t side, const glm::dvec3& point) const {
+    constexpr int most_passed = 16;
+    const Beyond& all = neighbours();
+    Neighbour next = all[triangle].at(side);
+    std::uint32_t from = triangle;
+    for (int passed = 0; next.triangle() != none && normal(next.triangle()) == glm::dvec3(0.0); ++passed) {
+        if (passed == most_passed) return {};
+        const std::uint32_t flat = next.triangle();
+        const std::array<glm::dvec3, 3> places = corners(flat);
+        double least = std::numeric_limits<double>::infinity();
+        Neighbour nearest;
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const Neighbour other = all[flat].at(edge);
+            if (other.triangle() == from) continue;
+            const double distance = distance_to(places.at(edge), places.at((edge + 1) % 3), point);
+            if (distance >= least) continue;
+            least = distance;
+            nearest = other;
+        }
+        next = {nearest.triangle(), nearest.is_turned() != next.is_turned()};
+        if (nearest.triangle() == none) return {};
+        from = flat;
+    }
+    return next;
+}
 
 Collider::Collider(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
                    std::size_t threads)
@@ -154,8 +199,8 @@ std::optional<Collider::Hit> Collider::first_hit(const glm::dvec3& start, const 
 }
 
 glm::dvec3 Collider::normal(std::uint32_t triangle) const {
-    const auto [a, b, c] = mesh_->corners(triangle);
-    return unit_vector(glm::cross(b - a, c - a));
+    require(triangle < mesh_->triangles.size(), "triangle: must be one of the collider");
+    return mesh_->normal(triangle);
 }
 
 std::optional<Collider::Place> Collider::below(const glm::dvec3& point, const glm::dvec3& direction) const {
@@ -166,7 +211,7 @@ std::optional<Collider::Place> Collider::below(const glm::dvec3& point, const gl
 
 Collider::Rest Collider::slide(const Place& first, const glm::dvec3& velocity, const glm::dvec3& pull,
                                double friction, std::vector<Slide>& out) const {
-    const Beyond& beyond = mesh_->neighbours();
+    require(first.triangle < mesh_->triangles.size(), "first: must be on a triangle of the collider");
     Place at = first;
     glm::dvec3 moving = velocity;
     double time = 0.0;
@@ -209,9 +254,9 @@ Collider::Rest Collider::slide(const Place& first, const glm::dvec3& velocity, c
             side = edge;
             outwards = away;
         }
-        const Neighbour next = beyond[at.triangle].at(side);
-        const bool is_back = next.triangle() == before && before != none;
         if (length == std::numeric_limits<double>::infinity()) return rest();
+        const Neighbour next = mesh_->across(at.triangle, side, at.point + length * direction);
+        const bool is_back = next.triangle() == before && before != none;
         // What stands in its way, but for what begins at the edge.
         const glm::dvec3 start = at.point + clear * up;
         std::optional<Hit> hit = first_hit(start, start + length * direction);

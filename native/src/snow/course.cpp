@@ -53,7 +53,7 @@ void require_valid(const Settings& s) {
                 "frustum_angles must be from 0 to less than pi / 2");
     require(is_between(s.frustum_far, 1e-6, 1e30), "frustum_far must be at least 1e-6 and finite");
     require(is_between(s.frustum_near, 0.0, s.frustum_far), "frustum_near must be from 0 to frustum_far");
-    require(is_single(s.max_angle), "max_angle must be finite");
+    require(is_between(s.max_angle, -1e6, 1e6), "max_angle must be from -1e6 to 1e6");
     require(is_rate(s.snow_frequency), "snow_frequency must be greater than 0 and at most 1000");
     require(is_single(s.acceleration), "acceleration must be finite");
     require(is_between(s.drag, 0.0, 1000.0), "drag must be from 0 to 1000");

@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t grain = 1024;
 constexpr double clear = 1e-3;  ///< m by which what falls, or is under something, is off the surface
 constexpr double grip_range = 0.5;
+constexpr double highest = 1e30;  ///< m, of snow on what is so small that it has nearly no area
 
 /// By how much more friction than the angle of repose has a flake lies, [0, 1).
 [[nodiscard]] double grip_of(std::uint64_t id) {
@@ -58,7 +59,8 @@ constexpr double grip_range = 0.5;
     return place;
 }
 
-/// Shares of a triangle's corners in a point on it, none of them negative.
+/// Shares of a triangle's corners in a point on it, none of them negative. Where the triangle is so narrow
+/// that the point is beside it, all is the nearest corner's.
 [[nodiscard]] std::array<double, 3> weights_of(const std::array<glm::dvec3, 3>& corners,
                                                const glm::dvec3& point) {
     const glm::dvec3 across = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -69,7 +71,15 @@ constexpr double grip_range = 0.5;
         weights.at(i) = std::max(0.0, glm::dot(glm::cross(a, b), across));
         sum += weights.at(i);
     }
-    for (double& weight : weights) weight /= sum;
+    if (sum > 0.0) {
+        for (double& weight : weights) weight /= sum;
+        return weights;
+    }
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < 3; ++i)
+        if (length_of(corners.at(i) - point) < length_of(corners.at(nearest) - point)) nearest = i;
+    weights = {};
+    weights.at(nearest) = 1.0;
     return weights;
 }
 
@@ -156,8 +166,11 @@ void Cover::deposit(std::span<const Deposit> deposits, double volume) {
     for (std::size_t i = 0; i < deposits.size(); ++i) {
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const std::uint32_t at = deposits[i].vertices.at(corner);
-            sums[at] += static_cast<double>(deposits[i].weights.at(corner)) * volume / areas_[at];
-            events_[next[at]++] = {static_cast<std::uint32_t>(i), static_cast<float>(sums[at])};
+            // Of a vertex that no triangle with an area is around nothing can be said.
+            if (areas_[at] > 0.0)
+                sums[at] += static_cast<double>(deposits[i].weights.at(corner)) * volume / areas_[at];
+            events_[next[at]++] = {static_cast<std::uint32_t>(i),
+                                   static_cast<float>(std::min(sums[at], highest))};
         }
     }
 }

@@ -42,6 +42,10 @@ Landings::Landings(const Course& course, const Settings& settings)
           return count++;
       }()) {}
 
+Landings::~Landings() {
+    if (has_pages_) pages().erase_if([this](const PageKey& key) { return key.landings == number_; });
+}
+
 Landings::Pages& Landings::pages() {
     // Never destroyed: other threads may still use it when the process ends.
     static auto& all = *new Pages(most_pages, most_bytes);
@@ -235,6 +239,7 @@ std::shared_ptr<const Landings::Page> Landings::find(std::uint64_t block) const 
 }
 
 std::shared_ptr<const Landings::Page> Landings::page(std::uint64_t block) const {
+    has_pages_.store(true, std::memory_order_relaxed);
     return pages().get({number_, block}, [this](const PageKey& missing) { return find(missing.block); });
 }
 

@@ -4,6 +4,7 @@
 // as straight, and where that meets something the moment is found on the way itself.
 #pragma once
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
@@ -45,6 +46,15 @@ class Landings {
 
     /// The course has to stay where it is.
     Landings(const Course& course, const Settings& settings);
+    /// Its pages are kept no longer.
+    ~Landings();
+    Landings(const Landings&) = delete;
+    Landings& operator=(const Landings&) = delete;
+    Landings(Landings&&) = delete;
+    Landings& operator=(Landings&&) = delete;
+
+    /// Of the pages that are kept, of all that there are.
+    [[nodiscard]] static std::size_t kept_bytes() { return pages().bytes(); }
 
     /// Whether there is anything to land on.
     [[nodiscard]] bool are_any() const noexcept { return ground_.has_value() || collider_ != nullptr; }
@@ -104,7 +114,8 @@ class Landings {
     double melt_time_;
     double friction_;
     glm::dvec3 pull_;
-    std::uint64_t number_;  ///< no other's
+    std::uint64_t number_;                        ///< no other's
+    mutable std::atomic<bool> has_pages_{false};  ///< whether any was asked for
 };
 
 }  // namespace motus::snow

@@ -33,6 +33,7 @@ void check(std::span<const glm::vec3> positions, std::span<const glm::ivec3> tri
 Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
              const glm::dvec3& up) {
     check(positions, triangles);
+    require(direction_of(up).has_value(), "up must be finite and not 0");
     positions_.assign(positions.begin(), positions.end());
     triangles_.assign(triangles.begin(), triangles.end());
     in_ieee_floats([&] {

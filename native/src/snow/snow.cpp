@@ -117,63 +117,88 @@ class Block {
     std::size_t count_ = 0;
 };
 
-/// Blocks with flakes that may be living, and their numbers.
-[[nodiscard]] std::size_t blocks_of(const Living& living) {
-    if (living.first == living.last) return 0;
-    return static_cast<std::size_t>((living.last - 1) / block_size - living.first / block_size + 1);
-}
-[[nodiscard]] std::pair<std::uint64_t, std::uint64_t> numbers_of(const Living& living, std::size_t block) {
-    const std::uint64_t start = (living.first / block_size + block) * block_size;
-    return {std::max(living.first, start), std::min(living.last, start + block_size)};
-}
-
-/// Where the flakes of a block land: as it was known, or as it is found now.
-[[nodiscard]] std::shared_ptr<const LandingPage> page_of(const Landings& landings, const Living& living,
-                                                         std::size_t block) {
-    if (!living.pages.empty()) return living.pages[block];
-    return landings.are_any() ? landings.page(living.first / block_size + block) : nullptr;
-}
-
-/// Those that may live at a time.
-[[nodiscard]] Living candidates(const Course& course, double time) {
-    require(std::isfinite(time), "time must be finite");
-    Living living{time, course.births.count_older(time, course.longest()), course.births.count(time)};
-    living.count = static_cast<std::size_t>(living.last - living.first);
-    return living;
-}
-
-void count_living(const Course& course, const Landings& landings, Living& living, std::size_t threads) {
-    std::vector<std::size_t> counts(blocks_of(living) + 1);
-    in_parts(
-        counts.size() - 1, landings.are_any() ? landing_grain : std::size_t{256},
-        [&](std::size_t from, std::size_t to) {
-            Block block(course, landings);
-            for (std::size_t i = from; i < to; ++i) {
-                const auto [first, last] = numbers_of(living, i);
-                block.take(living.time, first, last, page_of(landings, living, i));
-                counts[i + 1] = block.count();
-            }
-        },
-        threads);
-    for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
-    living.count = counts.back();
-    living.before = std::move(counts);
-}
-
 }  // namespace
+
+/// What living flakes are, block by block.
+class Snow::Rows {
+  public:
+    Rows(const Parts& snow, const Living::Parts& living) : snow_(snow), living_(living) {}
+
+    /// Those that may live at a time.
+    [[nodiscard]] static Living::Parts candidates(const std::shared_ptr<const Parts>& snow, double time) {
+        require(std::isfinite(time), "time must be finite");
+        const Course& course = snow->course;
+        Living::Parts living{time, course.births.count_older(time, course.longest()),
+                             course.births.count(time)};
+        living.count = static_cast<std::size_t>(living.last - living.first);
+        living.snow = snow;
+        return living;
+    }
+
+    static void count_living(const Parts& snow, Living::Parts& living, std::size_t threads) {
+        const Rows rows(snow, living);
+        std::vector<std::size_t> counts(rows.block_count() + 1);
+        in_parts(
+            counts.size() - 1, snow.landings.are_any() ? landing_grain : std::size_t{256},
+            [&](std::size_t from, std::size_t to) {
+                Block block(snow.course, snow.landings);
+                for (std::size_t i = from; i < to; ++i) {
+                    rows.take(i, block);
+                    counts[i + 1] = block.count();
+                }
+            },
+            threads);
+        for (std::size_t i = 1; i < counts.size(); ++i) counts[i] += counts[i - 1];
+        living.count = counts.back();
+        living.before = std::move(counts);
+    }
+
+    /// Blocks with flakes that may be living.
+    [[nodiscard]] std::size_t block_count() const {
+        if (living_.first == living_.last) return 0;
+        return static_cast<std::size_t>((living_.last - 1) / block_size - living_.first / block_size + 1);
+    }
+    /// Number of a block among all flakes that are ever born.
+    [[nodiscard]] std::uint64_t number_of(std::size_t block) const {
+        return living_.first / block_size + block;
+    }
+    /// That live before a block.
+    [[nodiscard]] std::size_t before(std::size_t block) const {
+        return living_.before.empty() ? static_cast<std::size_t>(numbers_of(block).first - living_.first)
+                                      : living_.before[block];
+    }
+
+    void take(std::size_t index, Block& block) const {
+        const auto [first, last] = numbers_of(index);
+        block.take(living_.time, first, last, page_of(index));
+    }
+
+  private:
+    [[nodiscard]] std::pair<std::uint64_t, std::uint64_t> numbers_of(std::size_t block) const {
+        const std::uint64_t start = number_of(block) * block_size;
+        return {std::max(living_.first, start), std::min(living_.last, start + block_size)};
+    }
+    /// Where the flakes of a block land: as it was known, or as it is found now.
+    [[nodiscard]] std::shared_ptr<const LandingPage> page_of(std::size_t block) const {
+        if (!living_.pages.empty()) return living_.pages[block];
+        return snow_.landings.are_any() ? snow_.landings.page(number_of(block)) : nullptr;
+    }
+
+    const Parts& snow_;
+    const Living::Parts& living_;
+};
 
 Snow::Snow(const Settings& settings)
     : parts_(in_ieee_floats([&] { return std::make_shared<const Parts>(settings); })) {}
 
 Living Snow::living(double time, std::size_t threads) const {
-    const Course& course = parts_->course;
     const Landings& landings = parts_->landings;
     return in_ieee_floats([&] {
-        Living living = candidates(course, time);
+        Living::Parts living = Rows::candidates(parts_, time);
         const bool may_rest =
             landings.are_any() && landings.rest_time() < std::numeric_limits<double>::infinity();
-        if (course.random_lifetime || may_rest) count_living(course, landings, living, threads);
-        return living;
+        if (parts_->course.random_lifetime || may_rest) Rows::count_living(*parts_, living, threads);
+        return Living(std::move(living));
     });
 }
 
@@ -181,23 +206,23 @@ Living Snow::known(double time, std::size_t threads) const {
     const Landings& landings = parts_->landings;
     if (!landings.are_any()) return living(time, threads);
     return in_ieee_floats([&] {
-        Living living = candidates(parts_->course, time);
-        for (std::size_t block = 0; block < blocks_of(living); ++block)
-            living.pages.push_back(landings.kept(living.first / block_size + block));
-        count_living(parts_->course, landings, living, threads);
-        return living;
+        Living::Parts living = Rows::candidates(parts_, time);
+        const Rows rows(*parts_, living);
+        for (std::size_t block = 0; block < rows.block_count(); ++block)
+            living.pages.push_back(landings.kept(rows.number_of(block)));
+        Rows::count_living(*parts_, living, threads);
+        return Living(std::move(living));
     });
 }
 
 std::size_t Snow::find_landings(double time, std::size_t most, std::size_t threads) const {
     const Landings& landings = parts_->landings;
     return in_ieee_floats([&] {
-        const Living living = candidates(parts_->course, time);
+        const Living::Parts living = Rows::candidates(parts_, time);
+        const Rows rows(*parts_, living);
         std::vector<std::uint64_t> missing;
-        for (std::size_t i = 0; landings.are_any() && i < blocks_of(living); ++i) {
-            const std::uint64_t block = living.first / block_size + i;
-            if (!landings.kept(block)) missing.push_back(block);
-        }
+        for (std::size_t i = 0; landings.are_any() && i < rows.block_count(); ++i)
+            if (!landings.kept(rows.number_of(i))) missing.push_back(rows.number_of(i));
         const std::size_t found = std::min(most, missing.size());
         in_parts(
             found, landing_grain,
@@ -210,28 +235,28 @@ std::size_t Snow::find_landings(double time, std::size_t most, std::size_t threa
 }
 
 void Snow::evaluate(const Living& living, const Fields& out, std::size_t threads) const {
-    const auto fits = [&](const auto& field) { return field.empty() || field.size() == living.count; };
+    require(living.parts_ != nullptr && living.parts_->snow == parts_, "living must be of this snow");
+    const auto fits = [&](const auto& field) { return field.empty() || field.size() == living.count(); };
     require(fits(out.position) && fits(out.velocity) && fits(out.size) && fits(out.color) && fits(out.age) &&
                 fits(out.rotation) && fits(out.id),
             "out must have a row for each living flake");
     const Course& course = parts_->course;
     const Landings& landings = parts_->landings;
+    const Rows rows(*parts_, *living.parts_);
     const auto fill = [&](std::size_t from, std::size_t to) {
         Block block(course, landings);
         Flight flight(course);
         for (std::size_t i = from; i < to; ++i) {
-            const auto [first, last] = numbers_of(living, i);
-            block.take(living.time, first, last, page_of(landings, living, i));
-            const std::size_t before =
-                living.before.empty() ? static_cast<std::size_t>(first - living.first) : living.before[i];
-            flight.fill(living.time, block.ages(), block.lows(), block.high(), block.count(), out, before);
+            rows.take(i, block);
+            const std::size_t before = rows.before(i);
+            flight.fill(living.time(), block.ages(), block.lows(), block.high(), block.count(), out, before);
             if (block.page() != nullptr)
-                landings.land(*block.page(), living.time, block.lows(), block.count(), out, before);
+                landings.land(*block.page(), living.time(), block.lows(), block.count(), out, before);
         }
     };
     constexpr std::size_t grain = 32;  // of blocks: some 50 us
     in_ieee_floats(
-        [&] { in_parts(blocks_of(living), landings.are_any() ? landing_grain : grain, fill, threads); });
+        [&] { in_parts(rows.block_count(), landings.are_any() ? landing_grain : grain, fill, threads); });
 }
 
 std::vector<Touchdown> Snow::touchdowns(double end, std::size_t threads) const {

@@ -56,6 +56,7 @@ double parallax(const Eyes& eyes, double depth) {
 
 Pair project(const Eyes& eyes, const glm::dvec3& point) {
     check(eyes);
+    require(is_finite(point), "point must be finite");
     const double half = 0.5 * eyes.interaxial;
     if (eyes.mode == Mode::toe_in) {
         // The left eye is turned to the right.
@@ -70,7 +71,8 @@ Pair project(const Eyes& eyes, const glm::dvec3& point) {
 }
 
 double vertical_parallax(const Eyes& eyes, double depth, double aspect) {
-    require(depth > 0.0, "depth must be greater than 0");
+    require(depth > 0.0 && (eyes.mode != Mode::toe_in || std::isfinite(depth)),
+            "depth must be greater than 0, and finite for eyes that toe in");
     require(aspect > 0.0 && std::isfinite(aspect), "aspect must be greater than 0 and finite");
     check(eyes);
     if (eyes.mode != Mode::toe_in) return 0.0;

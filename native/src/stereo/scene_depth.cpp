@@ -47,6 +47,7 @@ std::optional<Range> depth_range(std::span<const double> depths, double low, dou
 
 Window window_violations(const Eyes& eyes, std::span<const Sample> samples, double tolerance) {
     require(tolerance >= 0.0 && std::isfinite(tolerance), "tolerance must be at least 0 and finite");
+    check(eyes);
     Window window;
     for (const Sample& sample : samples) {
         if (!(sample.depth > 0.0)) continue;
@@ -63,6 +64,7 @@ Window window_violations(const Eyes& eyes, std::span<const Sample> samples, doub
 void smooth(std::span<const double> values, std::size_t ahead, Side side, std::span<double> out) {
     require(out.size() == values.size(), "out must have as many numbers as values");
     require(ahead <= most_ahead, "ahead must be at most 10000");
+    require(are_finite(values), "values must be finite");
     ahead = std::min(ahead, values.size());
     // The least of all values in reach is below each of them, and so is any mean of such numbers in reach.
     std::vector<double> bound(values.begin(), values.end());

@@ -15,6 +15,10 @@ namespace {
     return apart / screen.width;
 }
 
+void check_parallax(double parallax) {
+    require(!std::isnan(parallax), "parallax must be a number");
+}
+
 }  // namespace
 
 void check(const Screen& screen) {
@@ -27,11 +31,13 @@ void check(const Screen& screen) {
 
 double vergence(const Screen& screen, double parallax) {
     check(screen);
+    check_parallax(parallax);
     return 2.0 * std::atan2(screen.eye_separation - parallax * screen.width, 2.0 * screen.viewing_distance);
 }
 
 double seen_distance(const Screen& screen, double parallax) {
     check(screen);
+    check_parallax(parallax);
     const double left = screen.eye_separation - parallax * screen.width;
     return left > 0.0 ? screen.viewing_distance * screen.eye_separation / left
                       : std::numeric_limits<double>::infinity();
@@ -52,6 +58,7 @@ Limits comfortable(const Screen& screen, double angle) {
 }
 
 Comfort comfort(const Screen& screen, double parallax, double angle) {
+    check_parallax(parallax);
     const Limits limits = comfortable(screen, angle);
     if (parallax > divergence_limit(screen)) return Comfort::diverging;
     return parallax < -limits.near || parallax > limits.far ? Comfort::strained : Comfort::comfortable;

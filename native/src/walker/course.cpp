@@ -136,6 +136,7 @@ double Course::rate(std::size_t sample, std::size_t last) const {
 }
 
 glm::dmat4 Course::pose(std::size_t stretch, double time) const {
+    require_stretch(stretch);
     const std::size_t last = last_sample(stretch);
     const std::size_t sample = sample_before(stretch, time);
     if (sample == last && !(time < way_.times[sample])) return way_.poses[last];
@@ -150,11 +151,13 @@ glm::dmat4 Course::pose(std::size_t stretch, double time) const {
 }
 
 double Course::phase(std::size_t stretch, double time) const {
+    require_stretch(stretch);
     const std::size_t sample = sample_before(stretch, time);
     return phases_[sample] + (time - way_.times[sample]) * rate(sample, last_sample(stretch));
 }
 
 double Course::time_at(std::size_t stretch, double phase) const {
+    require_stretch(stretch);
     const std::size_t last = last_sample(stretch);
     const auto begin = phases_.begin() + static_cast<std::ptrdiff_t>(first_sample(stretch));
     const auto end = phases_.begin() + static_cast<std::ptrdiff_t>(last) + 1;
@@ -166,6 +169,7 @@ double Course::time_at(std::size_t stretch, double phase) const {
 }
 
 bool Course::starts_slowly(std::size_t stretch) const {
+    require_stretch(stretch);
     const std::size_t first = first_sample(stretch);
     return first == last_sample(stretch) || cadence_after(first) == way_.cadence;
 }

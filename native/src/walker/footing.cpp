@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <span>
+#include <utility>
 
 #include "motus/core/numeric.hpp"
 #include "motus/walker/step.hpp"
@@ -75,23 +77,112 @@ constexpr std::size_t most_faces = 64;
     return most;
 }
 
-constexpr std::size_t looks = 7;
+/// Intervals of a way, between whose ends the ground is looked at.
+constexpr std::size_t intervals = 8;
 
-/// Fractions of a swing at which it is as many eighths of its way.
-[[nodiscard]] constexpr std::array<double, looks> fractions_of_eighths() {
-    std::array<double, looks> result{};
-    for (std::size_t i = 0; i < looks; ++i) {
-        const double wanted = static_cast<double>(i + 1) / 8.0;
-        double low = 0.0, high = 1.0;
-        for (int halving = 0; halving < 60; ++halving) {
-            const double middle = 0.5 * (low + high);
-            (along(middle) < wanted ? low : high) = middle;
-        }
-        result.at(i) = 0.5 * (low + high);
+/// The fraction of a swing at which it is so far along its way.
+[[nodiscard]] constexpr double fraction_at(double way) {
+    double low = 0.0, high = 1.0;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (along(middle) < way ? low : high) = middle;
     }
+    return 0.5 * (low + high);
+}
+
+[[nodiscard]] constexpr std::array<double, intervals - 1> fractions_of_looks() {
+    std::array<double, intervals - 1> result{};
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result.at(i) = fraction_at(static_cast<double>(i + 1) / static_cast<double>(intervals));
     return result;
 }
-constexpr std::array<double, looks> fractions = fractions_of_eighths();
+constexpr std::array<double, intervals - 1> fractions = fractions_of_looks();
+
+/// How high the ground is above the line of a swing.
+class Profile {
+  public:
+    Profile(const Ground& ground, const glm::dvec3& start, const glm::dvec3& end, const glm::dvec3& up,
+            double reach)
+        : ground_(ground),
+          start_(start),
+          way_(end - start),
+          up_(up),
+          reach_(reach),
+          length_(length_of(way_)) {}
+
+    [[nodiscard]] double length() const { return length_; }
+
+    /// m, at a fraction of the way: below 0 under the line, and where there is none -length().
+    [[nodiscard]] double height(double share) const {
+        const glm::dvec3 place = start_ + way_ * share;
+        const auto from = [&](double room) {
+            const auto met = ground_.ray(place + room * up_, -up_, room + length_);
+            return met ? room - met->distance : -length_;
+        };
+        const double highest = from(reach_);
+        if (highest <= 0.0) return highest;
+        // Roofs are looked for where anything is met above the line at all, which is quicker.
+        const double room = room_above(ground_, place, up_, reach_);
+        return room < reach_ ? from(room) : highest;
+    }
+
+  private:
+    const Ground& ground_;
+    glm::dvec3 start_, way_, up_;
+    double reach_, length_;
+};
+
+/// A height above the line of a swing that a foot has to pass over, at a fraction of the swing if it goes
+/// along its way for the whole of it.
+struct Hurdle {
+    double fraction = 0.0;
+    double height = 0.0;
+};
+
+/// At most one a look, and two an edge.
+class Hurdles {
+  public:
+    void add(double fraction, double height) {
+        if (height > 0.0) hurdles_.at(count_++) = {fraction, height};
+    }
+    [[nodiscard]] std::span<const Hurdle> all() const { return {hurdles_.data(), count_}; }
+
+  private:
+    std::array<Hurdle, 3 * intervals> hurdles_{};
+    std::size_t count_ = 0;
+};
+
+struct Look {
+    double share = 0.0;
+    double height = 0.0;
+};
+
+/// Both sides of the edge between two places of a way; none if the ground goes on evenly.
+[[nodiscard]] std::optional<std::pair<Look, Look>> edge_between(const Profile& profile, Look low, Look high) {
+    constexpr double steep = 0.25;  // of the way: what rises or falls less is not looked through
+    constexpr int first_halvings = 4, halvings = 17;
+    const auto step = [&] { return std::abs(high.height - low.height); };
+    const double whole = step();
+    if (!(whole > steep * profile.length() * (high.share - low.share))) return std::nullopt;
+    for (int halving = 0; halving < halvings; ++halving) {
+        // A slope that is even has a sixteenth left by then.
+        if (halving == first_halvings && step() < 0.5 * whole) return std::nullopt;
+        const double share = 0.5 * (low.share + high.share);
+        const Look middle{share, profile.height(share)};
+        (std::abs(middle.height - low.height) > std::abs(high.height - middle.height) ? high : low) = middle;
+    }
+    return std::pair{low, high};
+}
+
+/// How much a swing has to rise half-way to pass over the hurdles, if it goes straight up and down for these
+/// fractions of it.
+[[nodiscard]] double rise_over(std::span<const Hurdle> hurdles, double upwards, double downwards) {
+    double highest = 0.0;
+    for (const Hurdle& hurdle : hurdles)
+        highest =
+            std::max(highest, hurdle.height / above(upwards + (1.0 - upwards - downwards) * hurdle.fraction));
+    return highest;
+}
 
 }  // namespace
 
@@ -110,21 +201,38 @@ std::optional<Contact> footing_around_edge(const Ground& ground, const Search& s
     return first_between(ground, below, over_hip(search, below));
 }
 
-double obstacle(const Ground& ground, const glm::dvec3& start, const glm::dvec3& end, const glm::dvec3& up,
-                double reach) {
-    double highest = 0.0;
-    const auto below = [&](const glm::dvec3& place, double room) {
-        return ground.ray(place + room * up, -up, room);
-    };
-    for (const double fraction : fractions) {
-        const glm::dvec3 place = start + (end - start) * along(fraction);
-        // Roofs are looked for where anything is met at all, which is quicker.
-        if (!below(place, reach)) continue;
-        const double room = room_above(ground, place, up, reach);
-        const std::optional<Contact> met = below(place, room);
-        if (met) highest = std::max(highest, (room - met->distance) / above(fraction));
+Clearing clearing(const Ground& ground, const glm::dvec3& start, const glm::dvec3& end, const glm::dvec3& up,
+                  double reach) {
+    const Profile profile(ground, start, end, up, reach);
+    Hurdles hurdles;
+    bool has_edges = false;
+    Look before{0.0, 0.0};
+    for (std::size_t i = 0; i < intervals; ++i) {
+        const bool is_last = i == fractions.size();
+        const double share = is_last ? 1.0 : along(fractions.at(i));
+        const Look look{share, is_last ? 0.0 : profile.height(share)};
+        if (!is_last) hurdles.add(fractions.at(i), look.height);
+        if (const auto edge = edge_between(profile, before, look)) {
+            const double height = std::max(edge->first.height, edge->second.height);
+            for (const Look& side : {edge->first, edge->second}) hurdles.add(fraction_at(side.share), height);
+            has_edges = has_edges || height > 0.0;
+        }
+        before = look;
     }
-    return highest;
+    Clearing best{rise_over(hurdles.all(), 0.0, 0.0)};
+    if (!has_edges) return best;
+    // Of a foot that is close to an edge: rather some haste along the way than a high rise.
+    constexpr std::array parts{0.0, 0.125, 0.25, 0.375};
+    const auto effort = [&](const Clearing& one) {
+        return one.rise + 0.5 * profile.length() * (1.0 / (1.0 - one.upwards - one.downwards) - 1.0);
+    };
+    for (const double upwards : parts) {
+        for (const double downwards : parts) {
+            const Clearing one{rise_over(hurdles.all(), upwards, downwards), upwards, downwards};
+            if (effort(one) < effort(best)) best = one;
+        }
+    }
+    return best;
 }
 
 }  // namespace motus::walker

@@ -30,9 +30,16 @@ struct Reach {
 [[nodiscard]] std::optional<Contact> footing_around_edge(const Ground& ground, const Search& search,
                                                          const Reach& reach);
 
-/// How far a foot has to rise half-way so that its swing does not go through the ground, which is looked for
-/// up to `reach` above the straight line from start to end, and below roofs; 0 where nothing is above that.
-[[nodiscard]] double obstacle(const Ground& ground, const glm::dvec3& start, const glm::dvec3& end,
-                              const glm::dvec3& up, double reach);
+/// What lets a swing pass over the ground.
+struct Clearing {
+    double rise = 0.0;                      ///< m, >= 0, half-way, above the line from start to end
+    double upwards = 0.0, downwards = 0.0;  ///< as of Step
+};
+
+/// The Clearing of a swing from start to end, for ground that is looked for up to `reach` above the line from
+/// start to end, and below roofs. Ground that is looked at at seven places; edges between these, as of
+/// stairs, are found to a millionth of the way.
+[[nodiscard]] Clearing clearing(const Ground& ground, const glm::dvec3& start, const glm::dvec3& end,
+                                const glm::dvec3& up, double reach);
 
 }  // namespace motus::walker

@@ -134,11 +134,13 @@ std::vector<Step> Planner::steps_of(const Footfalls& falls, bool looks_for_obsta
             const double length = length_of(step.end - step.start);
             if (length <= least) continue;
             const glm::dvec3 up = direction_or(before->search.up + fall.search.up, fall.search.up);
-            const double over = looks_for_obstacles && ground_ != nullptr
-                                    ? obstacle(*ground_, step.start, step.end, up, settings_.reach_up)
-                                    : 0.0;
+            const Clearing over = looks_for_obstacles && ground_ != nullptr
+                                      ? clearing(*ground_, step.start, step.end, up, settings_.reach_up)
+                                      : Clearing{};
             const double share = std::min(1.0, length / (full_step * course_.way().stride));
-            step.rise = (settings_.clearance * share + over) * up;
+            step.rise = (settings_.clearance * share + over.rise) * up;
+            step.upwards = over.upwards;
+            step.downwards = over.downwards;
         }
         steps.push_back(step);
         before = &fall;
@@ -169,7 +171,7 @@ dynamics::Track Planner::leans_of(const Footsteps& steps) const {
                 const Step& step = step_at(steps.of(row(leg, stretch)), way.times[i]);
                 const double through = step.through(way.times[i]);
                 rest[leg] = in_world(way.poses[i], way.rest[leg]);
-                feet[leg] = step.start + (step.end - step.start) * along(through);
+                feet[leg] = step.start + (step.end - step.start) * step.share(through);
                 weights[leg] = 1.0 - (1.0 - least_weight) * above(through);
             }
             const glm::dvec3 origin(way.poses[i][3]);
@@ -196,7 +198,9 @@ glm::dvec3 Planner::hip_at(std::size_t leg, std::size_t sample) const {
     const glm::dmat4& pose = course_.way().poses[sample];
     const Correction& correction = corrections_[sample];
     const glm::dvec3 origin(pose[3]);
-    return origin + correction.offset + correction.rotation * (in_world(pose, hips_[leg]) - origin);
+    const glm::dvec3 hip =
+        settings_.bodies.empty() ? hips_[leg] : in_world(settings_.bodies[sample], hips_[leg]);
+    return origin + correction.offset + correction.rotation * (in_world(pose, hip) - origin);
 }
 
 glm::dvec3 Planner::hip_after(std::size_t leg, std::size_t sample, double time) const {
@@ -207,37 +211,34 @@ glm::dvec3 Planner::hip_after(std::size_t leg, std::size_t sample, double time) 
     return hip + share * (hip_at(leg, sample + 1) - hip);
 }
 
-std::optional<std::pair<double, double>> Planner::missed(std::size_t leg, std::size_t stretch,
-                                                         const glm::dvec3& place, double from,
-                                                         double until) const {
+double Planner::longest_reach(std::size_t leg) const {
+    constexpr double rounding = 1e-6;
+    return settings_.lengths[leg] * (1.0 + rounding);
+}
+
+bool Planner::is_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from,
+                        double until) const {
     const std::vector<double>& times = course_.way().times;
     const std::size_t last = course_.last_sample(stretch);
     const double begin = std::clamp(from, times[course_.first_sample(stretch)], times[last]);
     const double end = std::clamp(until, begin, times[last]);
-    constexpr double rounding = 1e-6;
-    const double longest = settings_.lengths[leg] * (1.0 + rounding);
-    std::optional<std::pair<double, double>> span;
-    const auto look = [&](double time, const glm::dvec3& hip) {
-        if (length_of(place - hip) > longest) span = {span ? span->first : time, time};
-    };
+    const double longest = longest_reach(leg);
+    const auto is_too_far = [&](const glm::dvec3& hip) { return length_of(place - hip) > longest; };
     const auto after = std::ranges::upper_bound(times, begin);
     auto sample = static_cast<std::size_t>(after - times.begin()) - 1;
-    look(begin, hip_after(leg, sample, begin));
-    while (sample < last && times[sample + 1] <= end) {
-        ++sample;
-        look(times[sample], hip_at(leg, sample));
-    }
-    look(end, hip_after(leg, sample, end));
-    return span;
+    if (is_too_far(hip_after(leg, sample, begin))) return true;
+    while (sample < last && times[sample + 1] <= end)
+        if (is_too_far(hip_at(leg, ++sample))) return true;
+    return is_too_far(hip_after(leg, sample, end));
 }
 
 bool Planner::move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls) const {
     bool has_moved = false;
     for (Footfall& fall : falls) {
-        if (!missed(leg, stretch, fall.place.point, fall.touch, fall.until)) continue;
+        if (!is_missed(leg, stretch, fall.place.point, fall.touch, fall.until)) continue;
         for (const double share : nearer) {
             const auto place = footing(*ground_, moved_nearer(fall.search, share), reach_);
-            if (!place || missed(leg, stretch, place->point, fall.touch, fall.until)) continue;
+            if (!place || is_missed(leg, stretch, place->point, fall.touch, fall.until)) continue;
             fall.place = *place;
             fall.is_grounded = true;
             has_moved = true;
@@ -245,6 +246,24 @@ bool Planner::move_nearer(std::size_t leg, std::size_t stretch, Footfalls& falls
         }
     }
     return has_moved;
+}
+
+void Planner::add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from,
+                         double until, std::vector<Problem>& found) const {
+    const std::vector<double>& times = course_.way().times;
+    const double longest = longest_reach(leg);
+    bool was_missed = false;
+    for (std::size_t sample = course_.first_sample(stretch); sample <= course_.last_sample(stretch);
+         ++sample) {
+        if (times[sample] < from) continue;
+        if (times[sample] > until) break;
+        const bool is_missed = length_of(place - hip_at(leg, sample)) > longest;
+        if (is_missed && was_missed)
+            found.back().last = times[sample];
+        else if (is_missed)
+            found.push_back({leg, times[sample], times[sample], Trouble::out_of_reach});
+        was_missed = is_missed;
+    }
 }
 
 std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
@@ -261,8 +280,7 @@ std::vector<Problem> Planner::problems(std::size_t leg, std::size_t stretch,
         if (!steps[i].is_grounded) {
             found.push_back({leg, first, last, Trouble::no_ground});
         } else if (has_reach(leg)) {
-            if (const auto span = missed(leg, stretch, steps[i].end, first, last))
-                found.push_back({leg, span->first, span->second, Trouble::out_of_reach});
+            add_missed(leg, stretch, steps[i].end, first, last, found);
         }
     }
     return found;

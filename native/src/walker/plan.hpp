@@ -1,8 +1,6 @@
 // Makes the plan of a shot. Private to the library.
 #pragma once
 #include <cstddef>
-#include <optional>
-#include <utility>
 #include <vector>
 
 #include "footing.hpp"
@@ -62,10 +60,14 @@ class Planner {
     /// A leg's hip as the body follows its feet, at a sample and at a time between two.
     [[nodiscard]] glm::dvec3 hip_at(std::size_t leg, std::size_t sample) const;
     [[nodiscard]] glm::dvec3 hip_after(std::size_t leg, std::size_t sample, double time) const;
-    /// From when to when a place is out of the hip's reach, within these times of a stretch.
-    [[nodiscard]] std::optional<std::pair<double, double>> missed(std::size_t leg, std::size_t stretch,
-                                                                  const glm::dvec3& place, double from,
-                                                                  double until) const;
+    [[nodiscard]] double longest_reach(std::size_t leg) const;
+    /// Whether a place is out of the hip's reach at any time within these of a stretch.
+    [[nodiscard]] bool is_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from,
+                                 double until) const;
+    /// Adds a problem for each run of samples within these times at which a place is out of the hip's reach:
+    /// what is between samples is not seen.
+    void add_missed(std::size_t leg, std::size_t stretch, const glm::dvec3& place, double from, double until,
+                    std::vector<Problem>& found) const;
 
     const Settings& settings_;
     const Course& course_;

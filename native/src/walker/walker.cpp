@@ -20,7 +20,11 @@ constexpr double largest_number = 1e12;
     return value >= 0.0 && value <= 1.0;
 }
 
-[[nodiscard]] Settings checked(Settings settings, std::size_t legs) {
+[[nodiscard]] bool is_place(const glm::dvec3& place) {
+    return is_finite(place) && is_length(length_of(place));
+}
+
+[[nodiscard]] Settings checked(Settings settings, std::size_t legs, std::size_t samples) {
     require(is_length(settings.clearance), "clearance must be from 0 to 1e12");
     require(is_length(settings.reach_up), "reach_up must be from 0 to 1e12");
     require(is_length(settings.reach_down), "reach_down must be from 0 to 1e12");
@@ -31,7 +35,12 @@ constexpr double largest_number = 1e12;
             "hips must be as many as the legs of rest");
     require(settings.lengths.size() == settings.hips.size(), "lengths must be as many as hips");
     for (const glm::dvec3& hip : settings.hips)
-        require(is_finite(hip) && is_length(length_of(hip)), "hips must be finite, and 1e12 at most");
+        require(is_place(hip), "hips must be finite, and 1e12 at most");
+    require(settings.bodies.empty() || settings.bodies.size() == samples,
+            "bodies must be as many as the samples of poses");
+    for (const glm::dmat4& body : settings.bodies)
+        for (glm::length_t column = 0; column < 4; ++column)
+            require(is_place(glm::dvec3(body[column])), "bodies must be finite, and 1e12 at most");
     for (const double length : settings.lengths) require(is_length(length), "lengths must be from 0 to 1e12");
     return settings;
 }
@@ -40,7 +49,7 @@ constexpr double largest_number = 1e12;
 
 Walker::Walker(Way way, Settings settings, const Ground* ground, std::size_t threads)
     : course_(in_ieee_floats([&] { return Course(std::move(way)); })),
-      settings_(checked(std::move(settings), leg_count())) {
+      settings_(checked(std::move(settings), leg_count(), course_.way().times.size())) {
     Plan plan = in_ieee_floats([&] { return Planner(settings_, course_, ground, threads).plan(); });
     steps_ = std::move(plan.steps);
     leans_ = std::move(plan.leans);
@@ -57,10 +66,10 @@ Foot Walker::foot(std::size_t leg, double time) const {
         const double through = step.through(time);
         // Of a step that is over, or that has not begun, the very numbers.
         if (through >= 1.0) return Foot{step.end, step.end_normal, 0.0};
-        const double share = along(through);
+        const double share = step.share(through);
         const glm::dvec3 normal = step.start_normal + share * (step.end_normal - step.start_normal);
-        return Foot{step.start + share * (step.end - step.start) + above(through) * step.rise,
-                    direction_or(normal, step.end_normal), through};
+        const glm::dvec3 place = share >= 1.0 ? step.end : step.start + share * (step.end - step.start);
+        return Foot{place + above(through) * step.rise, direction_or(normal, step.end_normal), through};
     });
 }
 
@@ -86,7 +95,8 @@ std::span<const Step> Walker::steps(std::size_t leg) const {
 
 std::size_t Walker::bytes() const noexcept {
     return course_.bytes() + steps_.bytes() + problems_.capacity() * sizeof(Problem) + leans_->bytes() +
-           settings_.hips.capacity() * sizeof(glm::dvec3) + settings_.lengths.capacity() * sizeof(double);
+           settings_.hips.capacity() * sizeof(glm::dvec3) + settings_.bodies.capacity() * sizeof(glm::dmat4) +
+           settings_.lengths.capacity() * sizeof(double);
 }
 
 }  // namespace motus::walker

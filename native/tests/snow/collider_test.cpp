@@ -122,12 +122,12 @@ TEST_CASE("landings are found block by block, and the flakes known then are thos
         const Snow whole(settings), snow(settings);
         const double time = 5.5;
         const Flakes all = flakes_at(whole, time);
-        CHECK(snow.known(time).count == 0);
+        CHECK(snow.known(time).count() == 0);
         const std::size_t blocks = snow.find_landings(time, 0);
         REQUIRE(blocks > 15);
         CHECK(snow.find_landings(time, 4, 2) == blocks - 4);
         const Living living = snow.known(time);
-        Flakes some(living.count);
+        Flakes some(living.count());
         // What is found in between is no part of it.
         CHECK(snow.find_landings(time, 3) == blocks - 7);
         snow.evaluate(living, some.fields());
@@ -138,11 +138,11 @@ TEST_CASE("landings are found block by block, and the flakes known then are thos
             CHECK(some.size[i] == all.size[i]);
         }
         CHECK(snow.find_landings(time, 1000) == 0);
-        CHECK(snow.known(time).count == all.id.size());
+        CHECK(snow.known(time).count() == all.id.size());
         CHECK(are_same(flakes_at(snow, time), all));
     }
     CHECK(Snow(falling(100.0)).find_landings(3.0, 1) == 0);
-    CHECK(Snow(falling(100.0)).known(3.0).count == 300);
+    CHECK(Snow(falling(100.0)).known(3.0).count() == 300);
 }
 
 TEST_CASE("all instruction sets find the same landings", "[snow]") {

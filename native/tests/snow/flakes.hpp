@@ -30,7 +30,7 @@ struct Flakes {
 
 [[nodiscard]] inline Flakes flakes_at(const Snow& snow, double time, std::size_t threads = 1) {
     const Living living = snow.living(time, threads);
-    Flakes flakes(living.count);
+    Flakes flakes(living.count());
     snow.evaluate(living, flakes.fields(), threads);
     return flakes;
 }

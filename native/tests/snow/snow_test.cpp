@@ -58,7 +58,7 @@ TEST_CASE("looping has no end, and the flow no seam", "[snow]") {
     Settings settings;
     settings.rate = 50.0;
     settings.duration = 3.0;
-    const auto count = [&](double time) { return Snow(settings).living(time).count; };
+    const auto count = [&](double time) { return Snow(settings).living(time).count(); };
     for (const double time : {2.5, 3.0, 3.5, 6.0, 9000.0}) CHECK(count(time) == 100);
     settings.looping = false;
     CHECK(count(3.0) == 100);
@@ -140,14 +140,14 @@ TEST_CASE("bad settings are refused with a sentence", "[snow]") {
     CHECK(flakes_at(Snow(none), 5.0).age.empty());
     const Snow snow{Settings{}};
     const Living living = snow.living(1.0);
-    std::vector<float> few(living.count - 1);
+    std::vector<float> few(living.count() - 1);
     CHECK_THROWS_AS(snow.evaluate(living, {.age = few}), std::invalid_argument);
 }
 
 TEST_CASE("only what is wanted is filled, and it is the same", "[snow]") {
     const Snow snow(rich(1000.0));
     const Living living = snow.living(3.0);
-    Flakes all(living.count), some(living.count);
+    Flakes all(living.count()), some(living.count());
     snow.evaluate(living, all.fields());
     snow.evaluate(living, {.position = some.position});
     snow.evaluate(living, {.rotation = some.rotation});

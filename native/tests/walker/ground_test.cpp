@@ -23,6 +23,16 @@ namespace {
 constexpr glm::dvec3 up{0.0, 0.0, 1.0};
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
+/// Where a foot is at a fraction of a swing that passes over the ground.
+[[nodiscard]] glm::dvec3 swung(const glm::dvec3& start, const glm::dvec3& end, const Clearing& over,
+                               double u) {
+    Step step;
+    step.upwards = over.upwards;
+    step.downwards = over.downwards;
+    const double share = step.share(u);
+    return (share >= 1.0 ? end : start + (end - start) * share) + over.rise * above(u) * up;
+}
+
 }  // namespace
 
 TEST_CASE("rays meet what is first, of triangles and a plane", "[ground]") {
@@ -138,8 +148,14 @@ TEST_CASE("a swing below a roof stays below it", "[footing]") {
     const Land stone = box({-0.1f, -1.0f, 0.0f}, {0.1f, 1.0f, 0.15f});
     const Ground ground =
         ground_of(joined(joined(floor, stone), box({-2.0f, -1.0f, 0.4f}, {2.0f, 1.0f, 0.5f})));
-    const double rise = obstacle(ground, {-0.5, 0.0, 0.0}, {0.5, 0.0, 0.0}, up, 0.8);
-    CHECK(rise == Approx(0.15));
+    const glm::dvec3 start(-0.5, 0.0, 0.0), end(0.5, 0.0, 0.0);
+    const Clearing found = clearing(ground, start, end, up, 0.8);
+    CHECK(found.upwards + found.downwards == 0.0);
+    CHECK(found.rise < 0.16);
+    for (double u = 0.0; u <= 1.0; u += 0.001) {
+        const glm::dvec3 foot = swung(start, end, found, u);
+        if (std::abs(foot.x) <= 0.1) CHECK(foot.z >= 0.15);
+    }
 }
 
 TEST_CASE("ground whose faces are turned over is no roof", "[footing]") {
@@ -152,7 +168,7 @@ TEST_CASE("ground whose faces are turned over is no roof", "[footing]") {
         CHECK(footing(ground, search, {0.6, 0.5})->point.z == Approx(hill(x, 0.1)).margin(0.01));
     }
     const glm::dvec3 start(-1.0, 0.0, 0.0), end(1.0, 0.0, 0.0);
-    CHECK(obstacle(ground, start, end, up, 1.0) == obstacle(usual, start, end, up, 1.0));
+    CHECK(clearing(ground, start, end, up, 1.0).rise == clearing(usual, start, end, up, 1.0).rise);
 }
 
 TEST_CASE("where the ground ends a foot finds its side", "[footing]") {
@@ -170,15 +186,57 @@ TEST_CASE("where the ground ends a foot finds its side", "[footing]") {
 
 TEST_CASE("a swing rises as high as keeps it above the ground", "[footing]") {
     const glm::dvec3 start(-1.0, 0.0, 0.0), end(1.0, 0.0, 0.0);
-    CHECK(obstacle(plane(), start, end, up, 1.0) == 0.0);
-    CHECK(obstacle(plane(-3.0), start, end, up, 1.0) == 0.0);
+    CHECK(clearing(plane(), start, end, up, 1.0).rise == 0.0);
+    CHECK(clearing(plane(-3.0), start, end, up, 1.0).rise == 0.0);
     const auto hill = [](double x, double) { return 0.4 * std::max(0.0, 1.0 - 1.5 * std::abs(x)); };
     const Ground ground = ground_of(land(2.0, 200, hill));
-    const double rise = obstacle(ground, start, end, up, 1.0);
-    CHECK(rise >= 0.4);
-    CHECK(rise < 0.6);
+    const Clearing found = clearing(ground, start, end, up, 1.0);
+    CHECK(found.rise >= 0.4);
+    CHECK(found.rise < 0.6);
+    CHECK(found.upwards + found.downwards == 0.0);
     for (double u = 0.0; u <= 1.0; u += 0.01) {
-        const glm::dvec3 foot = start + (end - start) * along(u) + rise * above(u) * up;
+        const glm::dvec3 foot = swung(start, end, found, u);
         CHECK(foot.z >= hill(foot.x, foot.y) - 0.03);
+    }
+}
+
+TEST_CASE("a swing passes over the edges of stairs, up and down, however close to one it begins and ends",
+          "[footing]") {
+    constexpr double tread = 0.3, riser = 0.15;
+    constexpr int stairs = 8;
+    Land all;
+    for (int i = 0; i < stairs; ++i) {
+        const auto front = static_cast<float>(tread * i), top = static_cast<float>(riser * (i + 1));
+        all = joined(all, box({-1.0f, front, -1.0f}, {1.0f, 3.0f, top}));
+    }
+    const Ground ground = ground_of(joined(all, land(6.0, 2, [](double, double) { return 0.0; })));
+    const auto height = [&](double y) {
+        double found = 0.0;
+        for (int i = 0; i < stairs; ++i)
+            if (y >= static_cast<double>(static_cast<float>(tread * i)))
+                found = static_cast<double>(static_cast<float>(riser * (i + 1)));
+        return found;
+    };
+    Random random(1);
+    for (int round = 0; round < 300; ++round) {
+        const auto place = [&] {
+            // Half of the places are close to an edge, some within a micrometre.
+            const double y = random.between(-0.4, 2.4), near = tread * std::floor(random.between(0.0, 7.0));
+            const double by = std::pow(10.0, random.between(-6.0, -1.5)) * (random.chance(0.5) ? -1.0 : 1.0);
+            const double chosen = random.chance(0.5) ? y : near + by;
+            return glm::dvec3(random.between(-0.8, 0.8), chosen, height(chosen));
+        };
+        const glm::dvec3 start = place(), end = place();
+        if (glm::length(end - start) < 0.01 || glm::length(end - start) > 0.8) continue;
+        const Clearing found = clearing(ground, start, end, up, 2.0);
+        double deepest = 0.0, highest = 0.0;
+        for (double u = 0.0; u <= 1.0; u += 0.0005) {
+            const glm::dvec3 foot = swung(start, end, found, u);
+            deepest = std::max(deepest, height(foot.y) - foot.z);
+            highest = std::max(highest, foot.z - std::max({start.z, end.z, height(0.5 * (start.y + end.y))}));
+        }
+        CAPTURE(start.y, end.y, found.rise, found.upwards, found.downwards);
+        CHECK(deepest < 1e-6);
+        CHECK(highest < 0.6);
     }
 }

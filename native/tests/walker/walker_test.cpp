@@ -316,6 +316,39 @@ TEST_CASE("out of reach a foothold is looked for nearer, and said if there is no
     }
 }
 
+TEST_CASE("a foot counts as out of reach at exactly those samples at which it is", "[walker]") {
+    // Legs that are too short at both ends of a stand, but not in its middle.
+    Settings settings;
+    const Way way = way_along(8.0, there);
+    for (const glm::dvec3& place : way.rest) settings.hips.push_back(place + 0.5 * up);
+    settings.lengths.assign(8, 0.52);
+    settings.height = settings.tilt = 0.0;
+    glm::dmat4 lowered(1.0);
+    lowered[3] = {0.0, 0.0, -0.1, 1.0};
+    const Ground level = plane();
+    for (const bool is_lowered : {false, true}) {
+        if (is_lowered) settings.bodies.assign(way.times.size(), lowered);
+        const Walker walker(way, settings, &level);
+        std::size_t missed = 0;
+        for (std::size_t leg = 0; leg < 8; ++leg) {
+            for (std::size_t i = 0; i < way.times.size(); ++i) {
+                const double time = way.times[i];
+                const Foot foot = walker.foot(leg, time);
+                if (foot.swing > 0.0) continue;
+                const glm::dvec3 hip = settings.hips[leg] - (is_lowered ? 0.1 * up : glm::dvec3(0.0));
+                const bool is_out = glm::length(foot.position - in_world(way.poses[i], hip)) > 0.52;
+                const bool is_said = std::ranges::any_of(walker.problems(), [&](const Problem& problem) {
+                    return problem.leg == leg && problem.first <= time && time <= problem.last;
+                });
+                CAPTURE(leg, time, is_lowered);
+                CHECK(is_said == is_out);
+                missed += is_out ? 1 : 0;
+            }
+        }
+        CHECK((missed > 0) == !is_lowered);
+    }
+}
+
 TEST_CASE("scaled, mirrored and vanished bodies walk too", "[walker]") {
     const Ground ground = plane();
     for (const glm::dvec3& scale : {glm::dvec3(2.0), glm::dvec3(-1.0, 1.0, 1.0), glm::dvec3(1.0, 2.0, 0.5),
@@ -388,6 +421,7 @@ TEST_CASE("settings that are none are refused by the argument's name", "[walker]
     refused("tilt", [&](Settings& s) { s.tilt = nan; });
     refused("hips", [](Settings& s) { s.hips.resize(3); });
     refused("lengths", [](Settings& s) { s.hips.resize(8); });
+    refused("bodies", [](Settings& s) { s.bodies.resize(1); });
     refused("hips", [&](Settings& s) {
         s.hips.assign(8, {0.0, nan, 0.0});
         s.lengths.assign(8, 1.0);

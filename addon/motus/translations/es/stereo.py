@@ -27,7 +27,7 @@ INTERFACE = {
     "Distance between the eyes of the audience, in metres": "Distancia entre los ojos del público, en metros",
     "Distance between the camera's eyes, in the scene's units":
         "Distancia entre los ojos de la cámara, en las unidades de la escena",
-    "Both eyes in one image, beside each other": "Ambos ojos en una imagen, uno al lado del otro",
+    "Both eyes in one image, the left eye's on the left": "Ambos ojos en una imagen, el izquierdo a la izquierda",
     "Both eyes in one image, one above the other": "Ambos ojos en una imagen, uno sobre el otro",
     "Both images together are as large as one": "Las dos imágenes juntas miden lo que una",
     "Both eyes on top of each other, for red and cyan glasses": "Ambos ojos superpuestos, para gafas rojas y cian",
@@ -78,8 +78,10 @@ INTERFACE = {
     "Let the camera see all around, where the render engine can. What it sees stays, where this is not given":
         "Deja que la cámara vea todo alrededor, si el motor de procesamiento puede. Si no se indica, sigue viendo lo mismo",
     "Look Ahead": "Anticipación",
-    "Look for the frames on which the audience's eyes would have to turn apart, or something is cut off in one of them":
-        "Busca los fotogramas en que los ojos del público tendrían que separarse, o algo queda cortado en uno de ellos",
+    "Look for the frames on which the audience's eyes would have to turn apart, or something is cut off in one of them. If markers "
+    "choose the scene's cameras, the camera of each frame is checked":
+        "Busca los fotogramas en que los ojos del público tendrían que separarse, o algo queda cortado en uno de ellos. Si los "
+        "marcadores eligen las cámaras de la escena, se comprueba la cámara de cada fotograma",
     "Monitor": "Monitor",
     "Multiview Made": "Multivista activada",
     "Name of the camera; empty takes the active one, or the scene's":

@@ -139,9 +139,13 @@ enum Column : std::size_t {
 
 [[nodiscard]] layers::Timing timing_of(std::span<const double> row) {
     const double kind = row[after];
-    layers::Timing timing{
-        row[start],    row[first],    std::max(row[first], row[last]), row[speed], layers::After::nothing,
-        row[blend_in], row[blend_out]};
+    layers::Timing timing{row[start],
+                          row[first],
+                          std::max(row[first], row[last]),
+                          row[speed],
+                          layers::After::nothing,
+                          std::max(0.0, row[blend_in]),
+                          std::max(0.0, row[blend_out])};
     if (kind == 1.0) timing.after = layers::After::hold;
     if (kind == 2.0) timing.after = layers::After::repeat;
     return timing;

@@ -23,9 +23,10 @@ struct RigView {
     std::span<const int> inheritance;  ///< InheritScale | inherits_rotation | has_local_location
 };
 
+/// std::invalid_argument where there is no matrix of that bone.
 [[nodiscard]] glm::dmat4 matrix_at(std::span<const float> matrices, std::size_t bone);
 
-/// What bone `index` is at rest.
+/// What a bone is at rest. std::invalid_argument where the rig has no such bone, or no parent that it names.
 [[nodiscard]] Rest rest_of(const RigView& rig, std::size_t bone);
 
 }  // namespace motus::bones

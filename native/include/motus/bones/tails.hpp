@@ -28,7 +28,8 @@ class TailPlan {
     /// rotations: of each bone, on top of its own (rotation of PoseBone.matrix_basis * result), w >= 0;
     /// exactly none where the tail points there already, the place is the bone's own head, or a number is not
     /// finite. world: the rig's matrix_world. Of poses those of the topmost bones' parents are read,
-    /// RigView::lengths is not. Throws std::invalid_argument where a span has another size.
+    /// RigView::lengths is not. Throws std::invalid_argument where a span has another size, or the rig's
+    /// parents are not the plan's.
     void solve(const RigView& rig, const glm::dmat4& world, std::span<const glm::dvec3> targets,
                std::span<const double> weights, std::span<glm::dquat> rotations) const;
 

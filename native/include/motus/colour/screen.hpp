@@ -14,6 +14,9 @@ struct Picture {
     std::size_t width = 1;
 };
 
+/// Throws std::invalid_argument where a picture is not as said. So do the functions of pictures.
+void check(const Picture& picture);
+
 /// Scene-linear colour of the green or blue screen: the median of the most frequent saturated hue, of which
 /// pixels near the picture's border count most. None if there is none on at least a fiftieth of the picture.
 [[nodiscard]] std::optional<glm::dvec3> screen_color(const Picture& picture);

@@ -89,6 +89,21 @@ class Cache {
         return find(hash, key);
     }
 
+    /// Drops what `is_unwanted(key)` holds for. Looks through all that is held.
+    template <class IsUnwanted>
+    void erase_if(const IsUnwanted& is_unwanted) {
+        Entries dropped;  // freed when the lock is
+        const std::scoped_lock lock(mutex_);
+        for (auto entry = entries_.begin(); entry != entries_.end();) {
+            const auto next = std::next(entry);
+            if (is_unwanted(std::as_const(entry->key))) {
+                forget(entry);
+                dropped.splice(dropped.begin(), entries_, entry);
+            }
+            entry = next;
+        }
+    }
+
     /// 0 switches the cache off.
     void set_capacity(std::size_t capacity) {
         const std::scoped_lock lock(mutex_);
@@ -137,14 +152,18 @@ class Cache {
         for (Entry& entry : entries_) bytes_ += entry.bytes = Bytes{}(entry.key, *entry.value);
     }
 
+    void forget(typename Entries::iterator entry) {
+        auto it = index_.find(entry->hash);
+        while (it->second != entry) ++it;
+        index_.erase(it);
+        bytes_ -= entry->bytes;
+    }
+
     /// Drops what was used before the entries that fit.
     void shrink() {
         while (!entries_.empty() && (entries_.size() > capacity_ || bytes_ > byte_limit_)) {
             const auto last = std::prev(entries_.end());
-            auto it = index_.find(last->hash);
-            while (it->second != last) ++it;
-            index_.erase(it);
-            bytes_ -= last->bytes;
+            forget(last);
             entries_.erase(last);
         }
     }

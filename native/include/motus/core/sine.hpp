@@ -12,12 +12,15 @@ struct SineCosine {
     Real sine, cosine;
 };
 
-/// Of angles up to some 1e5 rad, to 2e-16; beyond, the error grows as the angle's own rounding does. The
-/// system's functions differ in the last digit between processors and releases, and a chaotic motion makes
-/// that visible. Reduction by a quarter turn in three parts and polynomials of the remainder: Sun's fdlibm
-/// (1993), k_sin.c and k_cos.c.
+/// Size of angles, rad, up to which sine_cosine_within_limit() holds.
+inline constexpr double sine_limit = 0x1p30;
+
+/// Of angles up to some 1e5 rad, to 2e-16; up to sine_limit, beyond which the results are meaningless, the
+/// error grows as the angle's own rounding does. The system's functions differ in the last digit between
+/// processors and releases, and a chaotic motion makes that visible. Reduction by a quarter turn in three
+/// parts and polynomials of the remainder: Sun's fdlibm (1993), k_sin.c and k_cos.c.
 template <int n>
-[[nodiscard, gnu::always_inline]] inline SineCosine<Wide<n>> sine_cosine(Wide<n> angle) {
+[[nodiscard, gnu::always_inline]] inline SineCosine<Wide<n>> sine_cosine_within_limit(Wide<n> angle) {
     using Real = Wide<n>;
     using Numbers = typename Real::Numbers;
     using Bits = typename WideMask<n>::Bits;
@@ -54,6 +57,19 @@ template <int n>
     const Bits cosine_sign = ((quarter + 1) & 2) << 62;
     return {Real(__builtin_bit_cast(Numbers, ((c & odd) | (s & ~odd)) ^ sine_sign)),
             Real(__builtin_bit_cast(Numbers, ((s & odd) | (c & ~odd)) ^ cosine_sign))};
+}
+
+/// What an angle is more than whole turns; exact but for the rounding of a turn, which is less than that of
+/// the angle.
+[[nodiscard]] double without_turns(double angle);
+
+/// Of any angle, the error growing as the angle's own rounding does; NaN of what is not finite.
+template <int n>
+[[nodiscard, gnu::always_inline]] inline SineCosine<Wide<n>> sine_cosine(Wide<n> angle) {
+    if (any(!(abs(angle) <= Wide<n>(sine_limit))))
+        for (int i = 0; i < n; ++i)
+            if (!(lane(abs(angle), i) <= sine_limit)) set_lane(angle, i, without_turns(lane(angle, i)));
+    return sine_cosine_within_limit(angle);
 }
 
 }  // namespace motus

@@ -11,7 +11,7 @@ namespace motus::curve {
 
 /// The parts before and after t (clamped), both open and of the same degree. The segment that t lies in is
 /// cut, so that the parts of segment i are its t - i and i + 1 - t; a cut at a joint cuts no segment; one at
-/// an end of the curve gives that point as a part of zero length.
+/// an end of the curve gives that point as a part of zero length. Throws std::invalid_argument if t is NaN.
 [[nodiscard]] std::pair<Curve, Curve> split(const Curve& curve, double t);
 
 /// The same curve written with a degree higher by `times` >= 0.
@@ -22,7 +22,7 @@ namespace motus::curve {
 [[nodiscard]] Curve reversed(const Curve& curve);
 
 /// Every point p moved to the affine matrix's M (p, 1).
-/// Throws std::invalid_argument where the result is not finite.
+/// Throws std::invalid_argument where the result is not finite or passes coordinate_limit.
 [[nodiscard]] Curve transformed(const Curve& curve, const glm::dmat4& matrix);
 
 /// Axis-aligned box.

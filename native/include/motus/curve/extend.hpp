@@ -16,9 +16,11 @@ struct Extended {
     bool returning = false;  ///< the minus, on the way back (ping_pong only)
 };
 
-/// Brings `value` into [0, limit], limit >= 0. Values inside, both ends included, are never changed.
+/// Brings `value` into [0, limit], limit >= 0. Values inside, both ends included, are never changed; NaN
+/// stays NaN.
 [[nodiscard]] inline Extended extended(double value, double limit, Extend extend) {
     if (value >= 0.0 && value <= limit) return {value, 0.0};
+    if (std::isnan(value)) return {value};
     const double end = value < 0.0 ? 0.0 : limit;
     if (extend == Extend::extrapolate) return {end, value - end};
     if (extend == Extend::clamp || limit <= 0.0) return {end};

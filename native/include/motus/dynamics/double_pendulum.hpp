@@ -29,7 +29,8 @@ struct DoublePendulum {
     [[nodiscard]] friend bool operator==(const DoublePendulum&, const DoublePendulum&) = default;
 };
 
-/// Angles of both rods from the downward vertical, rad, with all turns; angular velocities, rad/s.
+/// Angles of both rods from the downward vertical, rad, with all turns, up to 1e9 in size; angular
+/// velocities, rad/s.
 struct DoublePendulumState {
     double theta1 = 0.0;
     double theta2 = 0.0;
@@ -43,7 +44,7 @@ struct DoublePendulumState {
 /// alone, bit for bit. Throws std::invalid_argument, naming the argument, where a number is not finite or
 /// outside its domain, or sizes differ; std::length_error for times beyond longest_time(), or of a motion so
 /// stiff that it takes too many steps; std::domain_error where velocities grow beyond all bounds (backwards
-/// in time with damping).
+/// in time with damping). What throws has written nothing.
 void double_pendulum(const DoublePendulum& pendulum, const DoublePendulumState& start,
                      std::span<const double> times, std::span<DoublePendulumState> out);
 
@@ -65,7 +66,8 @@ void double_pendulums(const DoublePendulum& pendulum, std::span<const DoublePend
 /// Farthest time, s, to either side of 0, that the table of states may reach. Throws as above.
 [[nodiscard]] double longest_time(const DoublePendulum& pendulum, const DoublePendulumState& start);
 
-/// Kinetic and potential energy, J; 0 at rest with both bobs at the pivot's height.
+/// Kinetic and potential energy, J; 0 at rest with both bobs at the pivot's height. Throws
+/// std::invalid_argument as above.
 [[nodiscard]] double energy(const DoublePendulum& pendulum, const DoublePendulumState& state);
 
 }  // namespace motus::dynamics

@@ -26,7 +26,8 @@ struct PendulumState {
 /// 1e-15 of the angle and as much for each period that has passed, else to some 1e-12.
 /// Throws std::invalid_argument, naming the argument, where a number is not finite or outside its domain, or
 /// sizes differ; std::length_error where a damped motion would need a table of too many steps;
-/// std::domain_error where the angle is no number.
+/// std::domain_error where the angle is no number. With damping or a moved pivot the angle at the start is
+/// 1e9 at most in size. What throws has written nothing.
 void single_pendulum(const Pendulum& pendulum, const PendulumState& start, std::span<const double> times,
                      std::span<PendulumState> out);
 

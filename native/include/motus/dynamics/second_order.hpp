@@ -80,7 +80,7 @@ struct Step {
     double lag = 0.0;     ///< k3 - k1, s
     double ee = 1.0, eu = 0.0, ue = 0.0, uu = 1.0;
 };
-/// length: s, >= 0.
+/// length: s, >= 0. Throws std::invalid_argument where it is not, or not finite.
 [[nodiscard]] Step make_step(const SecondOrder& filter, double length);
 
 }  // namespace motus::dynamics

@@ -63,7 +63,8 @@ struct Influence {
 /// the lattice points from rest, in the space of the positions. With weights of lattice points w the change
 /// is faded once more by f (sum of weight * w), as in Blender. `out` may be `positions`. Positions where f is
 /// 0 keep their bits. Computed in single precision on several threads; the bits do not depend on their
-/// number. Throws std::invalid_argument where sizes differ.
+/// number. Throws std::invalid_argument where sizes differ. A number that is not finite makes what it is a
+/// part of the same.
 void deform(const Lattice& lattice, std::span<const glm::vec3> displacements, const Influence& influence,
             std::span<const glm::vec3> positions, std::span<glm::vec3> out);
 
@@ -91,7 +92,7 @@ struct PullOptions {
 /// (least squares). Returns what is left, displacement - reached, for each pull. out: point_count() values.
 /// Throws std::invalid_argument where sizes differ, a part names no pull, a value is not finite, both the
 /// pulls and the lattice points that they move are more than max_pulls, or the weights of all pulls'
-/// points, which are kept, are more than 16 million (in no basis of Blender's).
+/// points, which are kept, are more than 16 million (in no basis of Blender's); `out` is then as it was.
 std::vector<glm::dvec3> pull_lattice(const Lattice& lattice, std::span<const Part> parts,
                                      std::span<const glm::dvec3> displacements, const PullOptions& options,
                                      std::span<glm::dvec3> out);
@@ -104,6 +105,7 @@ struct OrientedBox {
 };
 
 /// The box along given orthonormal axes around all points; at the origin and of no size where there are none.
+/// This and what follows throws std::invalid_argument where a point or an axis is not finite.
 [[nodiscard]] OrientedBox box_along(std::span<const glm::vec3> points, const glm::dmat3& axes);
 
 /// A small box around all points: none along one of its own axes and turned about it is smaller, nor is the

@@ -16,8 +16,8 @@
 namespace motus::noise {
 
 /// Noise at a place, in [-1, 1]; its standard deviation is 0.31 in one dimension, 0.25 in two and
-/// three. Different seeds give noises that have nothing to do with each other. The place has to be
-/// finite; beyond 2^30 the noise is constant. The same bits on every machine.
+/// three. Different seeds give noises that have nothing to do with each other. Beyond 2^30 the noise is
+/// constant; if a coordinate is NaN, it is NaN. The same bits on every machine.
 [[nodiscard]] float value(double place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec2& place, std::uint32_t seed) noexcept;
 [[nodiscard]] float value(const glm::dvec3& place, std::uint32_t seed) noexcept;
@@ -27,9 +27,9 @@ namespace motus::noise {
 [[nodiscard]] glm::vec2 gradient(const glm::dvec2& place, std::uint32_t seed) noexcept;
 [[nodiscard]] glm::vec3 gradient(const glm::dvec3& place, std::uint32_t seed) noexcept;
 
-/// value() at many places; out.size() == places.size().
-void values(std::span<const float> places, std::uint32_t seed, std::span<float> out) noexcept;
-void values(std::span<const glm::vec2> places, std::uint32_t seed, std::span<float> out) noexcept;
-void values(std::span<const glm::vec3> places, std::uint32_t seed, std::span<float> out) noexcept;
+/// value() at many places. Throws std::invalid_argument if out.size() != places.size().
+void values(std::span<const float> places, std::uint32_t seed, std::span<float> out);
+void values(std::span<const glm::vec2> places, std::uint32_t seed, std::span<float> out);
+void values(std::span<const glm::vec3> places, std::uint32_t seed, std::span<float> out);
 
 }  // namespace motus::noise

@@ -5,6 +5,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "motus/core/cache.hpp"
@@ -47,16 +48,24 @@ class FrameTables;
 /// Frames of one curve under one set of settings: a table of rotation-minimising frames (double reflection:
 /// Wang, Juettler, Zheng, Liu, "Computation of Rotation Minimizing Frames", ACM TOG 27 (2008)) and, for the
 /// modes that need it, of the way past the places where the mode shows no direction. Immutable, safe to share
-/// between threads; a copy shares the tables. Continuous in s for every mode wherever the tangent is; at a
-/// corner the frame turns by the least rotation that takes one tangent to the other, at a reversal about up.
-/// The identity on a curve of zero length.
+/// between threads; a copy shares all that there is, and to move one is to copy it. Continuous in s for every
+/// mode wherever the tangent is; at a corner the frame turns by the least rotation that takes one tangent to
+/// the other, at a reversal about up. The identity on a curve of zero length.
 class Frames {
   public:
     /// Builds the tables. Throws std::invalid_argument where a setting that the mode reads is outside its
-    /// domain.
+    /// domain, or there is no path.
     Frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
+    ~Frames() = default;
+    Frames(const Frames&) noexcept = default;
+    Frames& operator=(const Frames&) noexcept = default;
+    // What is moved from keeps its frames.
+    // NOLINTNEXTLINE(performance-move-constructor-init): copying is what it is for, and costs two counters
+    Frames(Frames&& other) noexcept : Frames(std::as_const(other)) {}
+    Frames& operator=(Frames&& other) noexcept { return *this = std::as_const(other); }
 
-    /// Orientation at distance s (clamped), moving at `speed` (length unit / s; only banking reads it).
+    /// Orientation at distance s (clamped), moving at `speed` (length unit / s; only banking reads it). NaN
+    /// if s is NaN.
     [[nodiscard]] glm::dquat at(double s, double speed) const;
     /// The same with the position.
     [[nodiscard]] Pose pose(double s, double speed) const;
@@ -69,8 +78,8 @@ class Frames {
     friend Frames shared_frames(std::shared_ptr<const curve::ArcLength> path, FrameSettings settings);
     Frames(std::shared_ptr<const FrameTables> tables, FrameSettings settings);
 
-    std::shared_ptr<const FrameTables> tables_;
-    FrameSettings settings_;
+    std::shared_ptr<const FrameTables> tables_;      ///< never null
+    std::shared_ptr<const FrameSettings> settings_;  ///< never null
 };
 
 /// The same, with the tables from the process's cache or built for it. They depend on the curve, the mode and

@@ -2,6 +2,7 @@
 #pragma once
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -20,7 +21,7 @@ namespace motus::path {
 enum class AfterEase { rest, go_on, repeat };
 
 /// Distance as a function of time: seconds from the start, and the curve's unit of length. Value type,
-/// immutable.
+/// immutable. At NaN distance and speed are NaN.
 ///
 /// Every factory throws std::invalid_argument where a value is not finite or outside the stated domain,
 /// or a speed or a time that follows from the values overflows.
@@ -45,14 +46,24 @@ class Timing {
     [[nodiscard]] static Timing speeds_by_distance(std::span<const double> distances,
                                                    std::span<const double> speeds);
 
+    ~Timing() = default;
+    Timing(const Timing&) = default;
+    Timing& operator=(const Timing&) = default;
+    // What is moved from rests at distance 0.
+    Timing(Timing&& other) noexcept : profile_(std::exchange(other.profile_, Eased{})) {}
+    Timing& operator=(Timing&& other) noexcept {
+        profile_ = std::exchange(other.profile_, Eased{});
+        return *this;
+    }
+
     [[nodiscard]] double distance(double time) const;
     /// d distance / d time; at a jump of the speed the one that follows.
     [[nodiscard]] double speed(double time) const;
 
   private:
     struct Eased {
-        double duration, length, ease_in, ease_out;
-        AfterEase after;
+        double duration = 1.0, length = 0.0, ease_in = 0.0, ease_out = 0.0;
+        AfterEase after = AfterEase::rest;
         [[nodiscard]] double distance(double time) const;
         [[nodiscard]] double speed(double time) const;
     };

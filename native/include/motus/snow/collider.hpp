@@ -60,7 +60,7 @@ class Collider {
     /// What the straight way from the start to the end meets first, from either side of a triangle.
     [[nodiscard]] std::optional<Hit> first_hit(const glm::dvec3& start, const glm::dvec3& end) const;
 
-    /// Unit; zero for a triangle without area.
+    /// Unit; zero for a triangle without area. Throws std::invalid_argument where there is no such triangle.
     [[nodiscard]] glm::dvec3 normal(std::uint32_t triangle) const;
 
     /// A place on a triangle, and the side of it: behind is where its normal does not point to.
@@ -77,7 +77,8 @@ class Collider {
     /// Slides straight down each triangle in turn, as `pull` (m/s^2) and friction, >= 0, have it, the speed
     /// at the start and over each edge being that part of the velocity which points on. It rests where
     /// friction stops it, where two triangles lead down to the edge that they share, at an edge from which
-    /// things fall, and after most_slides triangles. Adds what it does to `out`.
+    /// things fall, and after most_slides triangles. Triangles without area are passed. Adds what it does to
+    /// `out`. Throws std::invalid_argument where there is no such triangle.
     Rest slide(const Place& first, const glm::dvec3& velocity, const glm::dvec3& pull, double friction,
                std::vector<Slide>& out) const;
 

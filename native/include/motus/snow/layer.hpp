@@ -15,9 +15,9 @@ namespace motus::snow {
 /// is left out where it is thin, dips under the surface around that, and is closed by a wall at loose edges.
 class Layer {
   public:
-    /// `up`: away from what pulls snow down, of any length but 0. Throws std::invalid_argument, naming
-    /// layer_positions or layer_triangles, where a position is not finite, a triangle names a vertex that
-    /// there is not, or there are 2^29 triangles or more.
+    /// `up`: away from what pulls snow down, finite, of any length but 0. Throws std::invalid_argument,
+    /// naming layer_positions or layer_triangles, where a position is not finite, a triangle names a vertex
+    /// that there is not, or there are 2^29 triangles or more.
     Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up);
 
     struct Mesh {

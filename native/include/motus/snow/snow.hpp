@@ -79,7 +79,7 @@ struct Settings {
     bool random_color = false;        ///< anywhere on the gradient
 
     bool snow = false;                      ///< flakes turn as they fly
-    double max_angle = 1.3962634015954636;  ///< of the turn about X and about Y
+    double max_angle = 1.3962634015954636;  ///< of the turn about X and about Y, [-1e6, 1e6]
     double snow_frequency = 1.0;            ///< of the noise that turns them, 1/s, (0, 1000]
     bool snow_offsets = false;              ///< each flake begins at a time of its own in the noise
 
@@ -133,18 +133,38 @@ struct Touchdown {
 
 struct LandingPage;  ///< where the flakes of a block of 256 numbers land; private to the library
 
-/// The flakes that live at a time.
-struct Living {
-    double time = 0.0;
-    std::uint64_t first = 0;            ///< number of the oldest that may be living
-    std::uint64_t last = 0;             ///< number after the youngest
-    std::size_t count = 0;              ///< that live
-    std::vector<std::size_t> before{};  ///< that live before each block of 256 numbers; empty: all of them
-    std::vector<std::shared_ptr<const LandingPage>> pages{};  ///< of Snow::known(): null: left out
+/// The flakes of one snow that live at a time. An immutable value; what is moved from has none.
+class Living {
+  public:
+    Living() = default;  // of no snow
+
+    [[nodiscard]] double time() const noexcept { return parts_ ? parts_->time : 0.0; }
+    /// Number of the oldest that may be living.
+    [[nodiscard]] std::uint64_t first() const noexcept { return parts_ ? parts_->first : 0; }
+    /// Number after the youngest.
+    [[nodiscard]] std::uint64_t last() const noexcept { return parts_ ? parts_->last : 0; }
+    /// How many live.
+    [[nodiscard]] std::size_t count() const noexcept { return parts_ ? parts_->count : 0; }
+
+  private:
+    friend class Snow;
+    struct Parts {
+        double time = 0.0;
+        std::uint64_t first = 0, last = 0;
+        std::size_t count = 0;
+        std::vector<std::size_t>
+            before{};  ///< that live before each block of 256 numbers; empty: all of them
+        std::vector<std::shared_ptr<const LandingPage>> pages{};  ///< of Snow::known(): null: left out
+        std::shared_ptr<const void> snow{};                       ///< what all copies of its snow share
+    };
+    explicit Living(Parts parts) : parts_(std::make_shared<const Parts>(std::move(parts))) {}
+
+    std::shared_ptr<const Parts> parts_;
 };
 
 /// Immutable but for where flakes land, which is kept for the 18 million of all snows looked up last (1 GB),
-/// so that several threads may ask at once. Copies share all that they have, and to move one is to copy it.
+/// as long as the snow or a copy is there, so that several threads may ask at once. Copies share all that
+/// they have, and to move one is to copy it.
 class Snow {
   public:
     static constexpr double most_flakes = 1e8;      ///< living at once
@@ -173,8 +193,9 @@ class Snow {
     [[nodiscard]] std::size_t find_landings(double time, std::size_t most,
                                             std::size_t threads = thread_count()) const;
 
-    /// Fills the fields in the order of flake numbers. Throws std::invalid_argument where one that is not
-    /// empty has another number of rows than there are living flakes. `threads` as in in_parts.
+    /// Fills the fields in the order of flake numbers. Throws std::invalid_argument, before anything is
+    /// written, where the living flakes are not of this snow or a copy, or a field that is not empty has
+    /// another number of rows than there are of them. `threads` as in in_parts.
     void evaluate(const Living& living, const Fields& out, std::size_t threads = thread_count()) const;
 
     /// Where flakes land until the end, by time and then by number. Throws std::invalid_argument where the
@@ -187,6 +208,7 @@ class Snow {
 
   private:
     struct Parts;
+    class Rows;
     std::shared_ptr<const Parts> parts_;  ///< never null
 };
 

@@ -29,7 +29,9 @@ struct Sample {
 };
 
 /// tolerance: parallax in front of the screen that nobody sees, >= 0. Samples are of the row through the
-/// middle for eyes that toe in, and neither they nor the ones with a depth that is not above 0 count.
+/// middle for eyes that toe in, and neither they nor the ones with a depth that is not above 0, or a place
+/// that is NaN, count. Throws std::invalid_argument as check() does, and where the tolerance is outside its
+/// domain.
 [[nodiscard]] Window window_violations(const Eyes& eyes, std::span<const Sample> samples,
                                        double tolerance = 0.0);
 
@@ -42,7 +44,7 @@ inline constexpr std::size_t most_ahead = 10000;
 /// Values at equal times, smoothed by what is up to `ahead` samples before and behind, without lag. Where the
 /// curve shall stay `below` or `above` all values, which it does except by rounding, values up to twice as
 /// far count. Writes values.size() numbers; constant values stay. Throws std::invalid_argument, naming the
-/// argument, where `ahead` is more than most_ahead or sizes differ.
+/// argument, where `ahead` is more than most_ahead, sizes differ or a value is not finite.
 void smooth(std::span<const double> values, std::size_t ahead, Side side, std::span<double> out);
 
 }  // namespace motus::stereo

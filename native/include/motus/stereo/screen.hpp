@@ -13,7 +13,8 @@ struct Screen {
     double eye_separation = 0.065;   ///< > 0
 };
 
-/// Throws std::invalid_argument, naming the number, where one is outside its domain.
+/// Throws std::invalid_argument, naming the number, where one is outside its domain. So does everything here,
+/// also where a parallax is NaN.
 void check(const Screen& screen);
 
 constexpr double one_degree = 0.017453292519943295;

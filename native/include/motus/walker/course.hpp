@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "motus/core/numeric.hpp"
+
 namespace motus::walker {
 
 inline constexpr std::size_t most_samples = 100'000;
@@ -49,8 +51,13 @@ class Course {
     [[nodiscard]] std::size_t stretch_at(double time) const;
     /// The first samples of all stretches.
     [[nodiscard]] std::span<const std::size_t> starts() const noexcept { return starts_; }
-    [[nodiscard]] std::size_t first_sample(std::size_t stretch) const { return starts_[stretch]; }
+    /// Of a stretch that there is, else std::invalid_argument. So it is with all that follows.
+    [[nodiscard]] std::size_t first_sample(std::size_t stretch) const {
+        require_stretch(stretch);
+        return starts_[stretch];
+    }
     [[nodiscard]] std::size_t last_sample(std::size_t stretch) const {
+        require_stretch(stretch);
         return (stretch + 1 < starts_.size() ? starts_[stretch + 1] : way_.times.size()) - 1;
     }
 
@@ -71,6 +78,9 @@ class Course {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
   private:
+    void require_stretch(std::size_t stretch) const {
+        require(stretch < starts_.size(), "stretch: must be one of the course, which is not one moved from");
+    }
     [[nodiscard]] bool jumps_to(std::size_t sample) const;
     [[nodiscard]] double cadence_after(std::size_t sample) const;
     [[nodiscard]] std::size_t sample_before(std::size_t stretch, double time) const;

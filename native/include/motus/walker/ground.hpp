@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "motus/core/parallel.hpp"
@@ -28,13 +29,22 @@ struct Contact {
 };
 
 /// Triangles, counter-clockwise seen from outside, a plane, or both, met from either side; they stand still.
-/// World space, metres. Immutable; any number of threads may ask.
+/// World space, metres. Immutable; any number of threads may ask. A copy shares the triangles, and to move
+/// one is to copy it.
 class Ground {
   public:
     /// Throws std::invalid_argument, naming the argument, where a triangle names a vertex that there is not,
     /// or the plane has a number that is not finite or no normal. Vertices that are not finite are never met.
     Ground(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
            const std::optional<Plane>& plane, std::size_t threads = thread_count());
+
+    ~Ground() = default;
+    Ground(const Ground&) noexcept = default;
+    Ground& operator=(const Ground&) noexcept = default;
+    // What is moved from stays the ground that it was.
+    // NOLINTNEXTLINE(performance-move-constructor-init): copying is what it is for, and costs a counter
+    Ground(Ground&& other) noexcept : Ground(std::as_const(other)) {}
+    Ground& operator=(Ground&& other) noexcept { return *this = std::as_const(other); }
 
     /// The same triangles, which both share, with this plane alone. Throws as above.
     [[nodiscard]] Ground with_plane(const std::optional<Plane>& plane) const;
@@ -46,7 +56,7 @@ class Ground {
     [[nodiscard]] std::size_t bytes() const noexcept;
 
     /// The first that the ray from `origin` along `direction` (unit) meets, not farther away than `farthest`;
-    /// the triangle where plane and triangle are met at the same distance.
+    /// the triangle where plane and triangle are met at the same distance. Nothing where a number is NaN.
     [[nodiscard]] std::optional<Contact> ray(const glm::dvec3& origin, const glm::dvec3& direction,
                                              double farthest) const;
 
@@ -59,7 +69,7 @@ class Ground {
     [[nodiscard]] std::optional<Contact> on_plane(const glm::dvec3& origin, const glm::dvec3& direction,
                                                   double farthest) const;
 
-    std::shared_ptr<const Mesh> mesh_;
+    std::shared_ptr<const Mesh> mesh_;  ///< never null
     std::optional<Plane> plane_;
 };
 

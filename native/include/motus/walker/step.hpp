@@ -6,25 +6,9 @@
 #include <span>
 #include <vector>
 
+#include "motus/core/numeric.hpp"
+
 namespace motus::walker {
-
-/// A foot's way from one foothold to the next, on which it stands then until its next step. World space.
-struct Step {
-    double lift = 0.0;   ///< s
-    double touch = 0.0;  ///< s; `lift` where the foot is put there: at the first sample and after jumps
-    glm::dvec3 start{0.0};
-    glm::dvec3 end{0.0};
-    glm::dvec3 rise{0.0};  ///< by which the foot is above the middle of start and end, half-way
-    glm::dvec3 start_normal{0.0, 0.0, 1.0};
-    glm::dvec3 end_normal{0.0, 0.0, 1.0};
-    bool is_grounded = true;  ///< whether there is ground at `end`
-
-    /// 0 before it lifts, 1 from the touch on.
-    [[nodiscard]] double through(double time) const {
-        if (time >= touch) return 1.0;
-        return std::max(0.0, (time - lift) / (touch - lift));
-    }
-};
 
 /// How far along a foot is, u of its swing, [0, 1]: starts and ends without speed and acceleration, with the
 /// least jerk between (Flash, Hogan, "The coordination of arm movements" (1985)).
@@ -37,6 +21,31 @@ struct Step {
     const double parabola = 4.0 * u * (1.0 - u);
     return parabola * parabola * parabola;
 }
+
+/// A foot's way from one foothold to the next, on which it stands then until its next step. World space.
+struct Step {
+    double lift = 0.0;   ///< s
+    double touch = 0.0;  ///< s; `lift` where the foot is put there: at the first sample and after jumps
+    glm::dvec3 start{0.0};
+    glm::dvec3 end{0.0};
+    glm::dvec3 rise{0.0};  ///< by which the foot is above the middle of start and end, half-way
+    glm::dvec3 start_normal{0.0, 0.0, 1.0};
+    glm::dvec3 end_normal{0.0, 0.0, 1.0};
+    bool is_grounded = true;  ///< whether there is ground at `end`
+    /// Fractions of the swing, below 1 together, for which the foot goes straight up at first, and straight
+    /// down at last: 0 but beside an edge, as of a stair.
+    double upwards = 0.0, downwards = 0.0;
+
+    /// 0 before it lifts, 1 from the touch on.
+    [[nodiscard]] double through(double time) const {
+        if (time >= touch) return 1.0;
+        return std::max(0.0, (time - lift) / (touch - lift));
+    }
+    /// How far along the way from start to end the foot is, u of its swing, [0, 1].
+    [[nodiscard]] double share(double u) const {
+        return along(std::clamp((u - upwards) / (1.0 - upwards - downwards), 0.0, 1.0));
+    }
+};
 
 /// Why a foothold is none.
 enum class Trouble {
@@ -60,9 +69,10 @@ class Footsteps {
         ends_.push_back(steps_.size());
     }
 
-    /// `row`: how many were added before.
+    /// `row`: how many were added before. std::invalid_argument where there is no such row.
     [[nodiscard]] std::span<const Step> of(std::size_t row) const { return between(row, row + 1); }
     [[nodiscard]] std::span<const Step> between(std::size_t first_row, std::size_t last_row) const {
+        require(first_row <= last_row && last_row <= ends_.size(), "row: must be one that was added");
         const std::size_t first = first_row == 0 ? 0 : ends_[first_row - 1];
         const std::size_t last = last_row == 0 ? 0 : ends_[last_row - 1];
         return std::span<const Step>(steps_).subspan(first, last - first);
@@ -76,8 +86,10 @@ class Footsteps {
     std::vector<std::size_t> ends_;
 };
 
-/// The last that has begun at a time, and the first one before all.
+/// The last that has begun at a time, and the first one before all. std::invalid_argument where there is
+/// none.
 [[nodiscard]] inline const Step& step_at(std::span<const Step> steps, double time) {
+    require(!steps.empty(), "steps: one at least is needed");
     const auto after = std::ranges::upper_bound(steps, time, {}, &Step::lift);
     return after == steps.begin() ? steps.front() : *(after - 1);
 }

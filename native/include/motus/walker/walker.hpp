@@ -29,7 +29,10 @@ struct Settings {
     double reach_down = 1.0;       ///< the same below it
     double minimum_step = 0.0;     ///< m, >= 0; shorter steps are left out
     std::vector<glm::dvec3> hips;  ///< where legs begin, in the body's space: one for each, or none
-    std::vector<double> lengths;   ///< of whole legs, m in the world, >= 0: one for each hip
+    /// How the body's own animation moves the hips in the body's space, before the body follows its feet: one
+    /// for each sample, or none.
+    std::vector<glm::dmat4> bodies;
+    std::vector<double> lengths;                  ///< of whole legs, m in the world, >= 0: one for each hip
     dynamics::SecondOrder filter{2.0, 1.0, 0.0};  ///< of the body's height and tilt
     double height = 1.0;                          ///< how much of each, [0, 1]
     double tilt = 1.0;

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <stdexcept>
 
 #include "axes.hpp"
 #include "bender.hpp"
@@ -173,9 +172,26 @@ Reason reason_of(const Bones& bones, double distance) {
 
 }  // namespace
 
+bool is_in_reach_of_doubles(const glm::dvec3& place) {
+    constexpr double largest = 1e300;
+    return std::abs(place.x) <= largest && std::abs(place.y) <= largest && std::abs(place.z) <= largest;
+}
+
+void check(const glm::dvec3& target, const Settings& settings) {
+    require(is_in_reach_of_doubles(target), "target: must be finite, and 1e300 at most");
+    require(settings.tolerance >= 0.0 && std::isfinite(settings.tolerance),
+            "tolerance: must be at least 0 and finite");
+    require(settings.max_iterations >= 0, "max_iterations: must be at least 0");
+    require(!settings.pole || is_in_reach_of_doubles(*settings.pole),
+            "pole: must be finite, and 1e300 at most");
+    require(is_finite(settings.plane), "plane: must be finite");
+}
+
 Report solve(std::span<glm::dvec3> joints, const glm::dvec3& target, const Settings& settings) {
-    if (joints.size() < 2 || joints.size() > most_bones + 1)
-        throw std::invalid_argument("joints must be 2 or more, and 256 at most");
+    require(joints.size() >= 2 && joints.size() <= most_bones + 1,
+            "joints: must be 2 or more, and 256 at most");
+    require(std::ranges::all_of(joints, is_in_reach_of_doubles), "joints: must be finite, and 1e300 at most");
+    check(target, settings);
     const glm::dvec3 root = joints[0];
     const glm::dvec3 half_way = 0.5 * target - 0.5 * root;  // the whole might overflow
     const double scale = scale_for(joints);

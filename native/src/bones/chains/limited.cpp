@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <stdexcept>
 
 #include "limited_descent.hpp"
 #include "limited_lead.hpp"
@@ -281,11 +280,42 @@ int Search::run(std::span<glm::dquat> rotations) {
 
 }  // namespace
 
+namespace {
+
+[[nodiscard]] bool is_rotation(const glm::dquat& q) {
+    constexpr double rounding = 1e-3;
+    return std::abs(glm::dot(q, q) - 1.0) < rounding;  // false for NaN
+}
+
+[[nodiscard]] bool is_limit(const JointLimits& limit) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (!(limit.min[axis] <= limit.max[axis]) || limit.min[axis] == JointLimits::free ||
+            limit.max[axis] == -JointLimits::free)
+            return false;
+    return true;
+}
+
+void check(const Limited& chain, std::span<const glm::dquat> rotations) {
+    const std::size_t count = chain.offsets.size();
+    require(chain.rest.size() == count, "rest: must be as many as offsets");
+    require(chain.limits.size() == count, "limits: must be as many as offsets");
+    require(rotations.size() == count, "rotations: must be as many as offsets");
+    require(is_in_reach_of_doubles(chain.root), "root: must be finite, and 1e300 at most");
+    require(is_rotation(chain.base), "base: must be a unit quaternion");
+    require(std::ranges::all_of(chain.rest, is_rotation), "rest: must be unit quaternions");
+    require(std::ranges::all_of(chain.offsets, is_in_reach_of_doubles),
+            "offsets: must be finite, and 1e300 at most");
+    require(std::ranges::all_of(chain.limits, is_limit), "limits: each minimum must be at most its maximum");
+    require(std::ranges::all_of(rotations, is_rotation), "rotations: must be unit quaternions");
+}
+
+}  // namespace
+
 void joints_of(const Limited& chain, std::span<const glm::dquat> rotations, std::span<glm::dvec3> joints) {
     const std::size_t count = chain.offsets.size();
-    if (chain.rest.size() != count || rotations.size() != count)
-        throw std::invalid_argument("all spans of a chain must have one size");
-    if (joints.size() != count + 1) throw std::invalid_argument("joints must be one more than the bones");
+    require(chain.rest.size() == count, "rest: must be as many as offsets");
+    require(rotations.size() == count, "rotations: must be as many as offsets");
+    require(joints.size() == count + 1, "joints: must be one more than the bones");
     glm::dquat frame = chain.base;
     joints[0] = chain.root;
     for (std::size_t i = 0; i < count; ++i) {
@@ -295,9 +325,8 @@ void joints_of(const Limited& chain, std::span<const glm::dquat> rotations, std:
 }
 
 void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frames) {
-    if (frames.empty() || joints.size() != frames.size() + 1)
-        throw std::invalid_argument(
-            "joints must be one more than the frames, of which there is one at least");
+    require(!frames.empty(), "frames: one at least is needed");
+    require(joints.size() == frames.size() + 1, "joints: must be one more than the frames");
     glm::dvec3 along(0.0, 1.0, 0.0);
     glm::dquat frame(1.0, 0.0, 0.0, 0.0);
     for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -313,9 +342,10 @@ void bone_frames(std::span<const glm::dvec3> joints, std::span<glm::dquat> frame
 Report solve_limited(const Limited& chain, const glm::dvec3& target, const Settings& settings,
                      std::span<glm::dquat> rotations, const std::optional<glm::dquat>& orientation) {
     const std::size_t count = chain.offsets.size();
-    if (count < 1 || count > most_bones) throw std::invalid_argument("a chain has 1 to 255 bones");
-    if (chain.rest.size() != count || chain.limits.size() != count || rotations.size() != count)
-        throw std::invalid_argument("all spans of a chain must have one size");
+    require(count >= 1 && count <= most_bones, "offsets: a chain has 1 to 255 bones");
+    check(chain, rotations);
+    check(target, settings);
+    require(!orientation || is_rotation(*orientation), "orientation: must be a unit quaternion");
     const Reach reach = reach_of(chain);
     PerBone<glm::dquat> given;
     std::copy(rotations.begin(), rotations.end(), given.begin());

@@ -6,6 +6,8 @@
 #include <glm/matrix.hpp>
 #include <numbers>
 
+#include "motus/core/numeric.hpp"
+
 namespace motus::bones::chains {
 namespace {
 
@@ -200,6 +202,8 @@ SwingRates swing_rates(const glm::dvec2& swing) {
 }
 
 glm::dquat clamp_rotation(const glm::dquat& rotation, const JointLimits& limits) {
+    for (int axis = 0; axis < 3; ++axis)
+        require(limits.min[axis] <= limits.max[axis], "limits: each minimum must be at most its maximum");
     const SwingTwist given = swing_twist_of(rotation);
     SwingTwist kept{clamp_swing(given.swing, limits), clamp_twist(given.twist, limits)};
     if (kept.swing != given.swing && given.swing != glm::dvec2(0.0)) {

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <stdexcept>
 
 #include "motus/bones/chains/bend_plane.hpp"
 #include "motus/bones/chains/triangle.hpp"
@@ -49,10 +48,6 @@ void solve_far_from_one(const TwoBone& chain, TwoBoneSolution& out) {
     const Difference pole(chain.root, chain.pole);
     const double largest = std::max({largest_of(target.value), std::scalbn(chain.length1, -target.exponent),
                                      std::scalbn(chain.length2, -target.exponent)});
-    if (!(largest <= largest_double) || !(largest_of(pole.value) <= largest_double)) {
-        out = {.elbow = chain.root, .tip = chain.root};  // not finite: outside the domain, but never a crash
-        return;
-    }
     const int unit = target.exponent + (largest > 0.0 ? std::ilogb(largest) : 0);
     TwoBone local = chain;
     local.root = glm::dvec3(0.0);
@@ -62,10 +57,29 @@ void solve_far_from_one(const TwoBone& chain, TwoBoneSolution& out) {
     local.length1 = std::scalbn(chain.length1, -unit);
     local.length2 = std::scalbn(chain.length2, -unit);
     local.softness = std::scalbn(chain.softness, -unit);
-    solve_one(local, out);
+    solve_plain(Chains<double>(&local), &out);
     out.elbow = moved(chain.root, out.elbow, unit);
     out.tip = out.tip == local.target ? chain.target : moved(chain.root, out.tip, unit);
     out.residual = std::min(std::scalbn(out.residual, unit), largest_double);
+}
+
+void check(const TwoBone& chain) {
+    require(is_finite(chain.root), "root: must be finite");
+    require(is_finite(chain.target), "target: must be finite");
+    require(is_finite(chain.pole), "pole: must be finite");
+    require(is_finite(chain.plane), "plane: must be finite");
+    require(chain.length1 >= 0.0 && std::isfinite(chain.length1), "length1: must be at least 0 and finite");
+    require(chain.length2 >= 0.0 && std::isfinite(chain.length2), "length2: must be at least 0 and finite");
+    require(std::isfinite(chain.softness), "softness: must be finite");
+    require(std::isfinite(chain.stretch), "stretch: must be finite");
+}
+
+/// False of what check() refuses, and of what is too large to tell at a glance.
+[[nodiscard]] bool may_be_valid(const TwoBone& chain) {
+    const glm::dvec3 points = (chain.root + chain.target) + (chain.pole + chain.plane);
+    const double sum = ((points.x + points.y) + (points.z + chain.softness)) +
+                       (chain.stretch + (chain.length1 + chain.length2));
+    return std::isfinite(sum) && chain.length1 >= 0.0 && chain.length2 >= 0.0;
 }
 
 #if defined(__x86_64__)
@@ -116,13 +130,16 @@ double soft_reach(double distance, double reach, double softness) {
 }
 
 TwoBoneSolution solve_two_bone(const TwoBone& chain) {
+    check(chain);
     TwoBoneSolution out;
     solve_one(chain, out);
     return out;
 }
 
 void solve_two_bones(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out) {
-    if (out.size() != chains.size()) throw std::invalid_argument("chains and out must have the same size");
+    require(out.size() == chains.size(), "out: must be as many as chains");
+    for (const TwoBone& chain : chains)
+        if (!may_be_valid(chain)) check(chain);
     two_bone_kernels().back().solve(chains, out);
 }
 

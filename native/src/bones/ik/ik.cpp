@@ -108,8 +108,16 @@ void solve_one(const Plan& plan, const Input& input, std::size_t index, const Ri
     std::optional<Task> task = read_task(input, world, index, chain);
     const bool is_on = task && task->settings.is_on != 0.0;
     if (is_on) {
-        const AimReport aim = solution.solve(chain, *task);
-        report_solution(report, aim, solution.pose(), *task, world);
+        std::optional<AimReport> aim;
+        try {
+            aim = solution.solve(chain, *task);
+        } catch (const std::invalid_argument&) {
+            // Finite numbers so large that those of the chain's joints are not: the solver of chains refuses
+            // them.
+            write_neutral(chain, output);
+            return;
+        }
+        report_solution(report, *aim, solution.pose(), *task, world);
     } else {
         if (task) report.reason = static_cast<double>(Reason::reached);
         task = Task{};

@@ -100,17 +100,20 @@ double beyond(const Key& end, const Key& neighbour, const glm::dvec2& handle, do
 double value_of(std::span<const Key> keys, bool goes_on, double frame, Parameters& parameters) {
     const Key& first = keys.front();
     const Key& last = keys.back();
-    if (frame <= first.place.x) {
+    // Written so that a frame that is left lies between the two, whatever the numbers.
+    if (!(frame > first.place.x)) {
         if (!goes_on || frame == first.place.x) return first.place.y;
         return beyond(first, keys[keys.size() > 1 ? 1 : 0], first.left, frame);
     }
-    if (frame >= last.place.x) {
+    if (!(frame < last.place.x)) {
         if (!goes_on || frame == last.place.x) return last.place.y;
         return beyond(last, keys[keys.size() > 1 ? keys.size() - 2 : 0], last.right, frame);
     }
-    const auto after = std::ranges::upper_bound(keys, frame, {}, [](const Key& key) { return key.place.x; });
-    const Key& to = *after;
-    const Key& from = *(after - 1);
+    const auto inner = keys.subspan(1, keys.size() - 2);
+    const auto after = std::ranges::upper_bound(inner, frame, {}, [](const Key& key) { return key.place.x; });
+    const std::size_t next = static_cast<std::size_t>(after - inner.begin()) + 1;
+    const Key& to = keys[next];
+    const Key& from = keys[next - 1];
     if (frame - from.place.x < same_frame) return from.place.y;
     if (to.place.x - frame < same_frame) return to.place.y;
     if (from.interpolation == Interpolation::constant) return from.place.y;
@@ -150,6 +153,18 @@ glm::dquat of_euler(const Order& order, std::span<const double, 4> angles) {
     return number < 3 ? location : number < 7 ? rotation : scale;
 }
 
+void check(std::span<const Key> keys) {
+    for (const Key& key : keys)
+        require(motus::is_finite(key.place) && motus::is_finite(key.left) && motus::is_finite(key.right),
+                "keys: every number must be finite");
+}
+
+/// Of one curve.
+void check_rise(std::span<const Key> keys) {
+    const bool rise = std::ranges::is_sorted(keys, {}, [](const Key& key) { return key.place.x; });
+    require(rise, "keys: the frames of a curve must rise");
+}
+
 void check(const Curve& curve, std::size_t bone_count, std::span<const Key> keys) {
     require(curve.bone >= 0 && static_cast<std::size_t>(curve.bone) < bone_count,
             "curves: a bone is not there");
@@ -157,21 +172,25 @@ void check(const Curve& curve, std::size_t bone_count, std::span<const Key> keys
     require(curve.first >= 0 && curve.count >= 0 &&
                 static_cast<std::size_t>(curve.first) + static_cast<std::size_t>(curve.count) <= keys.size(),
             "curves: keys are not there");
-    for (int i = curve.first + 1; i < curve.first + curve.count; ++i)
-        require(keys[static_cast<std::size_t>(i) - 1].place.x <= keys[static_cast<std::size_t>(i)].place.x,
-                "keys: the frames of a curve must rise");
+    check_rise(keys.subspan(static_cast<std::size_t>(curve.first), static_cast<std::size_t>(curve.count)));
 }
 
 }  // namespace
 
 double value_at(std::span<const Key> keys, bool goes_on, double frame) {
+    require(!keys.empty(), "keys: one at least is needed");
+    require(std::isfinite(frame), "frame: must be finite");
+    check(keys);
+    check_rise(keys);
     Parameters parameters;
     return value_of(keys, goes_on, frame, parameters);
 }
 
 glm::dquat rotation_of(Rotation mode, std::span<const double, 4> numbers) {
     if (mode == Rotation::axis_angle) {
-        const glm::dvec3 axis = direction_or({numbers[1], numbers[2], numbers[3]}, glm::dvec3(0.0));
+        const glm::dvec3 given(numbers[1], numbers[2], numbers[3]);
+        const glm::dvec3 axis =
+            std::isinf(glm::dot(given, given)) ? unit_vector(given) : direction_or(given, glm::dvec3(0.0));
         if (axis == glm::dvec3(0.0)) return no_turn;
         const Angle half = angle_of(0.5 * numbers[0]);
         return {half.cosine, half.sine * axis.x, half.sine * axis.y, half.sine * axis.z};
@@ -181,14 +200,17 @@ glm::dquat rotation_of(Rotation mode, std::span<const double, 4> numbers) {
     const double square = glm::dot(q, q);
     constexpr double vanished = 1e-280;
     if (!(square > vanished)) return {0.0, 1.0, 0.0, 0.0};
+    if (std::isinf(square)) {
+        constexpr double smaller = 0x1p-600;
+        const glm::dquat scaled = q * smaller;
+        return scaled * (1.0 / std::sqrt(glm::dot(scaled, scaled)));
+    }
     return q * (1.0 / std::sqrt(square));
 }
 
 Clip::Clip(std::span<const Rotation> rotations, std::span<const Curve> curves, std::span<const Key> keys)
     : bone_count_(rotations.size()), keys_(keys.begin(), keys.end()) {
-    for (const Key& key : keys)
-        require(motus::is_finite(key.place) && motus::is_finite(key.left) && motus::is_finite(key.right),
-                "keys: every number must be finite");
+    check(keys);
     std::vector<std::vector<Track>> of_bones(bone_count_);
     for (const Curve& curve : curves) {
         check(curve, bone_count_, keys);
@@ -209,6 +231,7 @@ Clip::Clip(std::span<const Rotation> rotations, std::span<const Curve> curves, s
 }
 
 void Clip::evaluate(double frame, std::span<const double> given, std::span<Transform> out) const {
+    require(std::isfinite(frame), "frame: must be finite");
     require(given.size() == given_count_, "given: one value for each curve without keys is needed");
     require(out.size() == bones_.size(), "out: one transform for each bone of the clip is needed");
     Parameters parameters;

@@ -33,6 +33,15 @@ std::vector<int> parents_first(std::span<const int> parents) {
 
 void feathered(std::span<const int> parents, std::span<const int> order, std::span<const double> chosen,
                int feather, std::span<double> mask) {
+    const std::size_t count = parents.size();
+    require(order.size() == count, "order: one entry for each bone is needed");
+    require(chosen.size() == count, "chosen: one number for each bone is needed");
+    require(mask.size() == count, "mask: one number for each bone is needed");
+    require(feather >= 0, "feather: must be at least 0");
+    for (const int bone : order)
+        require(bone >= 0 && std::cmp_less(bone, count), "order: a bone is not there");
+    for (const int parent : parents)
+        require(parent >= -1 && std::cmp_less(parent, count), "parents: must be -1 or a bone");
     // First how many bones lie up to the border; where there is none, more than count.
     const double inside = feather + 1.0;
     for (const int bone : order) {

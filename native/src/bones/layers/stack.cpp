@@ -1,6 +1,7 @@
 #include "motus/bones/layers/stack.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "motus/bones/layers/mask.hpp"
 #include "motus/core/numeric.hpp"
@@ -131,10 +132,16 @@ Stack::Stack(std::span<const int> parents, std::span<const glm::dquat> rest, std
 
 void Stack::solve(double frame, std::span<const Layer> layers, std::span<const Transform> base,
                   std::span<Transform> result, std::span<char> changed) const {
-    require(base.size() == size() && result.size() == size() && changed.size() == size(),
-            "base: one transform for each bone is needed");
+    require(std::isfinite(frame), "frame: must be finite");
+    require(base.size() == size(), "base: one transform for each bone is needed");
+    require(result.size() == size(), "result: one transform for each bone is needed");
+    require(changed.size() == size(), "changed: one for each bone is needed");
     std::size_t most = 0;
     for (const Layer& layer : layers) {
+        check(layer.timing);
+        require(std::isfinite(layer.weight), "weight: must be finite");
+        require(layer.clip == nullptr || layer.given.size() == layer.clip->given_count(),
+                "given: one value for each curve without keys is needed");
         require(layer.clip != nullptr && layer.clip->bone_count() == size(),
                 "clips: another number of bones");
         require(layer.mask.size() == size(), "masks: one weight for each bone is needed");

@@ -10,9 +10,10 @@ namespace {
 
 /// How far an action of that length is played, 0 to length, after so many of its frames.
 double played(double frames, double length, After after) {
-    if (after != After::repeat || length <= 0.0) return std::min(frames, length);
+    if (after != After::repeat || length <= 0.0 || std::isinf(length)) return std::min(frames, length);
+    // Of numbers so large, or a length so small, that the laps cannot be counted, the first frame.
     const double rest = frames - length * std::floor(frames / length);
-    return std::clamp(rest, 0.0, length);
+    return std::min(std::max(0.0, rest), length);
 }
 
 /// A ramp that rises from 0 to 1 over a width; 1 without one.
@@ -22,17 +23,32 @@ double ramp(double way, double width) {
 
 }  // namespace
 
+void check(const Timing& timing) {
+    require(std::isfinite(timing.start), "start: must be finite");
+    require(are_finite(timing.first, timing.last) && timing.first <= timing.last,
+            "first: must be finite, and no later than last");
+    require(std::isfinite(timing.speed), "speed: must be finite");
+    require(std::isfinite(timing.blend_in) && timing.blend_in >= 0.0,
+            "blend_in: must be at least 0 and finite");
+    require(std::isfinite(timing.blend_out) && timing.blend_out >= 0.0,
+            "blend_out: must be at least 0 and finite");
+}
+
 Moment moment_of(const Timing& timing, double frame) {
+    check(timing);
+    require(std::isfinite(frame), "frame: must be finite");
     const double length = timing.last - timing.first;
     const double elapsed = frame - timing.start;
     const double rate = std::abs(timing.speed);
     const double way = played(std::max(elapsed, 0.0) * rate, length, timing.after);
     Moment result{timing.speed < 0.0 ? timing.last - way : timing.first + way, 0.0};
+    // Where the frames' range is no number: the end that is played to.
+    if (!std::isfinite(result.frame)) result.frame = timing.speed < 0.0 ? timing.first : timing.last;
     if (elapsed < 0.0) return result;
     result.weight = ramp(elapsed, timing.blend_in);
     if (timing.after == After::nothing && rate > 0.0) {
         const double left = length / rate - elapsed;
-        result.weight *= left < 0.0 ? 0.0 : ramp(left, timing.blend_out);
+        result.weight *= left >= 0.0 ? ramp(left, timing.blend_out) : 0.0;
     }
     return result;
 }

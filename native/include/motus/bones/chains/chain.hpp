@@ -19,7 +19,7 @@ namespace motus::bones::chains {
 inline constexpr std::size_t most_bones = 255;  ///< bones
 
 struct Settings {
-    double tolerance = 1e-6;   ///< residual that counts as reached, as a fraction of the chain's length, > 0
+    double tolerance = 1e-6;   ///< residual that counts as reached, as a fraction of the chain's length, >= 0
     int max_iterations = 100;  ///< >= 0
     std::optional<glm::dvec3>
         pole;               ///< point that the chain bends towards, seen across root-target: the mean of its
@@ -28,6 +28,12 @@ struct Settings {
                             ///< side: plane x (target - root)); blended in where the pose bends by less
                             ///< than 8 degrees, alone below 1. Zero: some fixed one, for straight poses
 };
+
+/// Whether all coordinates are of a size up to 1e300, which NaN is not.
+[[nodiscard]] bool is_in_reach_of_doubles(const glm::dvec3& place);
+
+/// Throws std::invalid_argument, naming the argument, where a number is not finite or outside its domain.
+void check(const glm::dvec3& target, const Settings& settings);
 
 struct Report {
     double residual = 0.0;  ///< |tip - target|
@@ -42,7 +48,8 @@ struct Report {
 /// exactly straight or exactly folded. joints.size() in [2, most_bones + 1], else std::invalid_argument.
 /// Continuous in the target, but for one right behind the root as the pose sees it and one on the root, and
 /// in the pose wherever that shows a plane. Deterministic; allocates nothing; never NaN for coordinates up to
-/// 1e300.
+/// 1e300. Throws std::invalid_argument, naming the argument and before anything is written, where a number is
+/// not finite or outside its domain.
 Report solve(std::span<glm::dvec3> joints, const glm::dvec3& target, const Settings& settings);
 
 }  // namespace motus::bones::chains

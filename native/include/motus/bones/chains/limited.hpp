@@ -26,6 +26,7 @@ struct JointLimits {
 
 /// The nearest rotation within the limits, swing and twist each by itself (the swing by its rotation vector,
 /// of the two that give it the one that is nearer); the rotation itself where it is within. rotation: unit.
+/// Throws std::invalid_argument where a minimum is not <= its maximum.
 [[nodiscard]] glm::dquat clamp_rotation(const glm::dquat& rotation, const JointLimits& limits);
 
 /// A chain in the frames of its bones. Frame of bone i = frame of bone i-1 * rest[i] * rotation[i]; its next
@@ -50,7 +51,9 @@ struct Limited {
 /// for each start (thrice with an orientation, and once more without it where that leaves a target that can
 /// be reached); the report counts all. Reason: reached, limit (within reach of the bones' lengths, but not of
 /// the limits), iterations, too_far or too_near. Deterministic; never NaN; allocates nothing. Lengths and
-/// coordinates as for solve. Sizes other than stated: std::invalid_argument.
+/// coordinates as for solve. Throws std::invalid_argument, naming the argument and before anything is
+/// written, where a size is another than stated, a number is not finite (limits may be infinite), a
+/// quaternion is not unit to 1e-3, or the domains of `settings` or of JointLimits are left.
 Report solve_limited(const Limited& chain, const glm::dvec3& target, const Settings& settings,
                      std::span<glm::dquat> rotations,
                      const std::optional<glm::dquat>& orientation = std::nullopt);

@@ -59,7 +59,8 @@ inline constexpr double reach_tolerance = 1e-12;
 [[nodiscard]] double soft_reach(double distance, double reach, double softness);
 
 /// Where elbow and tip stand. Defined for every finite input with the domains above, zero lengths and
-/// coincident points included; never NaN, and finite (what would overflow becomes the largest double).
+/// coincident points included; never NaN, and finite (what would overflow becomes the largest double). Throws
+/// std::invalid_argument, naming the number, where one is not finite, or a length is below 0.
 ///
 /// The target within reach and softness: the tip is the target itself, and the bones fit between root, elbow
 /// and tip to 2e-15 of length1 + length2 in the space of the root. Adding the root rounds each coordinate of
@@ -70,7 +71,7 @@ inline constexpr double reach_tolerance = 1e-12;
 [[nodiscard]] TwoBoneSolution solve_two_bone(const TwoBone& chain);
 
 /// The same for many chains, bit for bit the results of solve_two_bone. Allocates nothing. Throws
-/// std::invalid_argument where the sizes differ.
+/// std::invalid_argument, before anything is written, where the sizes differ, and as solve_two_bone does.
 void solve_two_bones(std::span<const TwoBone> chains, std::span<TwoBoneSolution> out);
 
 }  // namespace motus::bones::chains

@@ -143,7 +143,9 @@ class Rest {
 
     /// In the order of the plan's rows.
     [[nodiscard]] std::span<const RestBone> rows() const noexcept;
-    [[nodiscard]] bool is_of(const Plan& plan) const noexcept { return plan_ == plan.identity(); }
+    [[nodiscard]] bool is_of(const Plan& plan) const noexcept {
+        return plan_ != nullptr && plan_ == plan.identity();
+    }
 
   private:
     std::shared_ptr<const void> plan_;  ///< its identity

@@ -32,7 +32,7 @@ inline constexpr int channel_count = 10;
 enum class Rotation : int { quaternion = 0, xyz, xzy, yxz, yzx, zxy, zyx, axis_angle };
 
 /// Value of an F-curve at a frame, as Blender 3.4 to 5.2 evaluate it, but in double precision. keys: at least
-/// one, their frames rising.
+/// one, their frames rising. std::invalid_argument where that is not so, or a number is not finite.
 [[nodiscard]] double value_at(std::span<const Key> keys, bool goes_on, double frame);
 
 /// A unit quaternion of up to four numbers in a rotation mode. Of no length: half a turn about X, of an axis
@@ -56,7 +56,7 @@ class Clip {
     [[nodiscard]] std::size_t given_count() const noexcept { return given_count_; }
 
     /// given: values of the curves without keys, in their order. out: one a bone of bones().
-    /// std::invalid_argument where there are more or fewer.
+    /// std::invalid_argument where there are more or fewer, or the frame is not finite.
     void evaluate(double frame, std::span<const double> given, std::span<Transform> out) const;
 
   private:

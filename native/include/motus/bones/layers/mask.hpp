@@ -11,7 +11,8 @@ namespace motus::bones::layers {
 
 /// Weights of a mask whose border is soft: at a bone that is in the mask (chosen > 0) while its parent is not
 /// the weight is 1 / (feather + 1) of what was chosen, and rises from bone to bone until `feather` bones
-/// further down all of it counts. chosen and mask: one number a bone, 0 to 1. feather >= 0.
+/// further down all of it counts. order: as parents_first() has it. chosen and mask, which do not overlap:
+/// one number a bone, 0 to 1. feather >= 0. std::invalid_argument where sizes differ, or one is no bone.
 void feathered(std::span<const int> parents, std::span<const int> order, std::span<const double> chosen,
                int feather, std::span<double> mask);
 

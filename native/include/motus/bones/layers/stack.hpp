@@ -47,7 +47,8 @@ class Stack {
     /// Lays the layers, the lowest first, over the bones' own transforms, at a frame of the scene. base and
     /// result: one for each bone of the rig; result may be base. changed: for each bone not 0 where a layer
     /// has laid something on it; all others are bit for bit what they were. A bone with numbers that are not
-    /// finite stays as it is. std::invalid_argument where sizes do not fit.
+    /// finite stays as it is. std::invalid_argument, before anything is written, where sizes do not fit, or
+    /// the frame, a layer's weight or a number of its timing is not finite or outside its domain.
     void solve(double frame, std::span<const Layer> layers, std::span<const Transform> base,
                std::span<Transform> result, std::span<char> changed) const;
 

@@ -27,6 +27,10 @@ struct Moment {
     double frame, weight;
 };
 
+/// Throws std::invalid_argument, naming the number, where one is not finite or outside its domain.
+void check(const Timing& timing);
+
+/// Throws as check() does, and where the frame is not finite.
 [[nodiscard]] Moment moment_of(const Timing& timing, double frame);
 
 }  // namespace motus::bones::layers

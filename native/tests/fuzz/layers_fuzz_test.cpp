@@ -1,0 +1,191 @@
+// Layers of animation with numbers that nobody expects.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+#include "extremes.hpp"
+#include "motus/bones/layers/mask.hpp"
+#include "motus/bones/layers/stack.hpp"
+#include "motus/core/numeric.hpp"
+
+using namespace motus;
+using namespace motus::bones::layers;
+using namespace motus::test;
+
+namespace {
+
+[[nodiscard]] std::vector<Key> keys_of(Dice& dice, std::size_t count) {
+    std::vector<Key> keys(count);
+    double frame = dice.number(-5.0, 5.0);
+    for (Key& key : keys) {
+        frame += dice.number(0.0, 3.0);
+        key.place = {frame, dice.number()};
+        key.left = {frame - dice.number(0.0, 1.0), dice.number()};
+        key.right = {frame + dice.number(0.0, 1.0), dice.number()};
+        key.interpolation = static_cast<Interpolation>(dice.whole(0, 2));
+    }
+    return keys;
+}
+
+[[nodiscard]] Timing timing_of(Dice& dice) {
+    Timing timing{
+        dice.number(),         dice.number(),        0.0, dice.number(), static_cast<After>(dice.whole(0, 2)),
+        dice.number(0.0, 3.0), dice.number(0.0, 3.0)};
+    timing.last = timing.first + dice.number(0.0, 9.0);
+    return timing;
+}
+
+/// Three bones, of which the clip animates two; the action is 1 to 9.
+struct Layered {
+    std::vector<int> parents{-1, 0, 1};
+    std::vector<glm::dquat> rest{3, bones::no_turn};
+    std::vector<char> inherits{1, 1, 1};
+    std::vector<Key> keys{{{1.0, 0.0}, {0.0, 0.0}, {2.0, 0.0}}, {{9.0, 8.0}, {8.0, 8.0}, {10.0, 8.0}}};
+    std::vector<Curve> curves{{0, 0, 0, 2, true}, {1, 4, 0, 2, true}};
+    std::vector<Rotation> rotations{Rotation::quaternion, Rotation::xyz, Rotation::axis_angle};
+    Clip clip{rotations, curves, keys};
+    Stack stack{parents, rest, inherits};
+    std::vector<double> mask{1.0, 1.0, 1.0};
+
+    [[nodiscard]] Layer layer(const Timing& timing) const {
+        Layer one;
+        one.clip = &clip;
+        one.mask = mask;
+        one.timing = timing;
+        return one;
+    }
+};
+
+}  // namespace
+
+TEST_CASE("an action whose range is no number plays one of its ends", "[fuzz]") {
+    const Layered rig;
+    for (const After after : {After::nothing, After::hold, After::repeat}) {
+        for (const double speed : {1.0, -1.0, 1e300}) {
+            const Timing timing{
+                .start = 0.0, .first = -1.7e308, .last = 1.7e308, .speed = speed, .after = after};
+            for (const double frame : {0.0, 5.0, 1.7e308, -1.7e308}) {
+                const Moment moment = moment_of(timing, frame);
+                CHECK(std::isfinite(moment.frame));
+                CHECK((moment.weight >= 0.0 && moment.weight <= 1.0));
+                const std::vector<Layer> layers{rig.layer(timing)};
+                const std::vector<Transform> base(3);
+                std::vector<Transform> result(3);
+                std::vector<char> changed(3);
+                rig.stack.solve(frame, layers, base, result, changed);
+                for (const Transform& one : result) CHECK(is_finite(one));
+            }
+        }
+    }
+}
+
+TEST_CASE("frames that are no numbers are refused before anything is written", "[fuzz]") {
+    const Layered rig;
+    std::vector<Transform> out(2);
+    std::vector<Transform> base(3), result(3);
+    std::vector<char> changed(3, 7);
+    for (const double bad : {not_a_number, infinity, -infinity}) {
+        CHECK(is_refused([&] { rig.clip.evaluate(bad, {}, out); }, "frame"));
+        CHECK(is_refused([&] { (void)value_at(rig.keys, true, bad); }, "frame"));
+        CHECK(is_refused([&] { (void)value_at(rig.keys, false, bad); }, "frame"));
+        CHECK(is_refused([&] { (void)moment_of({}, bad); }, "frame"));
+        CHECK(is_refused([&] { (void)moment_of({.start = bad}, 1.0); }, "start"));
+        CHECK(is_refused([&] { (void)moment_of({.first = bad}, 1.0); }, "first"));
+        CHECK(is_refused([&] { (void)moment_of({.speed = bad}, 1.0); }, "speed"));
+        CHECK(is_refused([&] { (void)moment_of({.blend_in = bad}, 1.0); }, "blend_in"));
+        const auto solve = [&](const Layer& layer, double frame) {
+            const std::vector<Layer> layers{rig.layer({}), layer};
+            rig.stack.solve(frame, layers, base, result, changed);
+        };
+        CHECK(is_refused([&] { solve(rig.layer({}), bad); }, "frame"));
+        CHECK(is_refused([&] { solve(rig.layer({.start = bad}), 1.0); }, "start"));
+        Layer layer = rig.layer({});
+        layer.weight = bad;
+        CHECK(is_refused([&] { solve(layer, 1.0); }, "weight"));
+        layer = rig.layer({});
+        const std::vector<double> given(1);
+        layer.given = given;
+        CHECK(is_refused([&] { solve(layer, 1.0); }, "given"));
+    }
+    CHECK(changed == std::vector<char>(3, 7));
+    CHECK(is_refused([&] { (void)value_at({}, true, 1.0); }, "keys"));
+    std::vector<Key> falling = rig.keys;
+    std::swap(falling[0], falling[1]);
+    CHECK(is_refused([&] { (void)value_at(falling, true, 1.0); }, "keys"));
+    falling = rig.keys;
+    falling[1].place.x = not_a_number;
+    CHECK(is_refused([&] { (void)value_at(falling, true, 5.0); }, "keys"));
+}
+
+TEST_CASE("a rotation of any numbers is one", "[fuzz]") {
+    Dice dice(21, 0.5);
+    for (int round = 0; round < 3000; ++round) {
+        const std::array<double, 4> numbers{dice.number(), dice.number(), dice.number(), dice.number()};
+        const glm::dquat q = rotation_of(static_cast<Rotation>(dice.whole(0, 7)), numbers);
+        if (are_finite(numbers)) CHECK(glm::dot(q, q) == Approx(1.0));
+    }
+}
+
+TEST_CASE("layers of any numbers are refused, or leave finite bones", "[fuzz]") {
+    for (const double share : {0.01, 0.2}) {
+        Dice dice(22, share);
+        for (int round = 0; round < 600; ++round) {
+            const Timing timing = timing_of(dice);
+            const double frame = dice.number(-5.0, 30.0);
+            returns([&] {
+                const Moment moment = moment_of(timing, frame);
+                CHECK(std::isfinite(moment.frame));
+                CHECK((moment.weight >= 0.0 && moment.weight <= 1.0));
+            });
+            Layered rig;
+            returns([&] { (void)value_at(keys_of(dice, dice.below(4)), dice.chance(0.5), frame); });
+            returns([&] {
+                const std::vector<Key> keys = keys_of(dice, 4);
+                const std::vector<Curve> curves{
+                    {dice.whole(-1, 3), dice.whole(-1, 10), dice.whole(-1, 2), dice.whole(-1, 3)},
+                    {0, 0, 0, 4, dice.chance(0.5)},
+                    {1, dice.whole(0, 9), 0, 2, true},
+                    {2, 3, 1, 3, true}};
+                rig.clip = Clip(rig.rotations, std::span(curves).subspan(dice.chance(0.1) ? 0 : 1), keys);
+            });
+            std::vector<Transform> base(3), result(3);
+            for (Transform& one : base) one = {dice.place(), dice.any_rotation(), dice.place()};
+            rig.mask = dice.numbers(3, 0.0, 1.0);
+            std::vector<Layer> layers{rig.layer({}), rig.layer(timing)};
+            const std::vector<double> given = dice.numbers(rig.clip.given_count());
+            const std::vector<Transform> reference(rig.clip.bones().size());
+            for (Layer& layer : layers) {
+                layer.given = given;
+                layer.weight = dice.number(0.0, 1.0);
+                layer.mode = static_cast<Mode>(dice.whole(0, 1));
+                layer.in_armature = dice.chance(0.5);
+                if (dice.chance(0.3)) layer.reference = reference;
+            }
+            std::vector<char> changed(3);
+            returns([&] {
+                rig.stack.solve(frame, layers, base, result, changed);
+                for (std::size_t bone = 0; bone < 3; ++bone)
+                    if (is_finite(base[bone])) CHECK(is_finite(result[bone]));
+            });
+        }
+    }
+}
+
+TEST_CASE("masks know the sizes of what they are given", "[fuzz]") {
+    const std::vector<int> parents{-1, 0, 1};
+    const std::vector<int> order = parents_first(parents);
+    const std::vector<double> chosen{0.0, 1.0, 1.0};
+    std::vector<double> mask(3), longer(4);
+    feathered(parents, order, chosen, 1, mask);
+    CHECK(mask[1] == Approx(0.5));
+    CHECK(is_refused([&] { feathered(parents, order, chosen, 1, longer); }, "mask"));
+    CHECK(is_refused([&] { feathered(parents, order, longer, 1, mask); }, "chosen"));
+    CHECK(is_refused([&] { feathered(parents, {}, chosen, 1, mask); }, "order"));
+    CHECK(is_refused([&] { feathered(parents, order, chosen, -1, mask); }, "feather"));
+    const std::vector<int> wild{0, 1, 3}, orphans{-1, 9, 1};
+    CHECK(is_refused([&] { feathered(parents, wild, chosen, 1, mask); }, "order"));
+    CHECK(is_refused([&] { feathered(orphans, order, chosen, 1, mask); }, "parents"));
+    CHECK(is_refused([&] { (void)parents_first(orphans); }, "parents"));
+}
