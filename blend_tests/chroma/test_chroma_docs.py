@@ -14,11 +14,12 @@ class ChromaPageTest(support.SceneTestCase):
     def examples(self):
         return re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
 
-    def test_the_scripted_example(self):
-        scripted, = [code for code in self.examples() if "bpy.ops.motus" in code]
+    def test_the_scripted_examples(self):
         seen = []
-        exec(compile(scripted, "chroma.md", "exec"), {"print": lambda *values: seen.append(values)})
-        (width, share), = seen
+        for scripted in [code for code in self.examples() if "bpy.ops.motus" in code]:
+            exec(compile(scripted, "chroma.md", "exec"), {"print": lambda *values: seen.append(values)})
+        (width, share), (active,) = seen
+        self.assertEqual(active, 1)
         self.assertEqual(width, 64)
         self.assertAlmostEqual(share, 1.0 - 23 * 25 / (64 * 36), delta=0.04)
         self.assertIsNone(support.addon("chroma.compositor").key_of(bpy.context.scene))

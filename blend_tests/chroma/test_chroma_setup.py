@@ -30,6 +30,7 @@ def state(scene):
     return (
         render.resolution_x, render.resolution_y, render.resolution_percentage, render.pixel_aspect_x, render.pixel_aspect_y,
         scene.frame_start, scene.frame_end, render.fps, render.fps_base, view.view_transform, view.look, scene.use_nodes,
+        view.exposure, view.gamma, view.use_curve_mapping, getattr(view, "use_white_balance", None), len(bpy.data.masks),
         None if tree is None else (
             tree.name, sorted(node.name for node in tree.nodes),
             sorted((link.from_node.name, link.from_socket.identifier, link.to_node.name, link.to_socket.identifier)
@@ -55,7 +56,7 @@ class SetUp(support.SceneTestCase):
     def test_one_labelled_group(self):
         key = self.set_up(clip=footage(self.folder))
         self.assertEqual((key.label, key.node_tree.name), ("Chroma Key", "Chroma Key"))
-        for name in ("Image", "Background", "Screen Color", "Garbage Mask", "Light Wrap"):
+        for name in ("Image", "Background", "Screen Color", "Garbage Mask", "Core Mask", "Light Wrap"):
             self.assertIn(name, key.inputs)
         np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], cases.GREEN, atol=0.01)
         for one in settings.OF_KEYING:
@@ -67,8 +68,8 @@ class SetUp(support.SceneTestCase):
     def test_keywords(self):
         key = self.set_up(
             clip=footage(self.folder), color=(0.1, 0.5, 0.2), black=0.2, white=0.7, balance=0.3, smooth=2, grow=-1, feather=3,
-            despill=0.5, light_wrap=0.25, view='MATTE')
-        for keyword, wanted in (("black", 0.2), ("white", 0.7), ("balance", 0.3), ("smooth", 2), ("grow", -1), ("feather", 3),
+            despill=0.5, gain=1.5, core=0.4, despill_limit='AVERAGE', luminance=0.25, light_wrap=0.25, view='MATTE')
+        for keyword, wanted in (("gain", 1.5), ("core", 0.4), ("limit", 0.5), ("luminance", 0.25), ("black", 0.2), ("white", 0.7), ("balance", 0.3), ("smooth", 2), ("grow", -1), ("feather", 3),
                                 ("despill", 0.5)):
             self.assertAlmostEqual(self.value(key, keyword), wanted, 5, keyword)
         self.assertAlmostEqual(key.inputs["Light Wrap"].default_value, 0.25)
@@ -155,6 +156,31 @@ class SetUp(support.SceneTestCase):
                             ("12.left.exr", ("", "12", ".left.exr")), ("still.jp2", None), ("IMG_20240101120000.jpg", None)):
             self.assertEqual(numbered(name), parts, name)
 
+    def test_gaps_are_told(self):
+        names = self.sequence((7, 8, 10, 13))
+        self.set_up(directory=str(self.folder), files=[{"name": name} for name in names])
+        scene = bpy.context.scene
+        self.assertEqual(scene.frame_end, 7)
+        self.assertEqual(scene.motus.chroma.gap, "shot_007.png lacks pictures 9, 11-12: frames 3, 5-6 show the ones before")
+        node = compositor.node_of(scene, "Footage")
+        for frame, picture in ((6, 10), (3, 8), (1, 7), (4, 10), (7, 13), (2, 8), (5, 10)):
+            scene.frame_set(frame)
+            self.assertEqual(frame + node.frame_offset, picture)
+        footage(self.folder, name="shot_009.png")
+        bpy.ops.motus.chroma_key_measure()
+        self.assertEqual(scene.motus.chroma.gap, "shot_007.png lacks pictures 11-12: frames 5-6 show the ones before")
+        bpy.ops.motus.chroma_key_remove()
+        self.assertFalse([action for action in bpy.data.actions if action.users])
+
+    def test_no_gap(self):
+        self.set_up(directory=str(self.folder), files=[{"name": name} for name in self.sequence((7, 8, 9))])
+        self.assertEqual(bpy.context.scene.motus.chroma.gap, "")
+
+    def test_ranges_are_short(self):
+        ranges = support.addon("chroma.footage")._ranges
+        self.assertEqual(ranges([1, 2, 4]), "1-2, 4")
+        self.assertEqual(ranges(range(1, 40, 2)), "1, 3, 5, 7, 9, 11, 13, 15, ...")
+
     def test_footage_that_went_is_told(self):
         self.set_up(clip=footage(self.folder))
         image = compositor.node_of(bpy.context.scene, "Footage").image
@@ -198,6 +224,102 @@ class SetUp(support.SceneTestCase):
         viewer, = (node for node in compositor.tree_of(bpy.context.scene).nodes if node.bl_idname == "CompositorNodeViewer")
         self.assertEqual(viewer.inputs["Image"].links[0].from_node, key)
 
+    # --- several keys, and masks ---------------------------------------------------------------------------------------
+
+    def test_a_color_is_added_and_removed(self):
+        first = self.set_up(clip=footage(self.folder))
+        scene = bpy.context.scene
+        tree = compositor.tree_of(scene)
+        source = first.inputs["Image"].links[0].from_node
+        before = state(scene)
+        for color in ((0.05, 0.1, 0.5), (0.02, 0.2, 0.05)):
+            self.assertEqual(bpy.ops.motus.chroma_key_add(color=color), {'FINISHED'})
+        self.assertEqual(compositor.key_of(scene), first)
+        keys = compositor.keys_of(scene)
+        self.assertEqual(len(keys), 3)
+        self.assertEqual(compositor.active_key(scene), keys[2])
+        np.testing.assert_allclose(keys[2].inputs["Screen Color"].default_value[:3], (0.02, 0.2, 0.05), atol=1e-6)
+        self.assertEqual([node.inputs["Image"].links[0].from_node for node in keys], [keys[2], source, keys[1]])
+        self.assertEqual(compositor.outlet(tree).links[0].from_node, first)
+        bpy.ops.motus.chroma_key_choose(index=1)
+        self.assertEqual(bpy.ops.motus.chroma_key_drop(), {'FINISHED'})
+        self.assertEqual(first.inputs["Image"].links[0].from_node.inputs["Image"].links[0].from_node, source)
+        with self.assertRaisesRegex(RuntimeError, "goes with the whole"):
+            bpy.ops.motus.chroma_key_drop()
+        bpy.ops.motus.chroma_key_choose(index=1)
+        bpy.ops.motus.chroma_key_drop()
+        self.assertEqual(state(scene), before)
+        bpy.ops.motus.chroma_key_add(color=(0.05, 0.1, 0.5))
+        bpy.ops.motus.chroma_key_remove()
+        self.assertEqual((compositor.keys_of(scene), len(bpy.data.node_groups)), ([], 0))
+
+    def test_masks_are_added_and_removed(self):
+        key = self.set_up(clip=footage(self.folder))
+        scene = bpy.context.scene
+        picture = bpy.data.images.load(footage(self.folder, name="mask.png"))
+        before = len(compositor.tree_of(scene).nodes)
+        for kind, name in (('GARBAGE', "Garbage Mask"), ('CORE', "Core Mask")):
+            self.assertEqual(bpy.ops.motus.chroma_mask_add(kind=kind), {'FINISHED'})
+            self.assertEqual(compositor.mask_of(scene, key, name).mask.name, name)
+            self.assertEqual(bpy.ops.motus.chroma_mask_add(kind=kind, picture="mask.png"), {'FINISHED'})
+            self.assertEqual(compositor.mask_of(scene, key, name).image, picture)
+            self.assertEqual(bpy.ops.motus.chroma_mask_remove(kind=kind), {'FINISHED'})
+            self.assertIsNone(compositor.mask_of(scene, key, name))
+            self.assertEqual(len(compositor.tree_of(scene).nodes), before)
+        with self.assertRaisesRegex(RuntimeError, "There is no mask"):
+            bpy.ops.motus.chroma_mask_add(mask="Nobody")
+        with self.assertRaisesRegex(RuntimeError, "not both"):
+            bpy.ops.motus.chroma_mask_add(mask="Garbage Mask", picture="mask.png")
+
+    def test_a_group_that_an_artist_reads(self):
+        """Every node stands in a frame with a label, and those that compute say what."""
+        key = self.set_up(clip=footage(self.folder))
+        for node in key.node_tree.nodes:
+            if node.bl_idname == "NodeFrame":
+                self.assertTrue(node.label)
+            else:
+                self.assertIsNotNone(node.parent, node.name)
+
+    # --- groups of older versions ----------------------------------------------------------------------------------------
+
+    def as_older(self, key):
+        """Give the key's node a group with Blender's node Keying, as versions before made it."""
+        old = bpy.data.node_groups.new("Chroma Key", 'CompositorNodeTree')
+        old["motus_chroma"] = True
+        sockets = [(name, 'INPUT', kind) for name, kind in (
+            ("Image", "NodeSocketColor"), ("Background", "NodeSocketColor"), ("Screen Color", "NodeSocketColor"),
+            ("Garbage Mask", "NodeSocketFloat"), ("Light Wrap", "NodeSocketFloat"))]
+        nodes.add_sockets(old, [*sockets, ("Image", 'OUTPUT', "NodeSocketColor"), ("Matte", 'OUTPUT', "NodeSocketFloat")])
+        start, end, keying, view = (nodes.add_node(old, kind) for kind in (
+            "NodeGroupInput", "NodeGroupOutput", "CompositorNodeKeying", "NodeReroute"))
+        keying.name, view.name = "Key", 'COMPOSITE'
+        nodes.link(old, start.outputs["Image"], keying.inputs["Image"])
+        nodes.link(old, start.outputs["Screen Color"], keying.inputs["Key Color"])
+        nodes.link(old, keying.outputs["Image"], view.inputs[0])
+        nodes.link(old, view.outputs[0], end.inputs["Image"])
+        color = tuple(key.inputs["Screen Color"].default_value)
+        compositor.exchange(bpy.context.scene, key, old)
+        key.inputs["Screen Color"].default_value = color
+
+    def test_an_older_group_goes_on_and_is_upgraded(self):
+        key = self.set_up(clip=footage(self.folder))
+        tree, scene = compositor.tree_of(bpy.context.scene), bpy.context.scene
+        links = sorted((link.from_node.name, link.to_node.name) for link in tree.links)
+        self.as_older(key)
+        key.inputs["Screen Color"].default_value = (0.07, 0.4, 0.1, 1.0)
+        for keyword, wanted in (("despill", 0.5), ("feather", 3), ("grow", -2)):
+            settings.assign(key, settings.BY_KEYWORD[keyword], wanted)
+            self.assertEqual(self.value(key, keyword), wanted)
+        self.assertEqual(bpy.ops.motus.chroma_key_measure(keep_color=True), {'FINISHED'})
+        self.assertIn("Key", key.node_tree.nodes, "it goes on as it was")
+        self.assertEqual(bpy.ops.motus.chroma_key_refresh(), {'FINISHED'})
+        self.assertFalse(any(node.bl_idname == "CompositorNodeKeying" for node in key.node_tree.nodes))
+        for keyword, wanted in (("despill", 0.5), ("feather", 3), ("grow", -2)):
+            self.assertEqual(self.value(key, keyword), wanted)
+        np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], (0.07, 0.4, 0.1), atol=1e-6)
+        self.assertEqual(sorted((link.from_node.name, link.to_node.name) for link in tree.links), links)
+        self.assertEqual(scene.motus.chroma.view, 'COMPOSITE')
+
     # --- what is there already ---------------------------------------------------------------------------------------
 
     def own_tree(self):
@@ -226,6 +348,8 @@ class SetUp(support.SceneTestCase):
     def test_all_is_taken_back(self):
         scene = bpy.context.scene
         scene.render.resolution_x, scene.frame_end, scene.render.fps = 1234, 77, 25
+        view = scene.view_settings
+        view.exposure, view.gamma, view.use_curve_mapping = 0.5, 1.2, True
         scene.camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
         scene.collection.objects.link(scene.camera)
         path, behind = footage(self.folder), footage(self.folder, name="behind.png")
@@ -372,7 +496,9 @@ class SetUp(support.SceneTestCase):
     def test_pictures_without_a_screen(self):
         self.refused("no green or blue screen", clip=footage(self.folder, color=(0.4, 0.3, 0.2)))
         self.refused("no green or blue screen", clip=footage(self.folder, color=(0.4, 0.4, 0.4), size=(1, 1), name="one.png"))
-        self.refused("green or blue", clip=footage(self.folder), color=(0.5, 0.4, 0.1))
+        for color, hue in (((0.5, 0.4, 0.1), "yellow"), ((0.7, 0.1, 0.8), "magenta"), ((0.8, 0.1, 0.7), "magenta"),
+                           ((0.9, 0.95, 0.9), "grey or white"), ((0.0, 0.0, 0.0), "grey or white"), ((0.5, 0.1, 0.08), "red")):
+            self.refused(f"A screen is green or blue: this colour is {hue}", clip=footage(self.folder), color=color)
 
     def test_one_pixel(self):
         key = self.set_up(clip=footage(self.folder, size=(1, 1)))

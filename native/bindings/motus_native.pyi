@@ -608,10 +608,10 @@ def noise3(xyz: ArrayLike, seed: int = 0) -> float | NDArray[np.float32]: ...  #
 
 # --- Colour --------------------------------------------------------------------------------------------------------------
 
-# picture: (rows, columns, 4), scene-linear, taken in float32. color: (3,), green or blue above both other channels.
+# picture: (rows, columns, 4), scene-linear, taken in float32. color: (3,), a green or a blue.
 def screen_color(picture: ArrayLike) -> _Array | None: ...  # (3,)
-def screen_report(picture: ArrayLike, color: ArrayLike) -> dict[str, float]: ...
-def screen_matte(picture: ArrayLike, color: ArrayLike, balance: float = 0.5) -> _Array: ...  # (rows, columns)
+def screen_report(picture: ArrayLike, color: ArrayLike, balance: float = 0.0, gain: float = 1.0) -> dict[str, float]: ...
+def screen_matte(picture: ArrayLike, color: ArrayLike, balance: float = 0.0, gain: float = 1.0) -> _Array: ...  # (rows, columns)
 
 # --- Snow ----------------------------------------------------------------------------------------------------------------
 

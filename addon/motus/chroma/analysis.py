@@ -1,5 +1,7 @@
 """The screen of a footage: its colour, how well it keys, and what is said of that."""
 
+from mathutils import Color
+
 from ..core import native
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -7,26 +9,62 @@ from . import footage
 
 UNEVEN, COLORED, SMALL, SPILLED = 0.6, 0.12, 0.1, 0.15
 """Numbers of a report beyond which a screen is warned of."""
-_MARGIN = 0.02
-"""By how much the clip levels lie beyond the measured ones: other frames differ."""
+_MARGIN = 1.25
+"""How much farther the clip levels go than the measured ones, of which there are none on an even screen: other frames differ."""
 
 
-def measure(image, color=None):
+def measure(image, color=None, balance=0.0, gain=1.0):
     """(colour, report) of an image's screen, by a colour that is given or its own. Raises Refused."""
     picture = footage.pixels(image)
     found = native.module.screen_color(picture) if color is None else color
     if found is None:
         raise Refused(tr("{object} shows no green or blue screen: pick the colour, if there is one").format(object=image.name))
+    check_color(found)
+    return tuple(float(part) for part in found), native.module.screen_report(picture, found, balance, gain)
+
+
+def is_keyable(color):
+    """Whether a colour is a screen's, green or blue."""
     try:
-        return tuple(float(part) for part in found), native.module.screen_report(picture, found)
-    except ValueError as error:
-        raise Refused(tr("A screen is green or blue: the colour has neither above its other channels")) from error
+        native.module.screen_matte(_PIXEL, color)
+    except ValueError:
+        return False
+    return True
+
+
+def check_color(color):
+    """Refuse a colour that is no screen's."""
+    if not is_keyable(color):
+        raise Refused(tr("A screen is green or blue: this colour is {hue}").format(hue=_hue(color)))
+
+
+_PIXEL = (((0.0, 0.0, 0.0, 1.0),),)
+
+
+def _hue(color):
+    """What a colour that is neither green nor blue is called."""
+    hue, saturation, _ = Color([min(max(part, 0.0), 1e6) for part in color]).hsv
+    if saturation < 0.1:
+        return tr("grey or white")
+    return tr("yellow") if 1 / 9 < hue < 0.25 else tr("magenta") if 0.7 < hue < 0.95 else tr("red")
+
+
+def another_color(image, keys):
+    """The colour of a screen in what keys leave of an image; None without. keys: (colour, black, balance, gain) of each."""
+    picture = footage.pixels(image)
+    for color, black, balance, gain in keys:
+        picture[..., 3][native.module.screen_matte(picture, color, balance, gain) <= black + _LEFT] = 0.0
+    return native.module.screen_color(picture)
+
+
+_LEFT = 0.1
+"""Mattes up to so far above a key's clip black are of its own screen."""
 
 
 def clip_levels(report):
-    """(black, white) for the node Keying."""
-    black = min(report["black"] + _MARGIN, 0.9)
-    return black, max(report["white"] - _MARGIN, black + 0.05)
+    """(black, white) that clear the screen and leave the subject opaque."""
+    black = min(_MARGIN * report["black"], 0.9)
+    return black, max(1.0 - _MARGIN * (1.0 - report["white"]), black + 0.05)
 
 
 def sentences(noted):

@@ -2,13 +2,15 @@
 
 import bpy
 
-from ..core import capabilities, node_groups
+from ..core import actions, capabilities, node_groups
 from ..core.refusals import Refused
 from ..core.translations import tr
-from . import footage, group
+from . import footage, group, settings
 
-FOREGROUND, BACKGROUND, MASK, RENDER, VIEWER = "Footage", "Background", "Garbage Mask", "Render", "Viewer"
+FOREGROUND, BACKGROUND, MASK, RENDER, VIEWER = "Footage", "Background", settings.MASK, "Render", "Viewer"
 """Roles of the nodes that bring pictures and the mask in, and of the one that shows what comes out."""
+_KEY, _ANOTHER = "Key", "Another Key"
+"""Roles of the key whose picture is rendered, and of keys of more colours, which the footage passes through before."""
 
 
 def tree_of(scene):
@@ -17,11 +19,28 @@ def tree_of(scene):
 
 
 def key_of(scene):
-    """The node of a scene's key, or None."""
+    """The node of a scene's key whose picture is rendered, or None."""
+    return next(iter(keys_of(scene)), None)
+
+
+def keys_of(scene):
+    """The nodes of all keys of a scene: the one whose picture is rendered, then the others as they were added."""
     tree = tree_of(scene)
-    if tree is None:
-        return None
-    return next((node for node in tree.nodes if node.type == 'GROUP' and group.is_group(node.node_tree)), None)
+    found = [node for node in tree.nodes if node.type == 'GROUP' and group.is_group(node.node_tree)] if tree else []
+    return sorted(found, key=lambda node: node.get(group.KEY) == _ANOTHER)
+
+
+def active_key(scene):
+    """The node of the key that the panel shows, or None."""
+    found = keys_of(scene)
+    return found[min(max(scene.motus.chroma.active_key, 0), len(found) - 1)] if found else None
+
+
+def show(scene, view):
+    """Let a view of the scene's key come out: of the footage itself all other keys let it pass."""
+    for node in keys_of(scene):
+        is_rendered = node.get(group.KEY) != _ANOTHER
+        group.show(node.node_tree, view if is_rendered or view == group.SOURCE else group.COMPOSITE)
 
 
 def node_of(scene, role):
@@ -76,16 +95,13 @@ def insert(scene, tree, key_group, image, background, wanted, mask, noted):
     noted.before_node, noted.before_socket = (before.node.name, before.identifier) if before else ("", "")
     right = max((node.location.x for node in tree.nodes), default=0.0)
     frame = _mark(tree.nodes.new("NodeFrame"), "Frame", "Chroma Key")
-    key = _mark(tree.nodes.new("CompositorNodeGroup"), "Key", "Chroma Key")
+    key = _mark(tree.nodes.new("CompositorNodeGroup"), _KEY, "Chroma Key")
     key.node_tree, key.width = key_group, 220.0
-    key.parent, key.location = frame, (right + 260.0 + _COLUMNS["Key"][0], _COLUMNS["Key"][1])
-    _link_image(tree, FOREGROUND, image, 'FIT', key.inputs["Image"])
+    key.parent, key.location = frame, (right + 260.0 + _COLUMNS[_KEY][0], _COLUMNS[_KEY][1])
+    _link_image(scene, tree, FOREGROUND, image, 'FIT', key.inputs["Image"])
     _lay(scene, tree, key, wanted, background, noted)
     if mask is not None:
-        # A node without a mask covers all in 4.3.
-        node = _mark(tree.nodes.new("CompositorNodeMask"), MASK, MASK)
-        node.mask = mask
-        node_groups.link(tree, node.outputs[0], key.inputs["Garbage Mask"])
+        add_mask(scene, key, MASK, mask)
     node_groups.link(tree, key.outputs["Image"], target)
     if not any(node.bl_idname == "CompositorNodeViewer" for node in tree.nodes):
         # The backdrop and the image editor show it without a render.
@@ -94,6 +110,86 @@ def insert(scene, tree, key_group, image, background, wanted, mask, noted):
     _arrange(tree, key)
     target.node.location.x = max(target.node.location.x, right + 960.0)
     return key
+
+
+def add_mask(scene, key, name, mask):
+    """Connect a mask, or the picture of an image, with an input of a key."""
+    tree = tree_of(scene)
+    remove_mask(scene, key, name)
+    if isinstance(mask, bpy.types.Image):
+        _link_image(scene, tree, name, mask, 'FIT', key.inputs[name])
+    else:
+        # A node without a mask covers all in 4.3.
+        node = _mark(tree.nodes.new("CompositorNodeMask"), name, name)
+        node.mask = mask
+        node_groups.link(tree, node.outputs[0], key.inputs[name])
+    _arrange(tree, key)
+
+
+def mask_of(scene, key, name):
+    """The node that a key has a mask of, for one of its inputs; None without."""
+    socket = key.inputs.get(name)
+    node = next((link.from_node for link in tree_of(scene).links if link.to_socket == socket), None)
+    while node is not None and not (hasattr(node, "mask") or hasattr(node, "image")):
+        node = next((socket.links[0].from_node for socket in node.inputs if socket.is_linked), None)
+    return node
+
+
+def remove_mask(scene, key, name):
+    """Take a key's mask away, and the nodes that were added for it."""
+    tree = tree_of(scene)
+    node, socket = mask_of(scene, key, name), key.inputs.get(name)
+    for link in [link for link in tree.links if link.to_socket == socket]:
+        tree.links.remove(link)
+    while node is not None and str(node.get(group.KEY, "")).startswith(name):
+        behind = next((link.to_node for link in tree.links if link.from_node == node), None)
+        tree.nodes.remove(node)
+        node = behind
+
+
+def add_key(scene, key_group):
+    """Have the footage pass through another key, before the one whose picture is rendered. Gives the node."""
+    tree, first = tree_of(scene), key_of(scene)
+    count = len(keys_of(scene))
+    source = next((link.from_socket for link in tree.links if link.to_socket == first.inputs["Image"]), None)
+    node = _mark(tree.nodes.new("CompositorNodeGroup"), _ANOTHER, "Another Chroma Key")
+    node.node_tree, node.width, node.parent = key_group, 220.0, first.parent
+    node.location = first.location.x - 300.0 * count, first.location.y + 620.0
+    if source is not None:
+        node_groups.link(tree, source, node.inputs["Image"])
+    node_groups.link(tree, node.outputs["Image"], first.inputs["Image"])
+    return node
+
+
+def remove_key(scene, key):
+    """Take one of several keys away: what passed through it goes on, and what it alone has had is removed."""
+    tree = tree_of(scene)
+    for name in (settings.MASK, settings.CORE_MASK):
+        remove_mask(scene, key, name)
+    source = next((link.from_socket for link in tree.links if link.to_socket == key.inputs["Image"]), None)
+    targets = [link.to_socket for link in tree.links if link.from_socket == key.outputs["Image"]]
+    for target in targets if source is not None else ():
+        node_groups.link(tree, source, target)
+    key_group = key.node_tree
+    tree.nodes.remove(key)
+    if key_group.users == 0:
+        bpy.data.node_groups.remove(key_group)
+
+
+def exchange(scene, key, key_group):
+    """Give a key's node another group: what is connected with its sockets stays, by their names."""
+    tree, old = tree_of(scene), key.node_tree
+    sources = [(link.from_socket, link.to_socket.name) for link in tree.links if link.to_node == key]
+    targets = [(link.from_socket.name, link.to_socket) for link in tree.links if link.from_node == key]
+    key.node_tree = key_group
+    for source, name in sources:
+        if name in key.inputs:
+            node_groups.link(tree, source, key.inputs[name])
+    for name, target in targets:
+        if name in key.outputs:
+            node_groups.link(tree, key.outputs[name], target)
+    if old.users == 0:
+        bpy.data.node_groups.remove(old)
 
 
 def underneath(scene):
@@ -118,10 +214,10 @@ def _lay(scene, tree, key, wanted, background, noted):
     target = key.inputs["Background"]
     for link in [link for link in tree.links if link.to_socket == target]:
         tree.links.remove(link)
-    for node in [node for node in tree.nodes if node.get(group.KEY) in (BACKGROUND, f"{BACKGROUND} Size", RENDER)]:
+    for node in [node for node in tree.nodes if node.get(group.KEY) in (BACKGROUND, f"{BACKGROUND} Alpha", f"{BACKGROUND} Size", RENDER)]:
         tree.nodes.remove(node)
     if wanted == 'FOOTAGE':
-        _link_image(tree, BACKGROUND, background, 'CROP', target)
+        _link_image(scene, tree, BACKGROUND, background, 'CROP', target)
     elif wanted == 'RENDER':
         source = _noted_source(tree, noted)
         if source is None:
@@ -134,12 +230,12 @@ def _lay(scene, tree, key, wanted, background, noted):
 def remove(scene, noted):
     """Take the key's nodes away, and connect the output with what it had before."""
     tree = _own_tree(scene)
-    key = key_of(scene)
-    groups = {key.node_tree} if key else set()
+    groups = {node.node_tree for node in keys_of(scene)}
     if tree is not None:
         target = outlet(tree)
         was_ours = target is not None and any(group.KEY in link.from_node for link in tree.links if link.to_socket == target)
         for node in [node for node in tree.nodes if group.KEY in node]:
+            actions.remove(tree, (f"{node.path_from_id()}.",))
             tree.nodes.remove(node)
         source = _noted_source(tree, noted)
         if was_ours and source is not None:
@@ -223,32 +319,48 @@ def _mark(node, role, label):
     return node
 
 
-def _link_image(tree, role, image, framing, target):
-    """A picture or film, brought to the size of the render."""
-    node = _mark(tree.nodes.new("CompositorNodeImage"), role, role)
+def show_image(scene, node, image):
+    """Let a node Image show a picture or film, at the film's own speed."""
     node.image = image
-    if image is None:  # it is chosen in the panel later, which tells no node how long it is
+    if image is None:
         node.frame_duration, node.frame_start, node.use_auto_refresh = footage.LAST_FRAME, 1, True
     elif image.source in {'MOVIE', 'SEQUENCE'}:
-        footage.play(image, node)
+        footage.play(image, node, scene)
+    straight = next((other for other in node.id_data.nodes if other.get(group.KEY) == f"{node.get(group.KEY)} Alpha"), None)
+    if straight is not None:
+        straight.mute = image is None or image.is_float
+
+
+def _link_image(scene, tree, role, image, framing, target):
+    """A picture or film, brought to the size of the render."""
+    node = _mark(tree.nodes.new("CompositorNodeImage"), role, role)
+    source = node.outputs["Image"]
+    if not capabilities.has_premultiplied_images():
+        straight = _mark(tree.nodes.new("CompositorNodePremulKey"), f"{role} Alpha", "")
+        node_groups.link(tree, source, straight.inputs["Image"])
+        source = straight.outputs["Image"]
+    show_image(scene, node, image)
     scale = _mark(tree.nodes.new("CompositorNodeScale"), f"{role} Size", "")
     if capabilities.has_compositor_sockets():
         scale.inputs["Type"].default_value = 'Render Size'
         scale.inputs["Frame Type"].default_value = framing.title()
     else:
         scale.space, scale.frame_method = 'RENDER_SIZE', framing
-    node_groups.link(tree, node.outputs["Image"], scale.inputs["Image"])
+    node_groups.link(tree, source, scale.inputs["Image"])
     node_groups.link(tree, scale.outputs["Image"], target)
 
 
-_COLUMNS = {FOREGROUND: (0.0, 200.0), f"{FOREGROUND} Size": (200.0, 200.0), BACKGROUND: (0.0, -180.0), RENDER: (0.0, -180.0),
-            f"{BACKGROUND} Size": (200.0, -180.0), MASK: (0.0, -460.0), "Key": (420.0, 60.0), VIEWER: (700.0, -60.0)}
+_COLUMNS = {FOREGROUND: (-180.0, 200.0), f"{FOREGROUND} Alpha": (0.0, 200.0), f"{FOREGROUND} Size": (200.0, 200.0),
+            BACKGROUND: (-180.0, -180.0), RENDER: (0.0, -180.0), f"{BACKGROUND} Alpha": (0.0, -180.0),
+            f"{BACKGROUND} Size": (200.0, -180.0), MASK: (0.0, -560.0), f"{MASK} Alpha": (100.0, -560.0), f"{MASK} Size": (200.0, -560.0),
+            settings.CORE_MASK: (0.0, -900.0), f"{settings.CORE_MASK} Alpha": (100.0, -900.0),
+            f"{settings.CORE_MASK} Size": (200.0, -900.0), _KEY: (420.0, 60.0), VIEWER: (700.0, -60.0)}
 """Where nodes stand, by their roles."""
 
 
 def _arrange(tree, key):
-    """Place the key's new nodes around it, in its frame."""
-    left, low = key.location.x - _COLUMNS["Key"][0], key.location.y - _COLUMNS["Key"][1]
+    """Place new nodes around a key, in its frame."""
+    left, low = key.location.x - _COLUMNS[_KEY][0], key.location.y - _COLUMNS[_KEY][1]
     for node in tree.nodes:
         if node.get(group.KEY) in _COLUMNS and node != key and node.parent is None:
             x, y = _COLUMNS[node[group.KEY]]

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import bpy
 
+from ..core import actions
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
@@ -83,11 +84,75 @@ def duration(image):
     return max(1, image.frame_duration) if image.source == 'MOVIE' else 1
 
 
-def play(image, user):
-    """Let a node or image user show footage from frame 1 on."""
+def play(image, user, scene):
+    """Let a node or image user show footage from frame 1 of a scene on: a film at its own frame rate, a sequence picture by picture.
+
+    For a picture that a sequence lacks it shows the one before: of none Blender makes a black or empty frame, and in 3.4 it hangs.
+    """
+    path = f"{user.path_from_id()}.frame_offset"
+    actions.remove(user.id_data, (path,))
     numbers = _numbers(image) if image.source == 'SEQUENCE' else []
     user.frame_duration, user.frame_start, user.use_auto_refresh = duration(image), 1, True
+    for frame, offset in _holds(numbers):
+        user.frame_offset = offset
+        user.keyframe_insert("frame_offset", frame=frame)
+    for key in getattr(actions.find(user.id_data, path), "keyframe_points", ()):
+        key.interpolation = 'CONSTANT'
     user.frame_offset = numbers[0] - 1 if numbers else 0
+    found = rate(image)
+    if found is not None:
+        user.frame_duration = LAST_FRAME
+        _drive(user.driver_add("frame_offset"), scene, found, duration(image))
+
+
+def _holds(numbers):
+    """(frame, picture that is shown less the frame) where this difference changes; nothing for a sequence without a gap."""
+    if not numbers or len(numbers) == numbers[-1] - numbers[0] + 1:
+        return
+    shown, offset, there = numbers[0], None, set(numbers)
+    for frame, number in enumerate(range(numbers[0], numbers[-1] + 1), 1):
+        shown = number if number in there else shown
+        if shown - frame != offset:
+            offset = shown - frame
+            yield frame, offset
+
+
+def _drive(curve, scene, film_rate, frames):
+    """Give a driver the film's frame at the scene's time, less the scene's frame.
+
+    A simple expression, which Blender evaluates without Python.
+    """
+    # Blender 5 gives a new driver keys, through which its value would go.
+    for key in reversed(curve.keyframe_points):
+        curve.keyframe_points.remove(key)
+    for modifier in reversed(curve.modifiers):
+        curve.modifiers.remove(modifier)
+    curve.driver.type = 'SCRIPTED'
+    for name, path in (("fps", "render.fps"), ("base", "render.fps_base")):
+        variable = curve.driver.variables.new()
+        variable.name = name
+        target = variable.targets[0]
+        target.id_type, target.id, target.data_path = 'SCENE', scene, path
+    curve.driver.expression = f"floor(min(max(frame-1,0)*{film_rate!r}*base/fps+0.001,{frames - 1}))-max(frame-1,0)"
+
+
+def gap(image):
+    """(pictures that a sequence lacks, frames that show the ones before), as texts; None without a gap."""
+    numbers = _numbers(image) if image.source == 'SEQUENCE' else []
+    missing = sorted(set(range(numbers[0], numbers[-1] + 1)) - set(numbers)) if numbers else []
+    return (_ranges(missing), _ranges([number - numbers[0] + 1 for number in missing])) if missing else None
+
+
+def _ranges(numbers, most=8):
+    """Whole numbers in their order, as "3, 7-9"; of many parts the first ones."""
+    parts = []
+    for number in numbers:
+        if parts and number == parts[-1][1] + 1:
+            parts[-1][1] = number
+        else:
+            parts.append([number, number])
+    texts = [str(first) if first == last else f"{first}-{last}" for first, last in parts]
+    return ", ".join(texts[:most] + ["..."] * (len(texts) > most))
 
 
 def _numbered(name):

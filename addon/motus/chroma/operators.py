@@ -6,14 +6,12 @@ from ..core.operators import OBJECT_MODE, Operator
 from ..core.refusals import Refused, check_finite
 from ..core.rows import Row, Rows, is_given
 from ..core.translations import tr
-from . import analysis, compositor, footage, group, plane, scene_settings, settings, setup, viewing
-from .properties import UNDERNEATH, VIEWS
-
-_BY_KEYWORD = {one.keyword: one for one in settings.OF_KEYING}
+from . import analysis, compositor, footage, group, masks, plane, scene_settings, settings, setup, viewing
+from .properties import LIMITS, UNDERNEATH, VIEWS
 
 
 def _number(keyword):
-    one = _BY_KEYWORD[keyword]
+    one = settings.BY_KEYWORD[keyword]
     if one.is_whole:
         return bpy.props.IntProperty(
             name=one.label, description=one.description, default=one.default, min=one.least, max=one.most, soft_max=20,
@@ -31,7 +29,7 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     redo = (
         Rows(("underneath", "view", "use_scene", "use_plane", Row("plane_distance", when=lambda op: op.use_plane)), title="Set Up"),
         Rows((Row("color", when=is_given("color")), Row("black", when=is_given("black")), Row("white", when=is_given("white")),
-              "balance", "smooth", "grow", "feather", "despill", "light_wrap"), title="Key"),
+              "balance", "gain", "smooth", "core", "grow", "feather", "despill", "despill_limit", "luminance", "light_wrap"), title="Key"),
     )
 
     clip: bpy.props.StringProperty(
@@ -73,6 +71,11 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
     grow: _number("grow")
     feather: _number("feather")
     despill: _number("despill")
+    gain: _number("gain")
+    core: _number("core")
+    despill_limit: bpy.props.EnumProperty(
+        name="Despill Limit", description="What the screen's channel is limited by on the subject", items=LIMITS)
+    luminance: _number("luminance")
     light_wrap: bpy.props.FloatProperty(
         name=settings.WRAP, description="How much of the background's light falls around the subject's edge", default=0.0, min=0.0,
         max=1.0, subtype='FACTOR')
@@ -106,26 +109,27 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         underneath, background = self._background()
         mask, camera = self._mask(), self._camera(scene) if self.use_plane else None
         color = tuple(self.color) if self.is_given("color") else None
-        found = analysis.measure(image, color)
+        found = analysis.measure(image, color, self.balance, self.gain)
         black, white = analysis.clip_levels(found[1])
         levels = self.black if self.is_given("black") else black, self.white if self.is_given("white") else white
 
         noted = scene.motus.chroma
         tree = compositor.prepared(scene, noted)
         key = compositor.insert(scene, tree, group.build(footage.size(image)[0]), image, background, underneath, mask, noted)
+        noted.background = background
         for one in settings.OF_KEYING:
-            settings.assign(key, one, getattr(self, one.keyword))
+            settings.assign(key, one, settings.LIMITS[self.despill_limit] if one.keyword == "limit" else getattr(self, one.keyword))
         key.inputs[settings.WRAP].default_value = self.light_wrap
         noted.view = self.view
         if self.use_scene:
             scene_settings.take(scene, image, noted)
         if camera is not None:
-            noted.plane = plane.add(scene, camera, image, found[0], levels, self.plane_distance)
+            noted.plane = plane.add(scene, camera, image, plane.Key(found[0], *levels, self.balance, self.gain), self.plane_distance)
+        setup.note_gaps(scene, image, background)
         setup.apply_measured(key, noted, found, levels)
         self.report({'INFO'}, tr("{object} is keyed by its {kind} screen").format(
             object=image.name, kind=tr("blue") if found[0][2] > found[0][1] else tr("green")))
-        for sentence in analysis.sentences(noted):
-            self.report({'WARNING'}, sentence)
+        _warn(self, scene)
 
     def _image(self):
         names = [one.name for one in self.files if one.name]
@@ -146,15 +150,20 @@ class MOTUS_OT_chroma_key_setup(Operator, bpy.types.Operator):
         return self.underneath, None  # by hand, the panel asks for the footage
 
     def _mask(self):
-        if self.mask and self.mask not in bpy.data.masks:
-            raise Refused(tr("There is no mask {object}").format(object=self.mask))
-        return bpy.data.masks.get(self.mask)
+        return _mask_named(self.mask) if self.mask else None
 
     def _camera(self, scene):
         found = bpy.data.objects.get(self.camera) if self.camera else scene.camera
         if found is None or found.type != 'CAMERA':
             raise Refused(tr("The plane needs a camera to stand before"))
         return found
+
+
+def _warn(operator, scene):
+    """Report what is wrong with the footage."""
+    noted = scene.motus.chroma
+    for sentence in (*analysis.sentences(noted), *([noted.gap] if noted.gap else ())):
+        operator.report({'WARNING'}, sentence)
 
 
 class _OnKey(Operator):
@@ -179,11 +188,124 @@ class MOTUS_OT_chroma_key_measure(_OnKey, bpy.types.Operator):
     def run(self, context):
         color = None
         if self.keep_color:
-            place = settings.place_of_input(setup.key(context.scene), settings.COLOR)
-            color = tuple(getattr(*place))[:3] if place else None
+            color = setup.color_of(setup.key(context.scene))
         setup.measure(context.scene, color)
-        for sentence in analysis.sentences(context.scene.motus.chroma):
-            self.report({'WARNING'}, sentence)
+        _warn(self, context.scene)
+
+
+class MOTUS_OT_chroma_key_add(_OnKey, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_add"
+    bl_label = "Key Another Color"
+    bl_description = "Make another colour of the footage transparent too, by a key with settings and masks of its own"
+    modes = OBJECT_MODE
+    needs_native = True
+    redo = (Rows((Row("color", when=is_given("color")),)),)
+
+    color: bpy.props.FloatVectorProperty(
+        name="Screen Color", description="What is keyed; without it the next screen that is found in what the keys leave", subtype='COLOR',
+        size=3, default=(0.05, 0.45, 0.08), min=0.0, soft_max=1.0, options={'SKIP_SAVE'})
+
+    def run(self, context):
+        check_finite(self, ("color",))
+        setup.add_key(context.scene, tuple(self.color) if self.is_given("color") else None)
+
+
+class MOTUS_OT_chroma_key_drop(_OnKey, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_drop"
+    bl_label = "Remove Key of a Color"
+    bl_description = "Take away the key that the panel shows; the others stay"
+    modes = OBJECT_MODE
+
+    @classmethod
+    def check_offer(cls, context):
+        if setup.key(context.scene) == compositor.key_of(context.scene):
+            raise Refused(tr("The first key goes with the whole: remove the chroma key"))
+
+    def run(self, context):
+        self.check_offer(context)
+        compositor.remove_key(context.scene, setup.key(context.scene))
+        context.scene.motus.chroma.active_key = 0
+
+
+class MOTUS_OT_chroma_key_choose(_OnKey, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_choose"
+    bl_label = "Show Key"
+    bl_description = "Show the settings of this key"
+    bl_options = {'INTERNAL', 'UNDO'}
+
+    index: bpy.props.IntProperty(name="Index", description="Which key, from 0", default=-1, min=-1)
+
+    def run(self, context):
+        context.scene.motus.chroma.active_key = max(self.index, 0)
+
+
+class MOTUS_OT_chroma_key_refresh(_OnKey, bpy.types.Operator):
+    bl_idname = "motus.chroma_key_refresh"
+    bl_label = "Upgrade Key"
+    bl_description = "Give keys of older versions the present node group, with their settings, and find its levels"
+    modes = OBJECT_MODE
+    needs_native = True
+
+    def run(self, context):
+        setup.key(context.scene)
+        setup.upgrade(context.scene)
+        _warn(self, context.scene)
+
+
+MASKS = (
+    ('GARBAGE', settings.MASK, "Where all is clear: stands, lamps and what lies beyond the screen"),
+    ('CORE', settings.CORE_MASK, "Where all is opaque: what has the screen's colour within the subject"),
+)
+_INPUTS = {identifier: name for identifier, name, _ in MASKS}
+
+
+class MOTUS_OT_chroma_mask_add(_OnKey, bpy.types.Operator):
+    bl_idname = "motus.chroma_mask_add"
+    bl_label = "Add Mask"
+    bl_description = "Give the key a mask or a picture that makes its white part clear, or keeps it opaque"
+    modes = OBJECT_MODE
+    redo = (Rows(("kind",)),)
+
+    kind: bpy.props.EnumProperty(name="Kind", description="What the mask does", items=MASKS)
+    mask: bpy.props.StringProperty(
+        name="Mask", options={'SKIP_SAVE'}, description="Name of a mask of this file; without it a new one is made, to be drawn on")
+    picture: bpy.props.StringProperty(
+        name="Picture", options={'SKIP_SAVE'}, description="Name of an image, or path of a file, whose white part counts, in place of a mask")
+
+    def run(self, context):
+        scene = context.scene
+        key = setup.key(scene)
+        if self.mask and self.picture:
+            raise Refused(tr("Name a mask or a picture, not both"))
+        if settings.place_of_input(key, _INPUTS[self.kind]) is None:
+            raise Refused(tr("The key is of an older version: upgrade it first"))
+        if self.picture:
+            found = footage.find(self.picture)
+        elif self.mask:
+            found = _mask_named(self.mask)
+        else:
+            found = masks.new(_INPUTS[self.kind], footage.size(setup.image_of(scene)), self.kind == 'GARBAGE')
+            self.report({'INFO'}, tr("Move the corners of {object} in an Image Editor, in the mode Mask").format(object=found.name))
+        compositor.add_mask(scene, key, _INPUTS[self.kind], found)
+
+
+class MOTUS_OT_chroma_mask_remove(_OnKey, bpy.types.Operator):
+    bl_idname = "motus.chroma_mask_remove"
+    bl_label = "Remove Mask"
+    bl_description = "Let the key have this mask no more; the mask stays in the file"
+    modes = OBJECT_MODE
+    redo = (Rows(("kind",)),)
+
+    kind: bpy.props.EnumProperty(name="Kind", description="Which mask", items=MASKS)
+
+    def run(self, context):
+        compositor.remove_mask(context.scene, setup.key(context.scene), _INPUTS[self.kind])
+
+
+def _mask_named(name):
+    if name not in bpy.data.masks:
+        raise Refused(tr("There is no mask {object}").format(object=name))
+    return bpy.data.masks[name]
 
 
 class MOTUS_OT_chroma_key_show(_OnKey, bpy.types.Operator):
@@ -213,4 +335,6 @@ class MOTUS_OT_chroma_key_remove(_OnKey, bpy.types.Operator):
         setup.remove(context.scene)
 
 
-classes = (MOTUS_OT_chroma_key_setup, MOTUS_OT_chroma_key_measure, MOTUS_OT_chroma_key_show, MOTUS_OT_chroma_key_remove)
+classes = (
+    MOTUS_OT_chroma_key_setup, MOTUS_OT_chroma_key_measure, MOTUS_OT_chroma_key_add, MOTUS_OT_chroma_key_drop, MOTUS_OT_chroma_key_choose,
+    MOTUS_OT_chroma_key_refresh, MOTUS_OT_chroma_mask_add, MOTUS_OT_chroma_mask_remove, MOTUS_OT_chroma_key_show, MOTUS_OT_chroma_key_remove)

@@ -4,46 +4,93 @@ import bpy
 
 from ..core import panels, ui
 from ..core.translations import tr
-from . import analysis, compositor, settings, viewing
+from . import analysis, compositor, group, operators, scene_settings, settings, setup, viewing
 
 
 def draw_main(layout, context):
-    """The view, the colour, and the levels of the matte."""
-    key = compositor.key_of(context.scene)
+    """The keys, the view, the colour, and the levels of the matte."""
+    noted = context.scene.motus.chroma
+    key = compositor.active_key(context.scene)
+    if any(group.is_of_older_version(node.node_tree) for node in compositor.keys_of(context.scene)):
+        ui.draw_message(layout, tr("This key is of an older version, and goes on as it was"), 'INFO')
+        layout.operator("motus.chroma_key_refresh", icon='FILE_REFRESH')
     column = ui.split(layout)
-    column.prop(context.scene.motus.chroma, "view")
-    column.prop(context.scene.motus.chroma, "underneath")
+    column.prop(noted, "view")
+    column.prop(noted, "underneath")
     _draw_background(layout, context)
+    _draw_keys(layout, context, key)
     column = ui.split(layout)
     _draw_input(column, key, settings.COLOR)
-    _draw_settings(column, key, ("black", "white", "balance", "smooth"))
+    color = setup.color_of(key)
+    if color and not analysis.is_keyable(color):
+        ui.draw_message(layout, tr("A screen is green or blue: nothing is keyed by this colour"), 'ERROR')
+    _draw_settings(column, key, ("black", "white", "balance", "gain", "smooth"))
+
+
+def _draw_keys(layout, context, active):
+    """A button for each key, and those that add and remove one."""
+    keys = compositor.keys_of(context.scene)
+    row = layout.row(align=True)
+    for index, node in enumerate(keys if len(keys) > 1 else ()):
+        row.operator("motus.chroma_key_choose", text=str(index + 1), depress=node == active).index = index
+    row.operator("motus.chroma_key_add", icon='ADD', text="" if len(keys) > 1 else None)
+    if len(keys) > 1:
+        row.operator("motus.chroma_key_drop", icon='REMOVE', text="")
 
 
 def _draw_background(layout, context):
     node = compositor.node_of(context.scene, compositor.BACKGROUND)
     if node is None:
         return
+    noted = context.scene.motus.chroma
+    # What an older version has laid underneath only the node knows.
+    holder = (noted, "background") if node.image == noted.background else (node, "image")
     if node.image is None:
         ui.draw_message(layout, tr("Choose the clip or image that lies underneath"), 'INFO')
-    layout.template_ID(node, "image", open="image.open")
+    layout.template_ID(*holder, open="image.open")
 
 
 def draw_edge(layout, context):
-    """What is done with the edge, and with the light on it."""
-    key = compositor.key_of(context.scene)
+    """What is done with the edge and with what lies inside it."""
+    key = compositor.active_key(context.scene)
+    _draw_settings(ui.split(layout), key, ("grow", "feather", "core"))
+
+
+def draw_light(layout, context):
+    """What is done with the screen's light, and with the background's."""
+    key = compositor.active_key(context.scene)
     column = ui.split(layout)
-    _draw_settings(column, key, ("grow", "feather", "despill"))
+    _draw_settings(column, key, ("despill",))
+    if settings.place(key, settings.BY_KEYWORD["limit"]):
+        column.prop(context.scene.motus.chroma, "despill_limit")
+    _draw_settings(column, key, ("luminance",))
     _draw_input(column, key, settings.WRAP)
 
 
 def draw_pictures(layout, context):
-    """The footage and the mask."""
-    for role, name in ((compositor.FOREGROUND, "image"), (compositor.MASK, "mask")):
-        node = compositor.node_of(context.scene, role)
-        if node is not None:
-            column = layout.column(align=True)
-            column.label(text=role)
-            column.template_ID(node, name, **({} if name == "mask" else {"open": "image.open"}))
+    """The footage and the masks."""
+    scene = context.scene
+    key, node = compositor.active_key(scene), compositor.node_of(scene, compositor.FOREGROUND)
+    if node is not None:
+        column = layout.column(align=True)
+        column.label(text=compositor.FOREGROUND)
+        column.template_ID(node, "image", open="image.open")
+    for kind, name, _ in operators.MASKS:
+        if settings.place_of_input(key, name) is not None:
+            _draw_mask(layout.column(align=True), kind, name, compositor.mask_of(scene, key, name))
+
+
+def _draw_mask(column, kind, name, node):
+    if node is None:
+        column.operator("motus.chroma_mask_add", text=name, icon='ADD').kind = kind
+        return
+    row = column.row(align=True)
+    row.label(text=name)
+    row.operator("motus.chroma_mask_remove", text="", icon='X').kind = kind
+    if hasattr(node, "mask"):
+        column.template_ID(node, "mask")
+    else:
+        column.template_ID(node, "image", open="image.open")
 
 
 def draw_readouts(layout, context):
@@ -52,8 +99,12 @@ def draw_readouts(layout, context):
     ui.draw_readouts(layout, [
         ui.Readout("Screen", _percent(noted.share)), ui.Readout("Unevenness", _percent(noted.luminance_spread)),
         ui.Readout("Color Noise", _percent(noted.chroma_spread)), ui.Readout("Spill", _percent(noted.spill))])
-    for sentence in analysis.sentences(noted):
+    for sentence in (*analysis.sentences(noted), *([noted.gap] if noted.gap else ())):
         ui.draw_message(layout, sentence, 'INFO')
+    changed = scene_settings.changes(context.scene) if noted.is_scene_set else ()
+    if changed:
+        names = ", ".join(bpy.app.translations.pgettext_iface(label) for label in changed)
+        ui.draw_message(layout, tr("The scene's color management changes the footage's colours: {names}").format(names=names), 'INFO')
 
 
 def draw_actions(layout, context):
@@ -91,7 +142,8 @@ PANEL = panels.SystemPanel(
     suits=lambda owner: isinstance(owner, bpy.types.Scene),
     is_used=lambda scene: compositor.key_of(scene) is not None,
     draw=draw_main,
-    parts=(panels.Part("edge", "Edge and Light", draw_edge, is_open=True), panels.Part("pictures", "Pictures", draw_pictures)),
+    parts=(panels.Part("edge", "Edge", draw_edge, is_open=True), panels.Part("light", "Light", draw_light, is_open=True),
+           panels.Part("pictures", "Pictures and Masks", draw_pictures)),
     readouts=draw_readouts, actions=draw_actions, adders=("motus.chroma_key_setup",))
 
 classes = panels.classes(PANEL)

@@ -1,17 +1,31 @@
 """A plane before the camera that shows the footage keyed in the viewport, where it takes the place of the render's key."""
 
+from typing import NamedTuple
+
 import bpy
 from mathutils import Matrix
 
 from ..core import capabilities
 from . import footage, group
 
+
+
+class Key(NamedTuple):
+    """What of a key the plane shows."""
+
+    color: tuple
+    black: float
+    white: float
+    balance: float
+    gain: float
+
+
 DISTANCE = 10.0
 """From the camera to the plane, where nobody says otherwise."""
 
 
-def add(scene, camera, image, color, levels, distance):
-    """A plane that fills the camera's view, so far away, in the space of the camera. levels: clip black and white."""
+def add(scene, camera, image, key, distance):
+    """A plane that fills the camera's view, so far away, in the space of the camera. key: a Key."""
     mesh = bpy.data.meshes.new("Chroma Key")
     obj = bpy.data.objects.new("Chroma Key", mesh)
     scene.collection.objects.link(obj)
@@ -22,7 +36,7 @@ def add(scene, camera, image, color, levels, distance):
     places = {0: (1.0, 1.0), 1: (1.0, 0.0), 2: (0.0, 0.0), 3: (0.0, 1.0)}
     for loop, data in zip(mesh.loops, layer.data):
         data.uv = places[loop.vertex_index]
-    mesh.materials.append(_material(image, color, levels))
+    mesh.materials.append(_material(scene, image, key))
     obj.parent = camera
     obj.matrix_parent_inverse = Matrix()
     obj.hide_render = True
@@ -30,18 +44,18 @@ def add(scene, camera, image, color, levels, distance):
     return obj
 
 
-def update(obj, color, levels):
-    """Give a plane another colour and levels."""
+def update(obj, key):
+    """Give a plane the colour and levels of another Key."""
     material = next((one for one in obj.data.materials if one is not None), None) if obj.type == 'MESH' else None
     if material is not None and material.node_tree is not None:
-        _set(material.node_tree, color, levels)
+        _set(material.node_tree, key)
 
 
 def _at(corner, distance, kind):
     return (corner.x, corner.y, -distance) if kind == 'ORTHO' else corner * (distance / -corner.z)
 
 
-def _material(image, color, levels):
+def _material(scene, image, key):
     material = bpy.data.materials.new("Chroma Key")
     if not material.use_nodes:
         material.use_nodes = True
@@ -54,47 +68,59 @@ def _material(image, color, levels):
     add_node, links = tree.nodes.new, tree.links
     texture = add_node("ShaderNodeTexImage")
     texture.image = image
-    footage.play(image, texture.image_user)
-    matte = _matte(tree, texture.outputs["Color"])
-    emission, clear, mixed, end = (
-        add_node(kind) for kind in ("ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeMixShader", "ShaderNodeOutputMaterial"))
-    alpha = _math(tree, 'MULTIPLY', matte, texture.outputs["Alpha"])
-    for source, target in ((texture.outputs["Color"], emission.inputs["Color"]), (alpha, mixed.inputs[0]),
-                           (clear.outputs[0], mixed.inputs[1]), (emission.outputs[0], mixed.inputs[2]),
-                           (mixed.outputs[0], end.inputs["Surface"])):
+    footage.play(image, texture.image_user, scene)
+    screen = add_node("ShaderNodeRGB")
+    screen.name = _COLOR
+    matte = _math(tree, 'MULTIPLY', _matte(tree, texture.outputs["Color"], screen.outputs[0]), texture.outputs["Alpha"])
+    rest = _math(tree, 'SUBTRACT', 1.0, matte)
+    # The picture without the screen's share lights up on top of what shines through.
+    taken, least = (add_node("ShaderNodeMixRGB") for _ in range(2))
+    taken.blend_type, least.blend_type = 'SUBTRACT', 'LIGHTEN'
+    least.inputs["Fac"].default_value, least.inputs["Color2"].default_value = 1.0, (0.0, 0.0, 0.0, 1.0)
+    emission, clear, both, end = (
+        add_node(kind) for kind in ("ShaderNodeEmission", "ShaderNodeBsdfTransparent", "ShaderNodeAddShader", "ShaderNodeOutputMaterial"))
+    for source, target in ((rest, taken.inputs["Fac"]), (texture.outputs["Color"], taken.inputs["Color1"]),
+                           (screen.outputs[0], taken.inputs["Color2"]), (taken.outputs[0], least.inputs["Color1"]),
+                           (least.outputs[0], emission.inputs["Color"]), (texture.outputs["Alpha"], emission.inputs["Strength"]),
+                           (rest, clear.inputs["Color"]), (emission.outputs[0], both.inputs[0]), (clear.outputs[0], both.inputs[1]),
+                           (both.outputs[0], end.inputs["Surface"])):
         links.new(source, target)
-    _set(tree, color, levels)
+    _set(tree, key)
     return material
 
 
 # Names of the nodes that a colour and levels are given to.
-_COLOR, _LEVELS, _IS_BLUE = "Screen Color", "Levels", "Is Blue"
+_COLOR, _LEVELS, _IS_BLUE, _BALANCE, _GAIN = "Screen Color", "Levels", "Is Blue", "Balance", "Screen Gain"
 
 
-def _matte(tree, color):
-    """1 - s(pixel) / s(screen) between the levels, as the node Keying has it."""
-    screen = tree.nodes.new("ShaderNodeRGB")
-    screen.name = _COLOR
-    is_blue = tree.nodes.new("ShaderNodeValue")
-    is_blue.name = _IS_BLUE
-    shares = [_saturation(tree, one, is_blue.outputs[0]) for one in (color, screen.outputs[0])]
-    matte = _math(tree, 'SUBTRACT', 1.0, _math(tree, 'DIVIDE', *shares))
+def _matte(tree, color, screen):
+    """1 - gain m(pixel) / m(screen) between the levels, as the key has it."""
+    is_blue, balance, gain = (_value(tree, name) for name in (_IS_BLUE, _BALANCE, _GAIN))
+    amount = _math(tree, 'DIVIDE', *(_difference(tree, one, is_blue, balance) for one in (color, screen)))
+    matte = _math(tree, 'SUBTRACT', 1.0, _math(tree, 'MULTIPLY', amount, gain))
     levels = tree.nodes.new("ShaderNodeMapRange")
     levels.name, levels.clamp = _LEVELS, True
     tree.links.new(matte, levels.inputs["Value"])
     return levels.outputs[0]
 
 
-def _saturation(tree, color, is_blue):
+def _value(tree, name):
+    node = tree.nodes.new("ShaderNodeValue")
+    node.name = name
+    return node.outputs[0]
+
+
+def _difference(tree, color, is_blue, balance):
+    """The screen's channel less a mixture of the others."""
     parts = tree.nodes.new("ShaderNodeSeparateColor")
     tree.links.new(color, parts.inputs[0])
     red, green, blue = parts.outputs[:3]
     # is_blue exchanges the two channels.
     change = _math(tree, 'MULTIPLY', _math(tree, 'SUBTRACT', blue, green), is_blue)
     own, other = _math(tree, 'ADD', green, change), _math(tree, 'SUBTRACT', blue, change)
-    mixture = _math(tree, 'MULTIPLY', _math(tree, 'ADD', red, other), 0.5)
-    rest = _math(tree, 'ABSOLUTE', _math(tree, 'SUBTRACT', 1.0, mixture), 0.0)
-    return _math(tree, 'MULTIPLY', _math(tree, 'SUBTRACT', own, mixture), rest)
+    larger, smaller = (_math(tree, operation, red, other) for operation in ('MAXIMUM', 'MINIMUM'))
+    mixture = _math(tree, 'ADD', larger, _math(tree, 'MULTIPLY', balance, _math(tree, 'SUBTRACT', smaller, larger)))
+    return _math(tree, 'SUBTRACT', own, mixture)
 
 
 def _math(tree, operation, first, second):
@@ -108,11 +134,14 @@ def _math(tree, operation, first, second):
     return node.outputs[0]
 
 
-def _set(tree, color, levels):
+def _set(tree, key):
     nodes = {name: tree.nodes.get(name) for name in (_COLOR, _IS_BLUE, _LEVELS)}
     if None in nodes.values():
         return
-    nodes[_COLOR].outputs[0].default_value = (*color, 1.0)
-    nodes[_IS_BLUE].outputs[0].default_value = float(color[2] > color[1])
-    for name, level in zip(("From Min", "From Max"), levels):
+    nodes[_COLOR].outputs[0].default_value = (*key.color, 1.0)
+    nodes[_IS_BLUE].outputs[0].default_value = float(key.color[2] > key.color[1])
+    for name, level in (("From Min", key.black), ("From Max", key.white)):
         nodes[_LEVELS].inputs[name].default_value = level
+    for name, value in ((_BALANCE, key.balance), (_GAIN, key.gain)):
+        if name in tree.nodes:  # planes of older versions have neither
+            tree.nodes[name].outputs[0].default_value = value

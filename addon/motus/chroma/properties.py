@@ -3,7 +3,7 @@
 import bpy
 
 from ..core.settings import OVERRIDABLE
-from . import compositor, group
+from . import compositor, group, settings
 
 VIEWS = (
     (group.COMPOSITE, "Composite", "The subject over the background"),
@@ -16,28 +16,49 @@ UNDERNEATH = (
     ('FOOTAGE', "Footage", "Another clip or image"),
     ('NOTHING', "Nothing", "The picture stays transparent"),
 )
+LIMITS = (
+    ('MAXIMUM', "Maximum", "The larger of the two other channels: yellow and cyan stay as they are"),
+    ('DOUBLE', "Double", "The average of the two other channels in which the larger counts twice"),
+    ('AVERAGE', "Average", "The average of the two other channels, which takes most away"),
+)
 _KINDS = tuple(identifier for identifier, _, _ in UNDERNEATH)
 
 
-def _view(settings):
-    key = compositor.key_of(settings.id_data)
+def _view(noted):
+    key = compositor.key_of(noted.id_data)
     shown = group.view(key.node_tree) if key else None
     return group.VIEWS.index(shown) if shown else 0
 
 
-def _show(settings, value):
-    key = compositor.key_of(settings.id_data)
+def _show(noted, value):
+    compositor.show(noted.id_data, group.VIEWS[value])
+
+
+def _underneath(noted):
+    return _KINDS.index(compositor.underneath(noted.id_data)) if compositor.key_of(noted.id_data) else 0
+
+
+def _lay_underneath(noted, value):
+    if compositor.key_of(noted.id_data) and value != _underneath(noted):
+        compositor.lay_underneath(noted.id_data, _KINDS[value], noted)
+
+
+def _limit(noted):
+    key = compositor.active_key(noted.id_data)
+    value = settings.value(key, "limit") if key else 0.0
+    return min(range(len(LIMITS)), key=lambda index: abs(settings.LIMITS[LIMITS[index][0]] - value))
+
+
+def _set_limit(noted, value):
+    key = compositor.active_key(noted.id_data)
     if key:
-        group.show(key.node_tree, group.VIEWS[value])
+        settings.assign(key, settings.BY_KEYWORD["limit"], settings.LIMITS[LIMITS[value][0]])
 
 
-def _underneath(settings):
-    return _KINDS.index(compositor.underneath(settings.id_data)) if compositor.key_of(settings.id_data) else 0
-
-
-def _lay_underneath(settings, value):
-    if compositor.key_of(settings.id_data) and value != _underneath(settings):
-        compositor.lay_underneath(settings.id_data, _KINDS[value], settings)
+def _play_background(noted, _context):
+    node = compositor.node_of(noted.id_data, compositor.BACKGROUND)
+    if node is not None and node.image != noted.background:
+        compositor.show_image(noted.id_data, node, noted.background)
 
 
 def _measured(name, description):
@@ -55,6 +76,15 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     underneath: bpy.props.EnumProperty(
         name="Underneath", description="Picture that shows where the screen was", items=UNDERNEATH, get=_underneath, set=_lay_underneath,
         options=set())
+    despill_limit: bpy.props.EnumProperty(
+        name="Despill Limit", description="What the screen's channel is limited by on the subject", items=LIMITS, get=_limit, set=_set_limit,
+        options=set())
+    background: bpy.props.PointerProperty(
+        type=bpy.types.Image, name="Background", description="The clip or image that lies underneath", update=_play_background)
+    active_key: bpy.props.IntProperty(
+        name="Key", description="Which of the keys the panel shows", min=0, options=set(), override=OVERRIDABLE)
+    gap: bpy.props.StringProperty(
+        name="Gap", description="Pictures that are missing in sequences, and the frames in which they are", options=set())
     plane: bpy.props.PointerProperty(
         type=bpy.types.Object, name="Plane", description="Plane before the camera that shows the key in the viewport")
     share: _measured("Screen", "Share of the picture that the screen fills")
@@ -76,3 +106,7 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     before_fps_base: _before(bpy.props.FloatProperty, "Frame Rate Base Before", min=1e-5)
     before_transform: _before(bpy.props.StringProperty, "View Transform Before")
     before_look: _before(bpy.props.StringProperty, "Look Before")
+    before_exposure: _before(bpy.props.FloatProperty, "Exposure Before")
+    before_gamma: _before(bpy.props.FloatProperty, "Gamma Before", default=1.0)
+    before_curves: _before(bpy.props.BoolProperty, "Curves Before")
+    before_white_balance: _before(bpy.props.BoolProperty, "White Balance Before")

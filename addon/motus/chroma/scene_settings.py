@@ -2,6 +2,9 @@
 
 from . import footage
 
+_NEUTRAL = {"view_transform": "Standard", "look": "None", "exposure": 0.0, "gamma": 1.0, "use_curve_mapping": False, "use_white_balance": False}
+"""View settings that leave colours as they are."""
+
 
 def take(scene, image, noted):
     """Note what the scene has, and give it what the image has."""
@@ -12,6 +15,8 @@ def take(scene, image, noted):
     noted.before_frames = scene.frame_start, scene.frame_end
     noted.before_fps, noted.before_fps_base = render.fps, render.fps_base
     noted.before_transform, noted.before_look = view.view_transform, view.look
+    noted.before_exposure, noted.before_gamma, noted.before_curves = view.exposure, view.gamma, view.use_curve_mapping
+    noted.before_white_balance = getattr(view, "use_white_balance", False)
 
     render.resolution_x, render.resolution_y = footage.size(image)
     render.resolution_percentage = 100
@@ -20,9 +25,9 @@ def take(scene, image, noted):
     if frames > 1:
         scene.frame_start, scene.frame_end = 1, frames
         _set_rate(render, footage.rate(image))
-    # Any other would change the colours that the footage has.
-    _assign(view, "view_transform", "Standard")
-    _assign(view, "look", "None")
+    # Anything else would change the colours that the footage has.
+    for name, value in _NEUTRAL.items():
+        _assign(view, name, value)
 
 
 def restore(scene, noted):
@@ -36,6 +41,18 @@ def restore(scene, noted):
     render.fps, render.fps_base = noted.before_fps, noted.before_fps_base
     _assign(view, "view_transform", noted.before_transform)
     _assign(view, "look", noted.before_look)
+    if not noted.is_property_set("before_exposure"):
+        return  # set up by an older version, which left these alone
+    _assign(view, "exposure", noted.before_exposure)
+    _assign(view, "gamma", noted.before_gamma)
+    _assign(view, "use_curve_mapping", noted.before_curves)
+    _assign(view, "use_white_balance", noted.before_white_balance)
+
+
+def changes(scene):
+    """Labels of what changes the footage's colours on their way to the screen and into files."""
+    view = scene.view_settings
+    return [view.bl_rna.properties[name].name for name, value in _NEUTRAL.items() if getattr(view, name, value) != value]
 
 
 def _set_rate(render, rate):
@@ -46,7 +63,9 @@ def _set_rate(render, rate):
 
 
 def _assign(view, name, value):
-    """Set an enumeration whose items are those of the colour configuration, if it has this one."""
+    """Set what this Blender has, and an enumeration if the colour configuration has the item."""
+    if not hasattr(view, name):
+        return
     try:
         setattr(view, name, value)
     except TypeError:

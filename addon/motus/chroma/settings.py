@@ -1,28 +1,29 @@
 """Settings of the key: where each stands in a set-up, and what scripts call it.
 
-The settings are Blender's own properties, which are keyed, driven and saved without Motus: inputs of the node group, or where
-the node Keying has no sockets for them (before 4.5) properties of that node.
+The settings are Blender's own properties, which are keyed, driven and saved without Motus: inputs of the node group. Before 4.5
+*Grow Matte* is a property of a node in the group, and groups of older versions have a node Keying, whose properties or inputs they are.
 """
 
 from typing import NamedTuple
 
-from ..core import capabilities
-
-KEYING = "Key"
-"""Name of the node Keying within the group."""
+GROW = "Grow"
+"""Name of the node that grows the matte, within the group."""
+_KEYING = "Key"
+"""Name of the node Keying within groups of older versions."""
 
 
 class Setting(NamedTuple):
-    """One setting of the node Keying. keyword: of the operator, too. socket: identifier of the node's input. property: of the node."""
+    """One setting of the key. keyword: of the operator, too. old_socket, old_property: identifier of the input of the node Keying that groups of
+    older versions have, and property of that node before 4.5."""
 
     keyword: str
     label: str
     description: str
-    socket: str
-    property: str
     default: float
     least: float
     most: float
+    old_socket: str = ""
+    old_property: str = ""
 
     @property
     def is_whole(self):
@@ -31,20 +32,29 @@ class Setting(NamedTuple):
 
 
 OF_KEYING = (
-    Setting("black", "Clip Black", "Level of the matte below which all is transparent", "Black Level", "clip_black", 0.0, 0.0, 1.0),
-    Setting("white", "Clip White", "Level of the matte above which all is opaque", "White Level", "clip_white", 1.0, 0.0, 1.0),
+    Setting("black", "Clip Black", "Level of the matte below which all is transparent", 0.0, 0.0, 1.0, "Black Level", "clip_black"),
+    Setting("white", "Clip White", "Level of the matte above which all is opaque", 1.0, 0.0, 1.0, "White Level", "clip_white"),
     Setting("balance", "Balance", "Which of the two other channels the screen's channel is compared with: 0 the larger, 1 the smaller",
-            "Key Balance", "screen_balance", 0.5, 0.0, 1.0),
+            0.0, 0.0, 1.0, "Key Balance", "screen_balance"),
     Setting("smooth", "Smooth Color", "Pixels over which colour is smoothed before it is keyed, for noise and compressed colour",
-            "Preprocess Blur Size", "blur_pre", 0, 0, 64),
-    Setting("grow", "Grow Matte", "Pixels by which the matte grows; below 0 it is choked", "Postprocess Dilate Size", "dilate_distance",
-            0, -100, 100),
-    Setting("feather", "Feather", "Pixels over which the matte's edge is made soft", "Postprocess Blur Size", "blur_post", 0, 0, 100),
-    Setting("despill", "Despill", "How much of the screen's light is taken from the subject", "Despill Strength", "despill_factor",
-            1.0, 0.0, 1.0),
+            0, 0, 64, "Preprocess Blur Size", "blur_pre"),
+    Setting("grow", "Grow Matte", "Pixels by which the matte grows; below 0 it is choked", 0, -100, 100,
+            "Postprocess Dilate Size", "dilate_distance"),
+    Setting("feather", "Feather", "Pixels over which the matte's edge is made soft", 0, 0, 100, "Postprocess Blur Size", "blur_post"),
+    Setting("despill", "Despill", "How much of the screen's light is taken from the subject", 1.0, 0.0, 1.0,
+            "Despill Strength", "despill_factor"),
+    Setting("gain", "Screen Gain", "What the amount of screen in a pixel is multiplied by: above 1 a dark part of the screen is clear too",
+            1.0, 0.0, 10.0),
+    Setting("core", "Core Fill", "Up to how much holes in the subject are filled, well inside its edge, which stays soft; 0 fills none",
+            0.0, 0.0, 1.0),
+    Setting("limit", "Despill Limit", "What the screen's channel is limited by on the subject", 0.0, 0.0, 1.0),
+    Setting("luminance", "Keep Luminance", "How much of the light that despill takes away goes back as grey", 1.0, 0.0, 1.0),
 )
-COLOR, MASK, WRAP = "Screen Color", "Garbage Mask", "Light Wrap"
+BY_KEYWORD = {one.keyword: one for one in OF_KEYING}
+COLOR, MASK, CORE_MASK, WRAP = "Screen Color", "Garbage Mask", "Core Mask", "Light Wrap"
 """Inputs that the group has in every Blender."""
+LIMITS = {'MAXIMUM': 0.0, 'DOUBLE': 1.0 / 3.0, 'AVERAGE': 0.5}
+"""Values of the limit of despill, by their names."""
 
 
 def place(key, setting):
@@ -52,15 +62,21 @@ def place(key, setting):
 
     key: the node in the compositor.
     """
-    if capabilities.has_compositor_sockets():
-        return _input(key, setting.label)
-    node = key.node_tree.nodes.get(KEYING)
-    return (node, setting.property) if node is not None and hasattr(node, setting.property) else None
+    found = _input(key.inputs, setting.label)
+    if found is None and setting.keyword == "grow":
+        found = _of_node(key, GROW, "distance", "Size")
+    return found or _of_node(key, _KEYING, setting.old_property, setting.old_socket)
 
 
 def place_of_input(key, name):
     """The same of one of the inputs that the group has in every Blender."""
-    return _input(key, name)
+    return _input(key.inputs, name)
+
+
+def value(key, keyword):
+    """What a setting is; its default where somebody has taken it away."""
+    found = place(key, BY_KEYWORD[keyword])
+    return getattr(*found) if found else BY_KEYWORD[keyword].default
 
 
 def assign(key, setting, value):
@@ -70,6 +86,17 @@ def assign(key, setting, value):
         setattr(*found, value)
 
 
-def _input(key, name):
-    socket = key.inputs.get(name)
+def _of_node(key, name, property_name, identifier):
+    """The place of a setting on a node within the group."""
+    node = key.node_tree.nodes.get(name)
+    if node is None or not property_name:
+        return None
+    if hasattr(node, property_name):
+        return node, property_name
+    socket = next((socket for socket in node.inputs if socket.identifier == identifier), None)
+    return None if socket is None else (socket, "default_value")
+
+
+def _input(inputs, name):
+    socket = inputs.get(name)
     return None if socket is None else (socket, "default_value")

@@ -12,7 +12,7 @@ def check_free(scene):
     """Refuse a scene of another file, and one that has a key."""
     check_own(scene)
     if compositor.key_of(scene) is not None:
-        raise Refused(tr("{scene} has a chroma key already: remove it first").format(scene=scene.name))
+        raise Refused(tr("{scene} has a chroma key already: add another color to it, or remove it first").format(scene=scene.name))
 
 
 def check_own(scene):
@@ -22,9 +22,9 @@ def check_own(scene):
 
 
 def key(scene):
-    """The node of the scene's key. Raises Refused."""
+    """The node of the scene's key that the panel shows. Raises Refused."""
     check_own(scene)
-    found = compositor.key_of(scene)
+    found = compositor.active_key(scene)
     if found is None:
         raise Refused(tr("{scene} has no chroma key").format(scene=scene.name))
     return found
@@ -36,6 +36,20 @@ def note(noted, report):
         setattr(noted, name, report[name])
 
 
+def note_gaps(scene, *images):
+    """Remember what sequences lack, as a sentence; empty without."""
+    found = [(image, gap) for image in images if image is not None and (gap := footage.gap(image))]
+    scene.motus.chroma.gap = " ".join(
+        tr("{object} lacks pictures {numbers}: frames {frames} show the ones before").format(object=image.name, numbers=numbers, frames=frames)
+        for image, (numbers, frames) in found)
+
+
+def color_of(node):
+    """The screen's colour that a key has, or None."""
+    place = settings.place_of_input(node, settings.COLOR)
+    return tuple(getattr(*place))[:3] if place else None
+
+
 def apply_measured(node, noted, found, levels):
     """Give a key a colour and clip levels. found: (colour, report)."""
     color, report = found
@@ -44,33 +58,83 @@ def apply_measured(node, noted, found, levels):
     if place is not None:
         setattr(*place, (*color, 1.0))
     for name, level in zip(("black", "white"), levels):
-        settings.assign(node, next(one for one in settings.OF_KEYING if one.keyword == name), level)
-    if noted.plane is not None:
-        plane.update(noted.plane, color, levels)
+        settings.assign(node, settings.BY_KEYWORD[name], level)
+    if noted.plane is not None and node == compositor.key_of(noted.id_data):
+        plane.update(noted.plane, _shown(node))
+
+
+def _shown(node):
+    """What the plane shows of a key."""
+    return plane.Key(color_of(node), *(settings.value(node, name) for name in ("black", "white", "balance", "gain")))
+
+
+def image_of(scene):
+    """The footage of a scene's key. Raises Refused."""
+    source = compositor.node_of(scene, compositor.FOREGROUND)
+    if source is None or source.image is None:
+        raise Refused(tr("The key has lost its footage"))
+    return source.image
 
 
 def measure(scene, color=None):
     """Look at the footage of a scene's key again."""
-    node = key(scene)
-    source = compositor.node_of(scene, compositor.FOREGROUND)
-    if source is None or source.image is None:
-        raise Refused(tr("The key has lost its footage"))
-    found = analysis.measure(source.image, color)
+    node, image = key(scene), image_of(scene)
+    found = analysis.measure(image, color, settings.value(node, "balance"), settings.value(node, "gain"))
     apply_measured(node, scene.motus.chroma, found, analysis.clip_levels(found[1]))
+    background = compositor.node_of(scene, compositor.BACKGROUND)
+    note_gaps(scene, image, background.image if background else None)
+    compositor.show_image(scene, compositor.node_of(scene, compositor.FOREGROUND), image)
     return found
+
+
+def add_key(scene, color=None):
+    """Key another colour of the footage as well: one that is given, or the next screen that the keys leave. Gives the node."""
+    first, image = key(scene), image_of(scene)
+    if color is not None:
+        analysis.check_color(color)
+    there = [(color_of(node), *(settings.value(node, name) for name in ("black", "balance", "gain"))) for node in compositor.keys_of(scene)]
+    if color is None:
+        color = analysis.another_color(image, [one for one in there if one[0] is not None])
+    if color is None:
+        color = color_of(first)
+    node = compositor.add_key(scene, group.build(footage.size(image)[0]))
+    found = analysis.measure(image, color)
+    scene.motus.chroma.active_key = len(compositor.keys_of(scene)) - 1
+    scene.motus.chroma.view = scene.motus.chroma.view
+    apply_measured(node, scene.motus.chroma, found, analysis.clip_levels(found[1]))
+    return node
+
+
+def upgrade(scene):
+    """Give keys of older versions the node group of this one, with their settings, and levels that are measured for it."""
+    for node in compositor.keys_of(scene):
+        if not group.is_of_older_version(node.node_tree):
+            continue
+        view = group.view(node.node_tree)
+        values = [(one, settings.value(node, one.keyword)) for one in settings.OF_KEYING]
+        inputs = [(name, settings.place_of_input(node, name)) for name in (settings.COLOR, settings.MASK, settings.WRAP)]
+        inputs = [(name, _copied(getattr(*place))) for name, place in inputs if place]
+        compositor.exchange(scene, node, group.build(footage.size(image_of(scene))[0]))
+        for one, value in values:
+            settings.assign(node, one, value)
+        for name, value in inputs:
+            node.inputs[name].default_value = value
+        group.show(node.node_tree, view or group.COMPOSITE)
+    measure(scene, color_of(key(scene)))
+
+
+def _copied(value):
+    return value if isinstance(value, float) else tuple(value)
 
 
 def add_plane(scene):
     """Show a scene's key, with the colour and levels that it has, on a plane before the scene's camera."""
-    node = key(scene)
-    source = compositor.node_of(scene, compositor.FOREGROUND)
-    color = settings.place_of_input(node, settings.COLOR)
-    levels = [settings.place(node, one) for one in settings.OF_KEYING if one.keyword in ("black", "white")]
-    if source is None or source.image is None or None in (color, *levels):
+    check_own(scene)
+    node, image = compositor.key_of(scene), image_of(scene)
+    if color_of(node) is None:
         raise Refused(tr("The key has lost its footage"))
     deleted = scene.motus.chroma.plane
-    scene.motus.chroma.plane = plane.add(
-        scene, scene.camera, source.image, tuple(getattr(*color))[:3], [getattr(*one) for one in levels], plane.DISTANCE)
+    scene.motus.chroma.plane = plane.add(scene, scene.camera, image, _shown(node), plane.DISTANCE)
     if deleted is not None and group.KEY in deleted:
         datablocks.remove_objects([deleted])
 
@@ -83,6 +147,7 @@ def remove(scene):
     if noted.plane is not None and group.KEY in noted.plane and all(other.motus.chroma.plane != noted.plane for other in others):
         datablocks.remove_objects([noted.plane])
     compositor.remove(scene, noted)
+    noted.background = None
     footage.drop_unused()
     scene_settings.restore(scene, noted)
     scene.motus.property_unset("chroma")

@@ -100,6 +100,16 @@ def has_shader_nodes_in_compositor():
     return not hasattr(bpy.types, "CompositorNodeMath")
 
 
+def has_premultiplied_images():
+    """The compositor's node Image premultiplies pictures of 8 bits by their alpha (before 4.0 it leaves them straight)."""
+    return bpy.app.version >= (4, 0, 0)
+
+
+def computes_nodes_once():
+    """The compositor computes what a node makes once (4.0 at the latest), not anew for each node that reads it."""
+    return bpy.app.version >= (4, 0, 0)
+
+
 def has_blended_surfaces():
     """Materials say how EEVEE draws what is transparent by `surface_render_method` (4.2), not by a blend and a shadow method."""
     return "surface_render_method" in bpy.types.Material.bl_rna.properties

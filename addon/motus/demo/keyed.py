@@ -14,7 +14,7 @@ COURSE = ((-34.0, 92.0, 11.0), (-4.0, 62.0, 8.5), (7.0, 36.0, 5.6), (16.0, 14.0,
 SPEED, START = 23.0, 12.0  # m/s, and m into the course
 BANK_SMOOTHING, BANK_LIMIT = 7.0, math.radians(50.0)
 F_STOP = 2.8
-SMOOTH, GROW, FEATHER, WRAP = 1, 0, 1, 0.25
+SMOOTH, GROW, FEATHER, WRAP, LIMIT = 1, 0, 1, 0.25, "DOUBLE"
 
 
 def build(context):
@@ -47,7 +47,7 @@ def _key(scene, studio, test_shot):
     """Key by the public operator, which measures the test shot; then what is keyed is the set itself, as it is rendered."""
     # The set is lit as the land is, and keyed before the view transform, which therefore stays.
     result = bpy.ops.motus.chroma_key_setup(
-        clip=test_shot.name, use_scene=False, smooth=SMOOTH, grow=GROW, feather=FEATHER, light_wrap=WRAP)
+        clip=test_shot.name, use_scene=False, smooth=SMOOTH, grow=GROW, feather=FEATHER, despill_limit=LIMIT, light_wrap=WRAP)
     if result != {"FINISHED"}:
         raise RuntimeError("The footage could not be keyed")
     tree = compositor.tree_of(scene)
@@ -56,7 +56,8 @@ def _key(scene, studio, test_shot):
     live[group.KEY] = live.name = live.label = studio.name
     live.scene, live.parent = studio, shot.parent
     live.location = shot.location.x, shot.location.y + 340.0
-    target = shot.outputs["Image"].links[0].to_socket
+    # Rendered pictures are premultiplied: they go straight to where the footage is brought to the render's size.
+    target = compositor.node_of(scene, f"{compositor.FOREGROUND} Size").inputs["Image"]
     node_groups.link(tree, live.outputs["Image"], target)
 
 

@@ -55,9 +55,17 @@ struct Pixels {
 [[nodiscard]] glm::dvec3 key_color(const py::object& object) {
     const glm::dvec3 color = vector(object, "color");
     if (!colour::is_screen_color(color))
-        value_error("color",
-                    "must be a green or a blue: one of these channels above both others, which are below 1");
+        value_error(
+            "color",
+            "must be a green or a blue: a hue from 75 to 270 degrees, of at least a tenth saturation");
     return color;
+}
+
+[[nodiscard]] colour::Difference difference_of(const py::object& balance, const py::object& gain) {
+    const colour::Difference found{.balance = number(balance, "balance"), .gain = number(gain, "gain")};
+    if (!(found.balance >= 0.0 && found.balance <= 1.0)) value_error("balance", "must be from 0 to 1");
+    if (!(found.gain >= 0.0)) value_error("gain", "must not be below 0");
+    return found;
 }
 
 [[nodiscard]] py::object color_of_screen(const py::object& picture) {
@@ -71,13 +79,15 @@ struct Pixels {
     return to_array(*found);
 }
 
-[[nodiscard]] py::dict report_on_screen(const py::object& picture, const py::object& color) {
+[[nodiscard]] py::dict report_on_screen(const py::object& picture, const py::object& color,
+                                        const py::object& balance, const py::object& gain) {
     const Pixels pixels(picture);
     const glm::dvec3 screen = key_color(color);
+    const colour::Difference difference = difference_of(balance, gain);
     colour::Report report;
     {
         const ReleaseGil released(pixels.rows.size(), pixel_cost);
-        report = colour::judge_screen(pixels.picture(), screen);
+        report = colour::judge_screen(pixels.picture(), screen, difference);
     }
     return py::dict("share"_a = report.share, "luminance_spread"_a = report.luminance_spread,
                     "chroma_spread"_a = report.chroma_spread, "spill"_a = report.spill,
@@ -85,17 +95,16 @@ struct Pixels {
 }
 
 [[nodiscard]] DoubleArray matte_of(const py::object& picture, const py::object& color,
-                                   const py::object& balance) {
+                                   const py::object& balance, const py::object& gain) {
     const Pixels pixels(picture);
     const glm::dvec3 screen = key_color(color);
-    const double share = number(balance, "balance");
-    if (!(share >= 0.0 && share <= 1.0)) value_error("balance", "must be from 0 to 1");
+    const colour::Difference difference = difference_of(balance, gain);
     DoubleArray result = new_array({pixels.rows.size() / pixels.width, pixels.width});
     const std::span<double> out = values_of(result);
     {
         const ReleaseGil released(pixels.rows.size(), pixel_cost);
         for (std::size_t i = 0; i < out.size(); ++i)
-            out[i] = colour::matte(glm::dvec3(pixels.rows[i]), screen, share);
+            out[i] = colour::matte(glm::dvec3(pixels.rows[i]), screen, difference);
     }
     return result;
 }
@@ -109,19 +118,19 @@ Colour of the green or blue screen in a picture, or None if there is none on at 
 The median of the most frequent saturated hue; pixels near the picture's border count most, transparent ones not at all.
 picture: (rows, columns, 4), red, green, blue and alpha, scene-linear, taken in float32.
 Returns (3,) float64, scene-linear. Raises ValueError where a value is not finite, or there is no pixel.)");
-    m.def("screen_report", &report_on_screen, "picture"_a, "color"_a, R"(
+    m.def("screen_report", &report_on_screen, "picture"_a, "color"_a, "balance"_a = 0.0, "gain"_a = 1.0, R"(
 How well a picture can be keyed by a colour.
 
-picture: as for screen_color().  color: (3,), green or blue above both other channels.
+picture: as for screen_color().  color: (3,), a green or a blue.  balance, gain: as for screen_matte().
 Returns a dict of floats. share: of the pixels that are of the screen.  luminance_spread: from the 5th to the 95th percentile of
 the screen's luminance, over its median.  chroma_spread: 95th percentile of the distance from the screen's median
 chromaticity, whose parts sum to 1.  spill: mean excess of the screen's channel on the subject, 1 for as much as on the screen.
 black, white: levels of screen_matte() at which the screen is clear and the subject opaque; 0 <= black < white <= 1.)");
-    m.def("screen_matte", &matte_of, "picture"_a, "color"_a, "balance"_a = 0.5, R"(
-Alpha of each pixel as Blender's node Keying has it: 1 - s(pixel) / s(color), clamped to [0, 1]. s is (c - m) |1 - m|, where c is the
-screen's channel, and m balance times the smaller of the others plus (1 - balance) times the larger.
+    m.def("screen_matte", &matte_of, "picture"_a, "color"_a, "balance"_a = 0.0, "gain"_a = 1.0, R"(
+Alpha of each pixel by its colour difference: 1 - gain m(pixel) / m(color), clamped to [0, 1]. m is the screen's channel less a mixture of
+the others: balance times the smaller plus (1 - balance) times the larger.
 
-picture, color: as for screen_report().  balance: in [0, 1].  Returns (rows, columns) float64.)");
+picture, color: as for screen_report().  balance: in [0, 1].  gain: not below 0.  Returns (rows, columns) float64.)");
 }
 
 }  // namespace motus::bindings

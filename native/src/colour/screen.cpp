@@ -50,12 +50,6 @@ struct Hsv {
     return color[channel] - (balance * std::min(one, other) + (1.0 - balance) * std::max(one, other));
 }
 
-/// The same, weighted by how far the mixture is from white, as Blender's node Keying has it.
-[[nodiscard]] double saturation(const glm::dvec3& color, glm::length_t channel, double balance) {
-    const double found = excess(color, channel, balance);
-    return found * std::abs(1.0 - (color[channel] - found));
-}
-
 [[nodiscard]] glm::length_t channel_of(const glm::dvec3& screen) {
     return screen.y >= screen.z ? 1 : 2;
 }
@@ -118,10 +112,13 @@ constexpr double degrees_a_bin = 360.0 / bins;
     return (static_cast<double>(best) + 0.5) * degrees_a_bin;
 }
 
-[[nodiscard]] bool is_candidate(const Hsv& hsv) {
+[[nodiscard]] bool is_green_or_blue(const Hsv& hsv) {
     constexpr double first_green = 75.0, last_blue = 270.0;
-    return hsv.saturation > least_saturation && hsv.value > least_value && hsv.hue >= first_green &&
-           hsv.hue <= last_blue;
+    return hsv.hue >= first_green && hsv.hue <= last_blue;
+}
+
+[[nodiscard]] bool is_candidate(const Hsv& hsv) {
+    return hsv.saturation > least_saturation && hsv.value > least_value && is_green_or_blue(hsv);
 }
 
 /// What a pixel of a judged picture is of.
@@ -135,14 +132,25 @@ enum class Kind : std::uint8_t { screen, subject };
     return is_alike ? Kind::screen : Kind::subject;
 }
 
-/// Whether all pixels at most `reach` away, those beyond the border left out, are of the kind.
-[[nodiscard]] bool is_inside(std::span<const Kind> kinds, std::size_t width, std::size_t index,
-                             std::size_t reach, Kind kind) {
-    const std::size_t height = kinds.size() / width, x = index % width, y = index / width;
-    for (std::size_t row = y - std::min(y, reach); row <= std::min(y + reach, height - 1); ++row)
-        for (std::size_t column = x - std::min(x, reach); column <= std::min(x + reach, width - 1); ++column)
-            if (kinds[row * width + column] != kind) return false;
-    return true;
+/// How many pixels of a kind lie left of and below each place, in rows of width + 1.
+[[nodiscard]] std::vector<std::size_t> summed(std::span<const Kind> kinds, std::size_t width, Kind kind) {
+    const std::size_t height = kinds.size() / width, row = width + 1;
+    std::vector<std::size_t> sums(row * (height + 1), 0);
+    for (std::size_t y = 0; y < height; ++y)
+        for (std::size_t x = 0; x < width; ++x)
+            sums[(y + 1) * row + x + 1] = sums[y * row + x + 1] + sums[(y + 1) * row + x] -
+                                          sums[y * row + x] + (kinds[y * width + x] == kind ? 1U : 0U);
+    return sums;
+}
+
+/// Whether no pixel that is summed lies at most `reach` away, along rows or columns, from a pixel.
+[[nodiscard]] bool is_far(std::span<const std::size_t> sums, std::size_t width, std::size_t index,
+                          std::size_t reach) {
+    const std::size_t row = width + 1, height = sums.size() / row - 1, x = index % width, y = index / width;
+    const std::size_t left = x - std::min(x, reach), right = std::min(x + reach + 1, width);
+    const std::size_t below = y - std::min(y, reach), above = std::min(y + reach + 1, height);
+    return sums[above * row + right] + sums[below * row + left] ==
+           sums[above * row + left] + sums[below * row + right];
 }
 
 /// Means of the colours at most `reach` away along a line of `count` pixels, of which each stands a `step`
@@ -169,6 +177,50 @@ void smooth_line(std::span<glm::dvec3> colors, std::size_t step, std::size_t cou
         kinds[i] = picture.pixels[i].w < 0.5F ? Kind::subject : kind_of(smoothed[i], color);
     return kinds;
 }
+
+/// Which pixels are of the screen or of the subject for sure: a soft edge between them is neither.
+class Inside {
+  public:
+    Inside(const Picture& picture, const glm::dvec3& color)
+        : width_(picture.width),
+          kinds_(kinds_of(picture, color, least_)),
+          screens_(summed(kinds_, width_, Kind::screen)),
+          subjects_(summed(kinds_, width_, Kind::subject)) {
+        const std::size_t side = std::max(width_, kinds_.size() / width_);
+        const std::size_t wide = std::max(least_, side / 12), narrow = std::max(least_, side / 25);
+        subject_reach_ = leaves_enough(Kind::subject, wide) ? wide : narrow;
+        screen_reach_ = leaves_enough(Kind::screen, wide)     ? wide
+                        : leaves_enough(Kind::screen, narrow) ? narrow
+                                                              : least_;
+    }
+
+    [[nodiscard]] std::size_t screen_count() const { return screens_.back(); }
+    [[nodiscard]] bool is_screen(std::size_t index) const {
+        return is_inside(Kind::screen, index, screen_reach_);
+    }
+    [[nodiscard]] bool is_subject(std::size_t index) const {
+        return is_inside(Kind::subject, index, subject_reach_);
+    }
+
+  private:
+    [[nodiscard]] bool is_inside(Kind kind, std::size_t index, std::size_t reach) const {
+        return kinds_[index] == kind &&
+               is_far(kind == Kind::screen ? subjects_ : screens_, width_, index, reach);
+    }
+
+    /// Whether an eighth of a kind's pixels lie so far from the other kind: thin things have few.
+    [[nodiscard]] bool leaves_enough(Kind kind, std::size_t reach) const {
+        std::size_t far = 0;
+        for (std::size_t i = 0; i < kinds_.size(); ++i) far += is_inside(kind, i, reach) ? 1U : 0U;
+        return 8 * far >= (kind == Kind::screen ? screens_ : subjects_).back();
+    }
+
+    static constexpr std::size_t least_ = 2;
+    std::size_t width_;
+    std::vector<Kind> kinds_;
+    std::vector<std::size_t> screens_, subjects_;
+    std::size_t subject_reach_ = least_, screen_reach_ = least_;
+};
 
 /// Numbers of all pixels of the screen.
 struct ScreenNumbers {
@@ -233,47 +285,46 @@ std::optional<glm::dvec3> screen_color(const Picture& picture) {
 }
 
 bool is_screen_color(const glm::dvec3& color) {
-    if (!is_finite(color) || !(std::max(color.y, color.z) > 0.0)) return false;
-    const glm::length_t channel = channel_of(color);
-    return excess(color, channel, 0.0) > 0.0 && std::max(color.x, color[3 - channel]) < 1.0;
+    constexpr double palest = 0.1;
+    if (!is_finite(color)) return false;
+    const Hsv hsv = hsv_of(color);
+    return hsv.saturation >= palest && is_green_or_blue(hsv);
 }
 
-double matte(const glm::dvec3& pixel, const glm::dvec3& screen, double balance) {
+double matte(const glm::dvec3& pixel, const glm::dvec3& screen, const Difference& difference) {
     const glm::length_t channel = channel_of(screen);
-    return std::clamp(1.0 - saturation(pixel, channel, balance) / saturation(screen, channel, balance), 0.0,
-                      1.0);
+    const double share =
+        excess(pixel, channel, difference.balance) / excess(screen, channel, difference.balance);
+    return std::clamp(1.0 - difference.gain * share, 0.0, 1.0);
 }
 
-Report judge_screen(const Picture& picture, const glm::dvec3& color) {
+Report judge_screen(const Picture& picture, const glm::dvec3& color, const Difference& difference) {
     check(picture);
     require(is_screen_color(color), "color: must be a green or a blue");
     const glm::length_t channel = channel_of(color);
-    // Neither screen nor subject is where the two may be mixed.
-    constexpr std::size_t reach = 2;
-    const std::vector<Kind> kinds = kinds_of(picture, color, reach);
+    const Inside inside(picture, color);
     ScreenNumbers screen;
     std::vector<double> subject;
     double spill = 0.0;
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        if (picture.pixels[i].w < 0.5F || !is_inside(kinds, picture.width, i, reach, kinds[i])) continue;
+    for (std::size_t i = 0; i < picture.pixels.size(); ++i) {
+        if (picture.pixels[i].w < 0.5F) continue;
         const glm::dvec3 pixel(picture.pixels[i]);
-        if (kinds[i] == Kind::subject) {
-            subject.push_back(matte(pixel, color));
+        if (inside.is_subject(i)) {
+            subject.push_back(matte(pixel, color, difference));
             spill += std::max(0.0, excess(pixel, channel, 0.0));
-            continue;
         }
+        if (!inside.is_screen(i)) continue;
         // Of light that there is: colours beyond the screen's gamut have parts below 0.
         const glm::dvec3 light = glm::max(pixel, glm::dvec3(0.0));
         const double sum = light.x + light.y + light.z;
         screen.luminances.push_back(luminance(pixel));
         screen.reds.push_back(sum > 0.0 ? light.x / sum : 0.0);
         screen.greens.push_back(sum > 0.0 ? light.y / sum : 0.0);
-        screen.mattes.push_back(matte(pixel, color));
+        screen.mattes.push_back(matte(pixel, color, difference));
     }
 
     Report report;
-    report.share =
-        static_cast<double>(std::ranges::count(kinds, Kind::screen)) / static_cast<double>(kinds.size());
+    report.share = static_cast<double>(inside.screen_count()) / static_cast<double>(picture.pixels.size());
     if (!screen.mattes.empty()) {
         judge_evenness(screen, report);
         report.black = std::min(quantile(screen.mattes, 0.98), 0.9);

@@ -87,17 +87,29 @@ TEST_CASE("the matte of mixtures of screen and grey is the share of grey", "[col
     const glm::dvec3 grey{0.3, 0.3, 0.3};
     for (const glm::dvec3& screen : {green, blue}) {
         for (double balance = 0.0; balance <= 1.0; balance += 0.25) {
-            CHECK(matte(screen, screen, balance) == Approx(0.0).margin(1e-12));
-            CHECK(matte(1.5 * screen, screen, balance) == 0.0);
-            CHECK(matte(grey, screen, balance) == Approx(1.0));
-        }
-        for (double alpha = 0.0; alpha <= 1.0; alpha += 0.125) {
-            // What is dark enough is far from white: the matte is the share itself.
-            const glm::dvec3 mixed = 1e-6 * (alpha * grey + (1.0 - alpha) * screen);
-            CHECK(matte(mixed, 1e-6 * screen, 0.0) == Approx(alpha).margin(1e-5));
+            CHECK(matte(screen, screen, {balance}) == Approx(0.0).margin(1e-12));
+            CHECK(matte(1.5 * screen, screen, {balance}) == 0.0);
+            for (const double bright : {0.3, 0.8, 1.0, 40.0})
+                for (double alpha = 0.0; alpha <= 1.0; alpha += 0.125)
+                    CHECK(matte(alpha * bright * grey / 0.3 + (1.0 - alpha) * screen, screen, {balance}) ==
+                          Approx(alpha).margin(1e-9));
         }
     }
-    CHECK(matte(skin, green, 0.5) == 1.0);
+    CHECK(matte(skin, green) == 1.0);
+}
+
+TEST_CASE("the balance weighs the larger channel against the smaller", "[colour]") {
+    // m is 0.4 less a mixture of 0.1 and 0.3; of the screen it is 0.4 - 0.05 = 0.35.
+    const glm::dvec3 screen{0.05, 0.4, 0.05};
+    for (const glm::dvec3& pixel : {glm::dvec3(0.1, 0.4, 0.3), glm::dvec3(0.3, 0.4, 0.1)}) {
+        CHECK(matte(pixel, screen, {0.0}) == Approx(1.0 - 0.1 / 0.35));
+        CHECK(matte(pixel, screen, {0.5}) == Approx(1.0 - 0.2 / 0.35));
+        CHECK(matte(pixel, screen, {1.0}) == Approx(1.0 - 0.3 / 0.35));
+        CHECK(matte(pixel, screen, {0.0, 2.0}) == Approx(1.0 - 0.2 / 0.35));
+    }
+    // Yellow and cyan hold as much red or blue as green.
+    CHECK(matte({0.9, 0.8, 0.1}, screen) == 1.0);
+    CHECK(matte({0.1, 0.8, 0.9}, screen) == 1.0);
 }
 
 TEST_CASE("the report tells an even screen from an uneven one", "[colour]") {
@@ -132,6 +144,36 @@ TEST_CASE("the report tells an even screen from an uneven one", "[colour]") {
     CHECK(found.share == Approx(even.share).margin(0.03));
 }
 
+TEST_CASE("levels are those of the balance", "[colour]") {
+    // Of a screen whose red varies from 0.01 to 0.13 the larger other channel goes up to 0.13, their mean to
+    // 0.105.
+    Footage varied({0.07, 0.42, 0.08}, {0.5, 0.33, 0.25}, 0.0, 0.0);
+    for (std::size_t i = 0; i < varied.pixels.size(); ++i)
+        if (varied.pixels[i].x < 0.3F) varied.pixels[i].x = 0.01F + 0.12F * static_cast<float>(i % 7) / 6.0F;
+    const glm::dvec3 screen{0.07, 0.42, 0.08};
+    const auto report = [&](double balance) { return judge_screen(varied.picture(), screen, {balance}); };
+    CHECK(report(0.0).black == Approx(1.0 - 0.29 / 0.34).margin(1e-5));
+    CHECK(report(0.5).black == Approx(1.0 - 0.315 / 0.345).margin(1e-5));
+    CHECK(report(0.0).white == 1.0);
+    CHECK(report(1.0).white == Approx(1.0 - 0.08 / 0.35).margin(1e-5));
+}
+
+TEST_CASE("a soft edge is no subject", "[colour]") {
+    for (const double grey : {0.1, 0.8, 3.0}) {
+        Footage soft(blue, skin, 0.0, 0.0);
+        for (std::size_t i = 0; i < soft.pixels.size(); ++i) {
+            const double x = static_cast<double>(i % Footage::width) - 48.0,
+                         y = static_cast<double>(i / Footage::width) - 32.0;
+            const double alpha = glm::clamp((22.0 - std::hypot(x, y)) / 6.0, 0.0, 1.0);
+            soft.pixels[i] = glm::vec4(glm::vec3(alpha * grey + (1.0 - alpha) * blue), 1.0F);
+        }
+        const Report report = judge_screen(soft.picture(), blue);
+        CHECK(report.white == Approx(1.0));
+        CHECK(report.black == Approx(0.0).margin(1e-6));
+        CHECK(report.spill == Approx(0.0).margin(1e-6));
+    }
+}
+
 TEST_CASE("colours beyond the gamut give numbers", "[colour]") {
     // Parts below 0, whose sum is 0.
     const glm::dvec3 wide{-0.5, 1.0, -0.5};
@@ -152,8 +194,9 @@ TEST_CASE("spill is measured on the subject", "[colour]") {
 TEST_CASE("what is no screen colour is refused", "[colour]") {
     CHECK(is_screen_color(green));
     CHECK(is_screen_color(blue));
-    for (const glm::dvec3& color : {skin, glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(-1.0, -0.5, -1.0),
-                                    glm::dvec3(0.0, std::nan(""), 0.0)})
+    for (const glm::dvec3& color :
+         {skin, glm::dvec3(0.0), glm::dvec3(1.0), glm::dvec3(0.9, 0.95, 0.9), glm::dvec3(0.7, 0.1, 0.8),
+          glm::dvec3(0.8, 0.1, 0.7), glm::dvec3(-1.0, -0.5, -1.0), glm::dvec3(0.0, std::nan(""), 0.0)})
         CHECK_FALSE(is_screen_color(color));
     CHECK_THROWS_AS(judge_screen(Footage(green, skin, 0.0, 0.0).picture(), skin), std::invalid_argument);
 }

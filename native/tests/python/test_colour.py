@@ -49,7 +49,10 @@ class ColourTest(unittest.TestCase):
                 (lambda: native.screen_report(picture(), (0.5, 0.5, 0.5)), "color"),
                 (lambda: native.screen_report(picture(), (0.5, 0.5)), "color"),
                 (lambda: native.screen_matte(picture(), (0.5, float("inf"), 0.5)), "color"),
-                (lambda: native.screen_matte(picture(), GREEN, 1.5), "balance")):
+                (lambda: native.screen_matte(picture(), GREEN, 1.5), "balance"),
+                (lambda: native.screen_matte(picture(), GREEN, gain=-1.0), "gain"),
+                (lambda: native.screen_report(picture(), GREEN, -0.5), "balance"),
+                (lambda: native.screen_report(picture(), (0.7, 0.1, 0.8)), "color")):
             with self.subTest(name=name), self.assertRaisesRegex(ValueError, f"^{name}: "):
                 call()
         with self.assertRaisesRegex(TypeError, "^picture: "):

@@ -1,12 +1,85 @@
 """Spanish: chroma keys."""
 
 INTERFACE = {
+    "A screen is green or blue: nothing is keyed by this colour": "Una pantalla es verde o azul: con este color no se recorta nada",
+    "A screen is green or blue: this colour is {hue}": "Una pantalla es verde o azul: este color es {hue}",
+    "Average": "Media",
+    "Core Fill": "Rellenar interior",
+    "Core Mask": "Máscara de interior",
+    "Curves Before": "Curvas anteriores",
+    "Despill Limit": "Límite del reflejo",
+    "Double": "Doble",
+    "Edge": "Borde",
+    "Exposure Before": "Exposición anterior",
+    "Gamma Before": "Gamma anterior",
+    "Gap": "Hueco",
+    "Give keys of older versions the present node group, with their settings, and find its levels":
+        "Da a los cromas de versiones anteriores el grupo de nodos actual, con sus ajustes, y busca sus niveles",
+    "Give the key a mask or a picture that makes its white part clear, or keeps it opaque":
+        "Da al croma una máscara o una imagen cuya parte blanca queda transparente, o se conserva opaca",
+    "How much of the light that despill takes away goes back as grey": "Cuánta de la luz que se quita con el reflejo vuelve como gris",
+    "Index": "Índice",
+    "Keep Luminance": "Conservar luminancia",
+    "Kind": "Tipo",
+    "Let the key have this mask no more; the mask stays in the file": "El croma deja de tener esta máscara, que se queda en el archivo",
+    "Light": "Luz",
+    "Make another colour of the footage transparent too, by a key with settings and masks of its own":
+        "Vuelve transparente otro color más de la filmación, con un croma que tiene ajustes y máscaras propios",
+    "Mask": "Máscara",
+    "Maximum": "Máximo",
+    "Move the corners of {object} in an Image Editor, in the mode Mask":
+        "Mueve las esquinas de {object} en un editor de imágenes, en el modo Máscara",
+    "Name a mask or a picture, not both": "Nombra una máscara o una imagen, no las dos",
+    "Name of a mask of this file; without it a new one is made, to be drawn on":
+        "Nombre de una máscara de este archivo; sin él se hace una nueva, para dibujar en ella",
+    "Name of an image, or path of a file, whose white part counts, in place of a mask":
+        "Nombre de una imagen, o ruta de un archivo, cuya parte blanca cuenta en lugar de una máscara",
+    "Picture": "Imagen",
+    "Pictures and Masks": "Imágenes y máscaras",
+    "Pictures that are missing in sequences, and the frames in which they are":
+        "Imágenes que faltan en las secuencias, y los fotogramas en los que faltan",
+    "Screen Gain": "Ganancia de pantalla",
+    "Show the settings of this key": "Muestra los ajustes de este croma",
+    "Take away the key that the panel shows; the others stay": "Quita el croma que muestra el panel; los demás se quedan",
+    "The average of the two other channels in which the larger counts twice":
+        "La media de los otros dos canales, en la que el mayor cuenta dos veces",
+    "The average of the two other channels, which takes most away": "La media de los otros dos canales, que es lo que más quita",
+    "The clip or image that lies underneath": "El clip o la imagen que queda debajo",
+    "The first key goes with the whole: remove the chroma key": "El primer croma se va con todo: quita el croma",
+    "The key is of an older version: upgrade it first": "El croma es de una versión anterior: actualízalo primero",
+    "The larger of the two other channels: yellow and cyan stay as they are":
+        "El mayor de los otros dos canales: el amarillo y el cian quedan como están",
+    "The scene's color management changes the footage's colours: {names}":
+        "La gestión de color de la escena cambia los colores de la filmación: {names}",
+    "This key is of an older version, and goes on as it was": "Este croma es de una versión anterior, y sigue como era",
+    "Up to how much holes in the subject are filled, well inside its edge, which stays soft; 0 fills none":
+        "Hasta cuánto se rellenan los huecos del sujeto, bien adentro de su borde, que queda suave; 0 no rellena ninguno",
+    "What is keyed; without it the next screen that is found in what the keys leave":
+        "Lo que se recorta; sin él, la siguiente pantalla que se encuentra en lo que dejan los cromas",
+    "What the amount of screen in a pixel is multiplied by: above 1 a dark part of the screen is clear too":
+        "Por cuánto se multiplica la parte de pantalla de un píxel: por encima de 1 también queda transparente una zona oscura de la pantalla",
+    "What the mask does": "Lo que hace la máscara",
+    "What the screen's channel is limited by on the subject": "Lo que limita el canal de la pantalla en el sujeto",
+    "Where all is clear: stands, lamps and what lies beyond the screen":
+        "Donde todo es transparente: soportes, focos y lo que queda fuera de la pantalla",
+    "Where all is opaque: what has the screen's colour within the subject":
+        "Donde todo es opaco: lo que tiene el color de la pantalla dentro del sujeto",
+    "Which key, from 0": "Qué croma, desde 0",
+    "Which mask": "Qué máscara",
+    "Which of the keys the panel shows": "Cuál de los cromas muestra el panel",
+    "White Balance Before": "Balance de blancos anterior",
+    "grey or white": "gris o blanco",
+    "magenta": "magenta",
+    "red": "rojo",
+    "yellow": "amarillo",
+    "{object} lacks pictures {numbers}: frames {frames} show the ones before":
+        "A {object} le faltan las imágenes {numbers}: los fotogramas {frames} muestran las anteriores",
+    "{scene} has a chroma key already: add another color to it, or remove it first":
+        "{scene} ya tiene un croma: agrégale otro color, o quítalo primero",
     "Choose one file, or the pictures of one numbered sequence": "Elige un archivo, o las imágenes de una secuencia numerada",
     "Choose the clip or image that lies underneath": "Elige el clip o la imagen que queda debajo",
     "Look at the key in the viewport, through the scene's camera; once more to look as before":
         "Mira el croma en la vista, por la cámara de la escena; otra vez para mirar como antes",
-    "A screen is green or blue: the colour has neither above its other channels":
-        "Una pantalla es verde o azul: en este color ninguno de los dos supera a los demás canales",
     "Another clip or image": "Otro clip u otra imagen",
     "Background": "Fondo",
     "Balance": "Equilibrio",
@@ -22,7 +95,6 @@ INTERFACE = {
         "Color de la pantalla; sin él se busca el de la propia filmación",
     "Composite": "Composición",
     "Despill": "Quitar reflejo",
-    "Edge and Light": "Borde y luz",
     "Feather": "Suavizar borde",
     "File": "Archivo",
     "Find the colour of the screen, and levels that clear it, from the footage again":
@@ -59,7 +131,6 @@ INTERFACE = {
     "Nothing": "Nada",
     "Only find levels, for the colour that was picked": "Solo busca los niveles, para el color elegido",
     "Path of the footage, as the file browser gives it": "Ruta de la filmación, tal como la da el explorador de archivos",
-    "Pictures": "Imágenes",
     "Pixel Aspect Before": "Proporción de píxel anterior",
     "Pixels by which the matte grows; below 0 it is choked": "Píxeles que crece el mate; por debajo de 0 se encoge",
     "Pixels over which colour is smoothed before it is keyed, for noise and compressed colour":
@@ -136,12 +207,17 @@ INTERFACE = {
     "{object} is keyed by its {kind} screen": "{object} tiene croma por su pantalla {kind}",
     "{object} shows no green or blue screen: pick the colour, if there is one":
         "{object} no muestra ninguna pantalla verde ni azul: elige el color, si la hay",
-    "{scene} has a chroma key already: remove it first": "{scene} ya tiene un croma: quítalo primero",
     "{scene} has no chroma key": "{scene} no tiene ningún croma",
     "{scene} is linked from another file": "{scene} está vinculada desde otro archivo",
 }
 
 OPERATORS = {
+    "Add Mask": "Agregar máscara",
+    "Key Another Color": "Agregar otro color",
+    "Remove Key of a Color": "Quitar croma de un color",
+    "Remove Mask": "Quitar máscara",
+    "Show Key": "Mostrar croma",
+    "Upgrade Key": "Actualizar croma",
     "Find Levels": "Buscar niveles",
     "Show in Viewport": "Mostrar en la vista",
     "Measure Screen": "Medir pantalla",

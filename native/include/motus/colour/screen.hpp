@@ -21,14 +21,22 @@ void check(const Picture& picture);
 /// pixels near the picture's border count most. None if there is none on at least a fiftieth of the picture.
 [[nodiscard]] std::optional<glm::dvec3> screen_color(const Picture& picture);
 
-/// Whether a colour is one that a picture can be keyed by: green or blue above the other channels, and these
-/// below 1.
+/// Whether a colour is one that a picture can be keyed by: a green or blue hue of at least a tenth
+/// saturation. Red, yellow, magenta, grey and white are none.
 [[nodiscard]] bool is_screen_color(const glm::dvec3& color);
 
-/// Alpha of a pixel, in [0, 1], as Blender's node Keying has it: 0 for the screen's colour and for what has
-/// more of its hue, 1 for what has none of it. balance: in [0, 1], share of the smaller of the two other
-/// channels in the mixture that the screen's channel is compared with.
-[[nodiscard]] double matte(const glm::dvec3& pixel, const glm::dvec3& screen, double balance = 0.5);
+/// How the amount of the screen in a pixel is measured.
+struct Difference {
+    double balance = 0.0;  ///< in [0, 1]: the screen's channel is compared with the larger of the others at
+                           ///< 0, with their mean at 0.5, with the smaller at 1
+    double gain = 1.0;  ///< >= 0, what the amount is multiplied by
+};
+
+/// Alpha of a pixel, in [0, 1], by the colour difference m(C), the screen's channel less a mixture of the
+/// others (Vlahos): clamp(1 - gain m(pixel) / m(screen)). 0 for the screen's colour and for what has more of
+/// its hue, 1 for what has none of it, however bright.
+[[nodiscard]] double matte(const glm::dvec3& pixel, const glm::dvec3& screen,
+                           const Difference& difference = {});
 
 /// How well a picture can be keyed by a colour.
 struct Report {
@@ -42,8 +50,11 @@ struct Report {
     double white = 1.0;  ///< level of the matte at which the subject is opaque, in [black + 0.1, 1]
 };
 
-/// color: one that is_screen_color(). Numbers of what is not in the picture, screen or subject, are the
-/// defaults.
-[[nodiscard]] Report judge_screen(const Picture& picture, const glm::dvec3& color);
+/// color: one that is_screen_color(). difference: of the matte that the levels are of. Pixels count if
+/// the other kind is a twelfth of the picture's greater side away, or a twenty-fifth if these are few: nearer
+/// ones may be a soft edge.
+/// Numbers of what is not in the picture, screen or subject, are the defaults.
+[[nodiscard]] Report judge_screen(const Picture& picture, const glm::dvec3& color,
+                                  const Difference& difference = {});
 
 }  // namespace motus::colour

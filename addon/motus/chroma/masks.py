@@ -1,0 +1,23 @@
+"""Masks to draw on: a rectangle that the artist pulls into shape."""
+
+import bpy
+
+_WIDE, _SMALL = 0.9, 0.3
+"""Sides of the rectangles, as shares of the picture's."""
+
+
+def new(name, size, is_outside):
+    """A mask with a rectangle for pictures of a size in pixels. is_outside: it is white around a wide rectangle, not in a small one."""
+    mask = bpy.data.masks.new(name)
+    layer = mask.layers.new()
+    layer.invert = is_outside
+    spline = layer.splines.new()
+    greatest, share = max(size), 0.5 * (_WIDE if is_outside else _SMALL)
+    across, up = (share * side / greatest for side in size)
+    corners = ((-across, -up), (across, -up), (across, up), (-across, up))
+    spline.points.add(len(corners) - len(spline.points))
+    for point, (x, y) in zip(spline.points, corners):
+        point.handle_type = 'VECTOR'
+        point.co = 0.5 + x, 0.5 + y
+    spline.use_cyclic = True
+    return mask
