@@ -53,8 +53,6 @@ class Landings {
     Landings(Landings&&) = delete;
     Landings& operator=(Landings&&) = delete;
 
-    /// Of the pages that are kept, of all that there are.
-    [[nodiscard]] static std::size_t kept_bytes() { return pages().bytes(); }
 
     /// Whether there is anything to land on.
     [[nodiscard]] bool are_any() const noexcept { return ground_.has_value() || collider_ != nullptr; }
