@@ -53,7 +53,6 @@ class Landings {
     Landings(Landings&&) = delete;
     Landings& operator=(Landings&&) = delete;
 
-
     /// Whether there is anything to land on.
     [[nodiscard]] bool are_any() const noexcept { return ground_.has_value() || collider_ != nullptr; }
     /// s that a flake lives after it landed, at most.
