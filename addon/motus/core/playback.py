@@ -7,7 +7,6 @@ import threading
 import time
 
 import bpy
-from bpy.app.handlers import persistent
 
 from . import handlers
 
@@ -27,9 +26,11 @@ class _Drawn:
 def note():
     """Called where read-outs are drawn: without any, playback costs nothing."""
     _Drawn.is_new = True
+    # Not a persistent handler: a file in which nobody has looked at read-outs costs nothing.
+    if _frame_changed not in bpy.app.handlers.frame_change_post:
+        handlers.add(_PAIRS)
 
 
-@persistent
 def _frame_changed(*_):
     # A render goes through frames in a thread of its own, where windows must not be touched.
     if not _Drawn.is_new or bpy.app.background or threading.current_thread() is not threading.main_thread():
@@ -50,11 +51,6 @@ def _frame_changed(*_):
 _PAIRS = ((bpy.app.handlers.frame_change_post, _frame_changed),)
 
 
-def register():
-    """Follow playback."""
-    handlers.add(_PAIRS)
-
-
 def unregister():
-    """Follow it no more."""
+    """Follow playback no more."""
     handlers.remove(_PAIRS)

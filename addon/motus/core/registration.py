@@ -43,7 +43,7 @@ def _register(systems, extra_classes, extra_add_menu):
         _call(one.register, one.unregister)
     _call(viewports.register, viewports.unregister)
     _call(overlay.register, overlay.unregister)
-    _call(playback.register, playback.unregister)
+    _call(lambda: None, playback.unregister)  # read-outs that are drawn begin to follow playback
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
     _call(lambda: panels.menus_of_scenes.extend(extra_add_menu), panels.menus_of_scenes.clear)
     _call(translations.register, translations.unregister)
