@@ -198,9 +198,9 @@ def _despill(sheet, picture, is_green, is_blue):
     own, limit = _channels(sheet, (red, green, blue, alpha), is_green, is_blue, sheet.input("Despill Limit"))
     spill = sheet.math("Not below 0", 'MAXIMUM', sheet.math("Own - Limit", 'SUBTRACT', own, limit), 0.0)
     spill = sheet.kept(sheet.math("Spill", 'MULTIPLY', spill, sheet.input("Despill")))
-    sheet.frame("Keep Luminance")
+    sheet.frame("Keep Light")
     weight = sheet.math("Luminance of Channel", 'MULTIPLY_ADD', is_blue, _BLUE - _GREEN, _GREEN)
-    grey = sheet.math("Grey", 'MULTIPLY', sheet.math("", 'MULTIPLY', spill, weight), sheet.input("Keep Luminance"))
+    grey = sheet.math("Grey", 'MULTIPLY', sheet.math("", 'MULTIPLY', spill, weight), sheet.input("Keep Light"))
     parts = [red]
     for label, part, is_own in (("Green", green, is_green), ("Blue", blue, is_blue)):
         parts.append(sheet.math(f"{label} - Spill", 'SUBTRACT', part, sheet.math("", 'MULTIPLY', spill, is_own)))

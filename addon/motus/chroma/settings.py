@@ -48,7 +48,7 @@ OF_KEYING = (
     Setting("core", "Core Fill", "Up to how much holes in the subject are filled, well inside its edge, which stays soft; 0 fills none",
             0.0, 0.0, 1.0),
     Setting("limit", "Despill Limit", "What the screen's channel is limited by on the subject", 0.0, 0.0, 1.0),
-    Setting("luminance", "Keep Luminance", "How much of the light that despill takes away goes back as grey", 1.0, 0.0, 1.0),
+    Setting("luminance", "Keep Light", "How much of the light that despill takes away goes back as grey", 1.0, 0.0, 1.0),
 )
 BY_KEYWORD = {one.keyword: one for one in OF_KEYING}
 COLOR, MASK, CORE_MASK, WRAP = "Screen Color", "Garbage Mask", "Core Mask", "Light Wrap"

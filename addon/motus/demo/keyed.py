@@ -14,7 +14,7 @@ COURSE = ((-34.0, 92.0, 11.0), (-4.0, 62.0, 8.5), (7.0, 36.0, 5.6), (16.0, 14.0,
 SPEED, START = 23.0, 12.0  # m/s, and m into the course
 BANK_SMOOTHING, BANK_LIMIT = 7.0, math.radians(50.0)
 F_STOP = 2.8
-SMOOTH, GROW, FEATHER, WRAP, LIMIT = 1, 0, 1, 0.25, "DOUBLE"
+SMOOTH, GROW, FEATHER, WRAP, LIMIT = 1, 0, 1, 0.25, "AVERAGE"
 
 
 def build(context):

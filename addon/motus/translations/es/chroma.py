@@ -19,7 +19,7 @@ INTERFACE = {
         "Da al croma una máscara o una imagen cuya parte blanca queda transparente, o se conserva opaca",
     "How much of the light that despill takes away goes back as grey": "Cuánta de la luz que se quita con el reflejo vuelve como gris",
     "Index": "Índice",
-    "Keep Luminance": "Conservar luminancia",
+    "Keep Light": "Conservar luz",
     "Kind": "Tipo",
     "Let the key have this mask no more; the mask stays in the file": "El croma deja de tener esta máscara, que se queda en el archivo",
     "Light": "Luz",
