@@ -85,7 +85,7 @@ def filtered(values, numbers, frame, first=1, last=90, parts=16):
 
 def own(thing):
     """The own Transforms at frames."""
-    return support.addon("core.tracks").own_track(thing).values
+    return support.addon("core.tracks").own_track(thing, bpy.context.scene).values
 
 
 def rope(count=6, chains=1, name="Rope"):

@@ -202,7 +202,7 @@ class DynamicsSettingsTest(support.SceneTestCase):
         ball.driver_add("rotation_euler", 0).driver.expression = "frame / 100"
         entry = cases.add(ball, style='BOUNCY', channels={'LOCATION'})[0]
         self.assertIsNone(cases.problem(ball))
-        places = support.addon("core.tracks").own_track(ball, {"location"}).values
+        places = support.addon("core.tracks").own_track(ball, bpy.context.scene, {"location"}).values
         wanted = cases.filtered(lambda frames: places(frames).locations, (2.0, 0.3, 0.0), 22)
         np.testing.assert_allclose(cases.place(ball, 22), wanted, atol=3e-4)
         entry.channels = {'LOCATION', 'ROTATION'}

@@ -329,8 +329,9 @@ class LookAtPlan:
         settings: _Array,  # (C, 9), see SETTINGS
         targets: _Array,  # (C, 3), world space
         head_forward: _Array,  # (C, 3), axes of the bones
-        eyes_forward: _Array,  # (C, 3)
+        eyes_forward: _Array,  # (E, 3), of the eyes of all entries
         rotations: _Array | None = None,  # (rows, 4), C-contiguous, written into
+        up: _Array | None = None,  # (C, 3), what the rig stands along at rest, armature space; None: Z
     ) -> _Array: ...
 
 class LayerClip:
@@ -351,6 +352,8 @@ class LayerClip:
     def given(self) -> int: ...  # curves without keys
     # (n, 10): location, quaternion, scale of its bones at a frame of the action.
     def pose(self, frame: float, given: ArrayLike | None = None) -> _Array: ...
+    # (n, 13): pose() with the Euler angles of bones that have keys of them beyond half a turn.
+    def reference(self, frame: float, given: ArrayLike | None = None) -> _Array: ...
 
 class LayerStack:
     """What the bones of one rig hang on, for layers of animation over its pose. Immutable."""
@@ -370,7 +373,7 @@ class LayerStack:
         clips: Sequence[LayerClip],  # the lowest first
         settings: _Array,  # (L, 10), see SETTINGS
         masks: _Array,  # (L, B), in [0, 1]
-        references: Sequence[_Array | None],  # (n, 10) of LayerClip.pose(), None for the rest pose
+        references: Sequence[_Array | None],  # of LayerClip.pose() or reference(), None for the rest pose
         given: Sequence[ArrayLike | None],  # values of the clips' curves without keys
         rows: ArrayLike,  # (R,) bones that are written
         locations: _Array,  # (R, 3), written into: to be added

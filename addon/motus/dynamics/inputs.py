@@ -37,10 +37,15 @@ PARENT = None
 class _Input:
     """of(): tracks it is made from. extent: of all of them together. Built anew for each use.
 
-    carriers: names whose world tracks count for it, and change though neither the owner nor its keys are edited.
+    carriers: names whose world tracks count for it, and change though neither the owner nor its keys are edited. bones: names of
+    those whose own transforms count.
     """
 
     carriers = ()
+
+    @property
+    def bones(self):
+        return [keywords["bone"] for _, keywords in self.listed if keywords and keywords["transform"] == 'OWN' and "bone" in keywords]
 
     def __init__(self, thing, entry, scene):
         self._thing, self._entry, self._scene = thing, entry, scene
@@ -119,7 +124,7 @@ class OwnInput(_Input):
         parts = {name.lower() for name in self._entry.channels}
         if "rotation" in parts:
             parts.add("scale")  # what is mirrored turns otherwise
-        return [(tracks.own_track(thing, parts), names if thing == thing.id_data else names | {"bone": thing.name})]
+        return [(tracks.own_track(thing, self._scene, parts), names if thing == thing.id_data else names | {"bone": thing.name})]
 
     def samples(self, frames):
         """Samples at frames (n,)."""
@@ -231,7 +236,7 @@ class TailInput(_Input):
                     found[bone.name] = tracks.world_track(bone, scene, registered["dynamics"]), {
                         "datablock": rig.name, "bone": bone.name, "transform": 'WORLD'}
                     break
-                found[bone.name] = tracks.own_track(bone), {
+                found[bone.name] = tracks.own_track(bone, scene), {
                     "datablock": rig.name, "bone": bone.name, "transform": 'OWN'}
                 bone = bone.parent
         self._places = dict(zip(found, range(len(found))))

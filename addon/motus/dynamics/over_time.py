@@ -99,7 +99,7 @@ class OverTime(_OverTime):
         matrices = np.broadcast_to(matrices, (count, 4, 4)).copy()
         moves, turns, ratios = part.at(inputs.seconds_of(np.asarray(times, float), self._scene), weight)
         if turns is not None:
-            matrices = turned(matrices, turns, tracks.own_track(self._owner).values(times).scales)
+            matrices = turned(matrices, turns, tracks.own_track(self._owner, self._scene).values(times).scales)
         if ratios is not None:
             matrices[:, :3, :3] *= ratios[:, None, :]
         if moves is not None:

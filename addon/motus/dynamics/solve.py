@@ -9,7 +9,7 @@ from mathutils import Matrix, Vector
 from ..core import copies, native, rigs, stored, wiring
 from ..core.lazy import numpy as np
 from ..core.system import Problem, registered, systems
-from ..core.tracks import strips, transforms, world_track
+from ..core.tracks import laid, own_track, strips, transforms, world_track
 from . import inputs, motion
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
@@ -115,10 +115,12 @@ def _made(context):
 
 
 class Asked(NamedTuple):
-    """Whose stamps tell changes beyond those of the owner itself: names of what carries it, as those of inputs; paths of properties."""
+    """Whose stamps tell changes beyond those of the owner itself: names of what carries it, as those of inputs; paths of properties;
+    name of a bone of its input that layers lie over, as all of a rig's layers change together."""
 
     carriers: tuple
     paths: tuple
+    laid: str = ""
 
 
 def _stamp(owner, copy, scene, asked):
@@ -131,6 +133,8 @@ def _stamp(owner, copy, scene, asked):
         found.append(copies.stamp_of_data(owner))
     found += [_stamp_of_carrier(owner, name, scene) for name in asked.carriers]
     found += [strips.stamp_of(_animation_of(owner, path)) for path in asked.paths]
+    if asked.laid:
+        found.append(_stamp_of_known(own_track(owner.pose.bones[asked.laid], scene)))
     return strips.together(found)
 
 
@@ -163,6 +167,7 @@ class _Making:
         self._owner, self._settings, self._scene = owner, settings, scene
         self.reach = inputs.reach(scene, frame)
         self.parts, self.tails, self.values, self.members, self.problems, self.carriers = [], [], [], [], [], []
+        self.laid = ""
         self._places = {(entry.name, entry.data_path, entry.index if entry.data_path else -1): place
                         for place, entry in enumerate(settings.entries)}
 
@@ -175,6 +180,7 @@ class _Making:
             self.problems.append(CONSTRAINED)
         source = Unit("", kind, entries, things).input(self._scene)
         self.carriers += source.carriers
+        self.laid = self.laid or next((name for name in source.bones if laid.is_laid(self._owner.pose.bones[name])), "")
         if self._is_ready(source, entries):
             make = self._make_tails if kind == 'TAILS' else self._make_part
             self._try(make, things, entries, rows, places)
@@ -239,7 +245,7 @@ def _make(context, copy, scene):
         slot += count
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties))
+    asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties), making.laid)
     is_still = copy is not None and not copy.has_animated_settings
     return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,
                 tuple(making.members), next(iter(making.problems), None), _weights(settings) if is_still else None)

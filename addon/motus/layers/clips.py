@@ -1,7 +1,5 @@
 """What an action says of a rig's bones, as the native module plays it: read once for each state of the action."""
 
-import bpy
-
 from ..core import actions, copies, native, read_keys
 from ..core.lazy import numpy as np
 
@@ -56,10 +54,10 @@ class Clip:
         return np.nan_to_num([curve.evaluate(frame) for curve in self._given], posinf=0.0, neginf=0.0)
 
     def reference(self, frame):
-        """LayerClip.pose() of a frame, kept for the next call."""
+        """LayerClip.reference() of a frame, kept for the next call."""
         known, pose = self._reference
         if known != frame:
-            pose = self.native.pose(frame, self.given(frame))
+            pose = self.native.reference(frame, self.given(frame))
             self._reference = frame, pose
         return pose
 
@@ -80,11 +78,10 @@ def clip_of(action, slot, names, modes):
 def _curves_of_bones(action, slot, names):
     """{bone: {channel: {index: F-curve}}} of what is not muted."""
     wanted, found = set(names), {}
-    for curve in actions.curves_for_object(action, slot):
-        match = actions.OWN_CHANNEL.match(curve.data_path)
-        if not match or match["bone"] is None or curve.mute or (curve.group and curve.group.mute):
+    for curve in actions.curves_for_object(action, slot, wanted):
+        name, channel = actions.bone_of(curve), curve.data_path.rpartition(".")[2]
+        if curve.mute or (curve.group and curve.group.mute):
             continue
-        name, channel = bpy.utils.unescape_identifier(match["bone"]), curve.data_path.rpartition(".")[2]
         if name in wanted and channel in _SIZES and curve.array_index < _SIZES[channel]:
             found.setdefault(name, {}).setdefault(channel, {})[curve.array_index] = curve
     return found

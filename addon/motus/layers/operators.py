@@ -63,11 +63,14 @@ class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator
     action: bpy.props.StringProperty(
         name="Action", description="Name of the action; empty leaves it to be chosen", options={'SKIP_SAVE'})
     slot: bpy.props.StringProperty(
-        name="Slot", description="Identifier of the action's slot; empty takes the rig's own, else the first one of an object",
+        name="Slot", description="Identifier of the action's slot; empty takes the rig's own, else the first one that animates its bones",
         options={'SKIP_SAVE'})
     layer: bpy.props.StringProperty(
         name="Layer", description="Name of the layer; empty takes the action's. One that is there is changed",
         options={'SKIP_SAVE'})
+    start: bpy.props.FloatProperty(
+        name="Start", description="Frame of the scene on which the action begins to play; not given, the present frame", default=1.0,
+        step=100, precision=1)
     mask: bpy.props.EnumProperty(
         name="Mask", description="On which bones the layer acts, where neither bones nor collections are named", items=MASKS,
         default='SELECTED')
@@ -94,7 +97,7 @@ class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator
         else:
             targets.check_room(rig)
             if not self.is_given("start"):
-                changes["start"] = float(context.scene.frame_current)
+                self.start = changes["start"] = float(context.scene.frame_current)
             setup.add(rig, self.layer or self.action or tr("Layer"), changes, items)
         settings = rig.motus.layers
         self.report({'INFO'}, tr("{object} has the layer {layer}").format(

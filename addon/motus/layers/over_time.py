@@ -25,7 +25,7 @@ class OverTime(SolvedBone):
         self._layers = list(owner.motus.layers.entries)
         is_steady = any(entry.in_armature for entry in self._layers)
         above = [one.name for one in bone.bone.parent_recursive] if is_steady else []
-        super().__init__(RigInputs(owner, scene, ("layers", bone.name, is_steady), [bone.name, *above], "", [], self._paths))
+        super().__init__(RigInputs(owner, scene, ("layers", bone.name, is_steady), [bone.name, *above], "", [], self._paths, lays_pose=True))
 
     def _paths(self):
         prefixes = [entry_keys.animated_prefix(self._owner, "motus.layers.entries", self._owner.motus.layers.entries, index)

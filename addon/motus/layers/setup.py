@@ -101,11 +101,12 @@ def remove_from_mask(rig, index, place):
 
 
 def slot_of(rig, action):
-    """Identifier of the slot by which a layer plays an action: the rig's own one, if the action has it; else the first."""
+    """Identifier of the slot by which a layer plays an action: the rig's own one, if it animates bones of the rig; else ""."""
     own = actions.slot_identifier(rig)
-    if action is None or not capabilities.has_slotted_actions():
+    if action is None or not capabilities.has_slotted_actions() or own not in action.slots:
         return ""
-    return own if own in [one.identifier for one in actions.slots_for_objects(action)] else ""
+    bones = rig.data.bones.keys()
+    return own if actions.animates(actions.curves_for_object(action, own, bones), bones) else ""
 
 
 def _add_items(entry, items):

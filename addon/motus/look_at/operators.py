@@ -3,10 +3,13 @@
 import bpy
 
 from ..core import operators, wiring
+from ..core.axes import AXES
 from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
-from . import anatomy, rows, setup, targets
+from . import anatomy, facing, names, rows, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
+
+FOUND = ('AUTO', "Automatic", "What the skeleton shows: eyes, face, feet and sides; else what other systems of the rig are set to")
 
 
 class OfARig(operators.OfARig):
@@ -46,6 +49,13 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
         description="Names of the eye bones with commas between; not given, bones below the head called eye",
         options={'SKIP_SAVE'})
 
+    forward: bpy.props.EnumProperty(
+        name="Forward", description="Axis of the rig that points where the character faces at rest", items=(FOUND, *AXES),
+        default='AUTO')
+    up: bpy.props.EnumProperty(
+        name="Up", description="Axis of the rig that points from the feet to the head at rest", items=(FOUND, *AXES),
+        default='AUTO')
+
     redo = rows.ALL
 
     @classmethod
@@ -64,12 +74,13 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
         rig = targets.rig_for(context, self.object)
         head = targets.head_for(context, rig, self.bone)
         targets.check_editable(rig)
-        changes = self.given(KEYWORDS)
+        changes = self.given([name for name in KEYWORDS if name not in ("forward", "up")])
         check_finite(self, changes)
         before = rig.motus.look_at.entries.get(head)
         eyes = self._eyes(rig, head, before)
+        changes.update(self._axes(rig, head, before))
         length = before.body_length if before and not self.is_given("body_length") else targets.spine_for(
-            rig, head, self.body_length)
+            rig, head, self.body_length, changes.get("up", facing.UP))
         target = targets.target_for(context, self, rig)
         targets.check_target(target or (before and before.target), self.target_bone)
         target_bone = self.target_bone
@@ -81,11 +92,22 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
         targets.check_free(rig, head, driven)
         targets.check_loop(rig, head, driven, target, target_bone)
         if target is None:
-            choice = changes.get("head_forward", before.head_forward if before else 'AUTO')
-            target = setup.new_target(context, rig, head, anatomy.head_forward(rig, head, choice))
+            said = {**{name: getattr(before, name) for name in ("head_forward", "forward") if before}, **changes}
+            target = setup.new_target(
+                context, rig, head, anatomy.bone_forward(rig, head, said.get("head_forward", 'AUTO'), said["forward"]))
         changes.update(target=target, target_bone=target_bone, body_length=length)
+        replaced = before.target if before and before.target != target else None
         setup.add(rig, head, changes, eyes)
+        setup.remove_unneeded(replaced)
         return rig, head, target
+
+    def _axes(self, rig, head, before):
+        """Forward and up of the entry: of a new one what is not given is found."""
+        given = {name: getattr(self, name) for name in ("forward", "up") if getattr(self, name) != 'AUTO'}
+        if before:
+            return given
+        up = given.get("up") or facing.up_of(rig, head)
+        return {"forward": given.get("forward") or facing.forward_of(rig, head, up), "up": up}
 
     def _eyes(self, rig, head, before):
         """Names of the eyes; None where the entry keeps those it has."""
@@ -93,14 +115,13 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
             eyes = [name.strip() for name in self.eyes.split(",") if name.strip()]
             targets.check_eyes(rig, head, eyes)
             return eyes
-        return None if before else anatomy.eyes_of(rig, head)
+        return None if before else names.eyes_of(rig, head)
 
 
 class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_remove"
     bl_label = "Remove Look At"
-    bl_description = "Leave the head to its own animation again; a target that was made stays"
-
+    bl_description = "Leave the head to its own animation again; a target that was made goes with it if nothing else needs it"
 
     def run(self, context):
         rig = targets.looking_rig(context, self.object)
@@ -123,6 +144,20 @@ class MOTUS_OT_look_at_refresh(OfARig, bpy.types.Operator):
         rig = targets.looking_rig(context, self.object)
         check_local(rig)
         wiring.refresh(setup.system(), rig)
+
+
+class MOTUS_OT_look_at_turn(OfAHead, bpy.types.Operator):
+    bl_idname = "motus.look_at_turn"
+    bl_label = "Turn Forward"
+    bl_description = "Turn the direction in which the character faces at rest by a quarter, about Up"
+
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        entry.forward = facing.turned(entry.forward, entry.up)
+        self.report({'INFO'}, tr("{bone} of {object} faces {axis}").format(
+            bone=entry.name, object=rig.name, axis=dict((name, label) for name, label, _ in AXES)[entry.forward]))
 
 
 class MOTUS_OT_look_at_eye_add(OfAHead, bpy.types.Operator):
@@ -180,6 +215,6 @@ def change_eyes(operator, context, change):
 
 
 classes = (
-    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_refresh, MOTUS_OT_look_at_eye_add,
-    MOTUS_OT_look_at_eye_remove,
+    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_refresh, MOTUS_OT_look_at_turn,
+    MOTUS_OT_look_at_eye_add, MOTUS_OT_look_at_eye_remove,
 )

@@ -35,14 +35,18 @@ def draw_main(layout, context):
     ui.draw_problem(layout, context, system(), rig)
     if entry:
         _draw_fault(layout, context, rig, entry)
-        _draw_entry(layout, entry)
+        _draw_entry(layout, rig, entry)
 
 
-def _draw_entry(layout, entry):
+def _draw_entry(layout, rig, entry):
     column = ui.split(layout)
     column.prop(entry, "target")
     if entry.target and entry.target.type == 'ARMATURE':
         column.prop_search(entry, "target_bone", entry.target.data, "bones")
+    row = ui.split(layout).row(align=True)
+    row.prop(entry, "forward")
+    _for_entry(row.operator("motus.look_at_turn", text="", icon='FILE_REFRESH'), rig, entry)
+    ui.split(layout).prop(entry, "up")
     rows.WEIGHTS.draw(ui.split(layout), entry)
 
 

@@ -2,11 +2,15 @@
 
 import bpy
 
-from ..core import entries, libraries
+from ..core import entries, libraries, needed
 from ..core.system import registered
 
 DISTANCE = 6.0  # of the head bone's length: where a target is made
 TARGET_SIZE = 0.35  # of the head bone's length
+
+
+MADE_KEY = "motus_look_at_target"
+"""Custom property of the empties that are made along with an entry."""
 
 
 def system():
@@ -31,8 +35,16 @@ def add(rig, head, changes, eyes):
 
 
 def remove(rig, index):
-    """Take one head back."""
+    """Take one head back, with the target that was made along with it."""
+    target = rig.motus.look_at.entries[index].target
     entries.remove(system(), rig, [index], "active_entry")
+    remove_unneeded(target)
+
+
+def remove_unneeded(target):
+    """Delete a target that was made here, if nothing else needs it and nobody has animated it. target: an object or None."""
+    if target and MADE_KEY in target and target.animation_data is None and not needed.is_needed(target):
+        bpy.data.objects.remove(target)
 
 
 def new_target(context, rig, head, forward):
@@ -42,6 +54,7 @@ def new_target(context, rig, head, forward):
     along = pose.to_3x3() @ forward
     size = (pose.to_3x3().col[1]).length * bone.bone.length
     empty = bpy.data.objects.new(f"{rig.name} {head} Target", None)
+    empty[MADE_KEY] = True
     empty.empty_display_type = 'SPHERE'
     empty.empty_display_size = TARGET_SIZE * size
     empty.location = pose.translation + DISTANCE * size * along.normalized()

@@ -44,7 +44,7 @@ class OverTime:
         """See core/tracks/solved.py."""
         turns = np.zeros((len(times), 3))
         turns[:, 1] = -self._channels["influence"].values(times) * self._angles(times)
-        scales = own_track(self._rod).values(times).scales
+        scales = own_track(self._rod, self._scene).values(times).scales
         return turned(matrices, rotations.from_euler(turns, "Y"), scales)
 
     def _angles(self, times):
@@ -97,7 +97,7 @@ class OverTime:
         return together((
             self._number, self._numbers, settings.kind, settings.use_limits, settings.count, solve.gravity_of(settings, scene),
             *(getattr(settings, name) for name in solve.NUMBERS if name not in self._channels), scene.render.fps, scene.render.fps_base,
-            *(channel.stamp for channel in self._channels.values()), own_track(self._rod).stamp,
+            *(channel.stamp for channel in self._channels.values()), own_track(self._rod, self._scene).stamp,
             *((self._pivot.stamp, scene.frame_end) if self._pivot else ())))
 
 

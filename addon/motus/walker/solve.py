@@ -83,14 +83,14 @@ def _lean(context, walker, seconds):
         basis = Matrix(rigs.basis(owner, known.still)[known.row].reshape(4, 4).T.tolist())
         place, axes = leaning.of_bone(body, basis, body.parent and body.parent.matrix, world)
     else:
-        place, axes = leaning.of_object(body, _basis(body, context.frame), world)
+        place, axes = leaning.of_object(body, _basis(body, context), world)
     context.locations[0], context.rotations[0] = leaning.relative(place, axes, world.translation, lift, turn)
     return None
 
 
-def _basis(body, frame):
+def _basis(body, context):
     """What an object's own channels make of it on a frame: no solver may wait for these, since its sinks come after them."""
-    track = tracks.own_track(body)
+    track = tracks.own_track(body, context.depsgraph.scene)
     if not track.is_known:
         return body.matrix_basis
-    return Matrix(track.values([frame]).matrices[0].tolist())
+    return Matrix(track.values([context.frame]).matrices[0].tolist())

@@ -28,7 +28,7 @@ class Kept(TrackTestCase):
         """How often it was made, when asked for on a frame."""
         self.go_to(frame)
         self.tracks.kept(self.tracks.world_track(self.evaluated(self.thing), self.scene), "test", self.make)
-        self.tracks.kept(self.tracks.own_track(self.evaluated(self.thing)), "own", self.make)
+        self.tracks.kept(self.tracks.own_track(self.evaluated(self.thing), bpy.context.scene), "own", self.make)
         return self.made
 
     def test_frames_change_nothing(self):

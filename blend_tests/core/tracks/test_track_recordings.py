@@ -90,9 +90,9 @@ class Recording(RecordingCase):
         self.record(data_path="location", index=0)
         track = self.tracks.property_track(self.thing, "location", 0)
         np.testing.assert_allclose(track.values((1.0, 3.5, 40.0, 50.0)), (0.1, 0.35, 4.0, 4.0), atol=1e-6)
-        self.assertFalse(self.tracks.own_track(self.thing).is_known)
+        self.assertFalse(self.tracks.own_track(self.thing, bpy.context.scene).is_known)
         self.record(transform='OWN')
-        own = self.tracks.own_track(self.thing).values((3.0, 7.0))
+        own = self.tracks.own_track(self.thing, bpy.context.scene).values((3.0, 7.0))
         np.testing.assert_allclose(own.locations[:, 0], (0.3, 0.7), atol=1e-6)
         self.go_to(7)
         np.testing.assert_allclose(own.scales[1], self.evaluated(self.thing).scale, atol=1e-6)
@@ -219,7 +219,7 @@ class Recording(RecordingCase):
         clay.driver_add('["age"]').driver.expression = "frame"
         rig.data["clay"] = clay  # so that Blender evaluates it
         exec(compile(code, "tracks.md", "exec"), {"bpy": bpy})
-        for track in (self.track(), self.tracks.own_track(bone), self.tracks.property_track(clay, '["age"]')):
+        for track in (self.track(), self.tracks.own_track(bone, bpy.context.scene), self.tracks.property_track(clay, '["age"]')):
             self.assertIn("Recorded 1-", track.sentence)
 
 

@@ -119,7 +119,7 @@ class Numbers(TrackTestCase):
         with self.assertRaises(ValueError):
             track.values((1.0,))
         self.assertEqual(self.tracks.property_track(cube, "location", 1).kind, self.tracks.Kind.EXACT)
-        self.assertEqual(self.tracks.own_track(cube).kind, self.tracks.Kind.RECORDED)
+        self.assertEqual(self.tracks.own_track(cube, bpy.context.scene).kind, self.tracks.Kind.RECORDED)
 
     def test_a_thousand_frames(self):
         """A thousand values take as many evaluations of the F-curve, whatever its keys."""
@@ -259,7 +259,7 @@ class Strips(TrackTestCase):
                 self.pushed(thing, self.track(thing), start, blend_type=kind, blend_in=9.0 * (start > 1))
             with self.subTest(blend):
                 if blend == 'COMBINE':
-                    self.assertFalse(self.tracks.own_track(thing).is_known)
+                    self.assertFalse(self.tracks.own_track(thing, bpy.context.scene).is_known)
                 else:
                     self.assertNumber(thing, "rotation_quaternion", 2, tolerance=2e-6)
                     self.assertWorld(thing)
@@ -330,7 +330,7 @@ class Transforms(TrackTestCase):
                 thing = self.thing(mode)
                 self.key(thing, "delta_location")
                 self.assertWorld(thing)
-                own = self.tracks.own_track(thing).values(FRAMES)
+                own = self.tracks.own_track(thing, bpy.context.scene).values(FRAMES)
                 np.testing.assert_allclose(np.linalg.norm(own.rotations, axis=1), 1.0)
                 np.testing.assert_array_equal(own.matrices, self.tracks.world_track(thing, self.scene).values(FRAMES))
                 bpy.data.objects.remove(thing)
@@ -417,7 +417,7 @@ class Transforms(TrackTestCase):
         thing.parent = top
         constraint = top.constraints.new('CHILD_OF')
         self.assertUnknown(thing, "Top has the constraint Child Of")
-        self.assertTrue(self.tracks.own_track(top).is_known)
+        self.assertTrue(self.tracks.own_track(top, bpy.context.scene).is_known)
         constraint.mute = True
         self.assertWorld(thing, (3.0,), 2e-5)
         mesh = self.link("Mesh", bpy.data.meshes.new("Mesh"))

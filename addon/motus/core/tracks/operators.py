@@ -42,7 +42,7 @@ class _OfATrack(OfADatablock, Operator):
         if self.bone:
             check_bone(id_data, self.bone)
         thing = id_data.pose.bones[self.bone] if self.bone else id_data
-        return own_track(thing) if self.transform == 'OWN' else world_track(thing, scene)
+        return own_track(thing, scene) if self.transform == 'OWN' else world_track(thing, scene)
 
 
 class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):

@@ -8,7 +8,7 @@ from collections import OrderedDict
 from .. import stored
 from ..lazy import numpy as np
 from ..translations import tr
-from . import animation, recordings
+from . import animation, laid, recordings
 from .animation import Channel
 from .strips import keys_stamp
 from .transforms import PARTS, Own, Transforms, World
@@ -188,12 +188,13 @@ def _keyed_ranges(id_data, names):
     return {number.name: (number.least, number.most) for number in keyed}
 
 
-def own_track(thing, parts=PARTS):
-    """The Track of what the channels of an Object or PoseBone make, delta transforms included, as Transforms.
+def own_track(thing, scene, parts=PARTS):
+    """The Track of what the channels of an Object or PoseBone make, delta transforms and layers included, as Transforms.
 
+    scene: as for world_track().
     parts: those that count, of "location", "rotation" and "scale"; for the others the present value may stand at all times.
     """
-    return Track(Own(thing, parts), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
+    return Track(laid.over(Own(thing, parts), thing, scene), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
 
 
 def world_track(thing, scene, beneath=None):

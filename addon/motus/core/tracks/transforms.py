@@ -9,7 +9,7 @@ from mathutils import Matrix
 
 from .. import actions, copies, wiring
 from ..lazy import numpy as np
-from . import keys, rotations, solved, strips
+from . import keys, laid, rotations, solved, strips
 from .animation import Channel, is_driven
 from .question import answered
 from .reason import Reason
@@ -294,7 +294,7 @@ class _Link:
         self.key = hash(obj), bone and bone.name, hash(scene), beneath and beneath.name
         self._own = Own(obj)
         self._bones = _chain(bone) if bone else []
-        self._posed = [Own(one) for one in self._bones]
+        self._posed = [laid.over(Own(one), one, scene) for one in self._bones]
 
     @functools.cached_property
     def reason(self):
@@ -312,7 +312,7 @@ class _Link:
         return solved.of(self._object, self._scene) if len(self._object.constraints) else None
 
     def _of_bones(self):
-        if self._bone is None or self._object.data.pose_position == 'REST':
+        if not self._is_posed:
             return None
         for bone in self._bones:
             turning = self._turning.get(bone.name)
@@ -333,10 +333,14 @@ class _Link:
         return {name: one for name, one in found.items() if one}
 
     @property
+    def _is_posed(self):
+        return self._bone is not None and self._object.data.pose_position != 'REST'
+
+    @property
     def all_solved(self):
         """What systems make of the object and the bones."""
-        is_posed = self._bone is not None and self._object.data.pose_position != 'REST'
-        return [*([self.solved] if self.solved else []), *(self._turning.values() if is_posed else ())]
+        laying = [one for own in self._posed for one in getattr(own, "solved", ())]
+        return [*([self.solved] if self.solved else []), *([*laying, *self._turning.values()] if self._is_posed else ())]
 
     def matrices(self, times, parent):
         """World matrices of the bone or object; parent: of what it hangs on, or None."""
@@ -360,7 +364,8 @@ class _Link:
 
     @property
     def _parts(self):
-        return [self._own, *self._posed, *self.all_solved]
+        turning = self._turning.values() if self._is_posed else ()
+        return [self._own, *self._posed, *([self.solved] if self.solved else []), *turning]
 
     def bounds(self, first, last):
         return keys.union([part.bounds(first, last) for part in self._parts])
@@ -377,8 +382,7 @@ class _Link:
                       for bone in self._bones)
         pose = obj.data.pose_position if bones else ""
         return strips.together((
-            self._own.stamp, *(own.stamp for own in self._posed), *(one.stamp for one in self.all_solved), obj.parent_type, _numbers(obj.matrix_parent_inverse),
-            bones, pose))
+            *(part.stamp for part in self._parts), obj.parent_type, _numbers(obj.matrix_parent_inverse), bones, pose))
 
 
 def _array(matrix):
@@ -392,8 +396,8 @@ def _numbers(matrix):
 
 def constrained(thing, beneath=None):
     """Why a constraint makes it unknown; None without one that acts. beneath: a System whose sinks do not count."""
-    for constraint in thing.constraints:
-        if not constraint.mute and not (beneath and wiring.is_sink(beneath, constraint)):
+    for constraint in laid.above(thing):
+        if not (beneath and wiring.is_sink(beneath, constraint)):
             return Reason(Reason.CONSTRAINED, thing=thing.name, name=constraint.name)
     return None
 

@@ -30,7 +30,7 @@ using layers::Transform;
 using namespace pybind11::literals;
 
 constexpr double bone_cost = 200.0;  // ns, rough
-constexpr std::size_t row_size = 10;
+constexpr std::size_t row_size = 10, angle_count = 3;
 
 // --- LayerClip -------------------------------------------------------------------------------------------
 
@@ -112,6 +112,22 @@ DoubleArray clip_pose(const layers::Clip& clip, const py::object& frame, const p
     DoubleArray result = new_array({pose.size(), row_size});
     const std::span<double> rows = values_of(result);
     for (std::size_t i = 0; i < pose.size(); ++i) write_row(pose[i], rows.subspan(i * row_size, row_size));
+    return result;
+}
+
+/// pose() with the Euler angles of bones that spin.
+DoubleArray clip_reference(const layers::Clip& clip, const py::object& frame, const py::object& given) {
+    const std::vector<double> values = given_values(given, clip.given_count());
+    std::vector<Transform> pose(clip.bones().size());
+    std::vector<glm::dvec3> angles(pose.size());
+    clip.evaluate(number(frame, "frame"), values, pose, angles);
+    DoubleArray result = new_array({pose.size(), row_size + angle_count});
+    std::span<double> rows = values_of(result);
+    for (std::size_t i = 0; i < pose.size(); ++i) {
+        write_row(pose[i], rows.first(row_size));
+        for (int axis = 0; axis < 3; ++axis) rows[row_size + static_cast<std::size_t>(axis)] = angles[i][axis];
+        rows = rows.subspan(row_size + angle_count);
+    }
     return result;
 }
 
@@ -218,12 +234,13 @@ class Layers {
             const auto& clip = instance<layers::Clip>(clips[i], "clips", "a LayerClip");
             if (clip.bone_count() != stack.size()) value_error("clips", "another number of bones");
             given_.push_back(given_values(given[i], clip.given_count()));
-            references_.push_back(reference_of(references[i], clip.bones().size()));
+            add_reference(references[i], clip.bones().size());
             layers_.push_back(layer_of(rows.subspan(i * column_count, column_count), clip));
         }
         for (std::size_t i = 0; i < count; ++i) {
             layers_[i].given = given_[i];
             layers_[i].reference = references_[i];
+            layers_[i].reference_angles = angles_[i];
             layers_[i].mask = std::span(masks_).subspan(i * stack.size(), stack.size());
             bones_ += layers_[i].clip->bones().size();
         }
@@ -243,19 +260,28 @@ class Layers {
         return layer;
     }
 
-    [[nodiscard]] static std::vector<Transform> reference_of(const py::object& given, std::size_t count) {
-        if (given.is_none()) return {};
-        const std::span<const double> rows = elements<double>(given, "references", {count, row_size});
+    void add_reference(const py::object& given, std::size_t count) {
+        std::vector<Transform>& poses = references_.emplace_back();
+        std::vector<glm::dvec3>& angles = angles_.emplace_back();
+        if (given.is_none()) return;
+        const py::array array = py::array::ensure(given);
+        constexpr std::size_t wide = row_size + angle_count;
+        const bool has_angles =
+            array && array.ndim() == 2 && static_cast<std::size_t>(array.shape(1)) == wide;
+        const std::size_t width = has_angles ? wide : row_size;
+        const std::span<const double> rows = elements<double>(given, "references", {count, width});
         if (!are_finite(rows)) value_error("references", "every value must be finite");
-        std::vector<Transform> result;
-        for (std::size_t i = 0; i < count; ++i)
-            result.push_back(read_row(rows.subspan(i * row_size, row_size)));
-        return result;
+        for (std::size_t i = 0; i < count; ++i) {
+            const std::span<const double> row = rows.subspan(i * width, width);
+            poses.push_back(read_row(row));
+            if (has_angles) angles.emplace_back(row[10], row[11], row[12]);
+        }
     }
 
     std::vector<double> masks_;
     std::vector<std::vector<double>> given_;
     std::vector<std::vector<Transform>> references_;
+    std::vector<std::vector<glm::dvec3>> angles_;  // of references_
     std::vector<layers::Layer> layers_;
     std::size_t bones_ = 0;
 };
@@ -355,6 +381,11 @@ Raises ValueError or TypeError that names the argument.)")
         .def("pose", &clip_pose, "frame"_a, "given"_a = py::none(), R"(
 (n, 10) of the bones at a frame of the action: location, unit quaternion w, x, y, z, scale; at rest what it says nothing of.
 
+given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.)")
+        .def("reference", &clip_reference, "frame"_a, "given"_a = py::none(), R"(
+(n, 13): pose() with the Euler angles, rad, of bones that spin: those with a key of an Euler angle beyond half a turn. Of
+bones that do not spin the angles are 0.
+
 given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.)");
 }
 
@@ -387,7 +418,7 @@ Lays layers, the lowest first, over the bones' own transforms at a frame of the 
 basis: (B, 16) float32, PoseBone.matrix_basis, column by column.  clips: (L) LayerClip.  settings: (L, 10), see SETTINGS: start
 frame; first and last frame of the action; speed; after: 0 it ends, 1 it holds, 2 it repeats; blend_in and blend_out, frames
 of the scene; weight; mode: 0 override, 1 additive; in_armature: not 0, rotations are blended as they are in the armature.
-masks: (L, B), in [0, 1].  references: of each layer the pose() that an additive one starts from, None for the rest pose.
+masks: (L, B), in [0, 1].  references: of each layer the pose() or reference() that an additive one starts from, None for the rest pose.
 given: of each layer the values of its clip's curves without keys, or None.
 rows: (R,) bones.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64: written into; location to add, rotation
 after the bone's own, scale to multiply by.  laid: (R, 16) float32, written into: the bone's own transform with all layers.

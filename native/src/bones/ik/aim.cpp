@@ -57,6 +57,8 @@ Aim::Aim(std::size_t longest)
       joints_(longest + 1),
       to_spaces_(longest),
       best_(longest),
+      of_first_round_(longest),
+      nearest_(longest),
       slopes_(longest),
       rest_(longest),
       offsets_(longest),
@@ -189,6 +191,7 @@ AimReport Aim::turn(Pose& pose, const AimGoal& goal) {
             best = miss;
             report = now;
             if (miss > enough) keep(pose, goal.count);
+            if (round == 0) of_first_round_ = best_;
         }
         if (miss <= enough) break;
         if (round == 0 && goal.limits.empty() && nudge(pose, goal.count) &&
@@ -204,7 +207,7 @@ AimReport Aim::turn(Pose& pose, const AimGoal& goal) {
         } else {
             const bool is_soft = goal.softness > 0.0 && report.end < report.distance;
             const glm::dvec3 end = is_soft ? pose.root() + report.end * line.chord.along : goal.target;
-            report.iterations += finish(pose, goal, end, report.reach);
+            report.iterations += search(pose, goal, end, report.reach);
             const bool is_there =
                 glm::distance(pose.joints()[goal.count], goal.target) <= goal.tolerance * report.reach;
             if (is_there) report.reason = Reason::reached;

@@ -77,11 +77,16 @@ class Aim {
     void keep(const Pose& pose, std::size_t count);
     /// Brings the tip nearer to `end` from the rotations that were kept; returns how many steps it took.
     int finish(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
+    /// finish(), and where that does not get there, again from the first round's rotations and from the FK
+    /// pose: between sheared spaces a way may end where every small turn leads away from `end`.
+    int search(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
 
     std::vector<double> lengths_;
     std::vector<glm::dvec3> joints_;     // where they are to be
     std::vector<glm::dmat3> to_spaces_;  // inverse of what each bone was turned in
     std::vector<glm::dquat> best_;
+    std::vector<glm::dquat> of_first_round_;
+    std::vector<glm::dquat> nearest_;  // of the searches so far
     std::vector<glm::dmat3> slopes_;  // of the tip by each bone's turn about X, Y and Z
     // of chains with limits
     std::vector<glm::dquat> rest_;

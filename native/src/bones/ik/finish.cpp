@@ -114,4 +114,25 @@ int Aim::finish(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double r
     return step;
 }
 
+int Aim::search(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double reach) {
+    const std::size_t count = goal.count;
+    const auto miss_of_pose = [&] { return glm::distance(pose.joints()[count], end); };
+    int steps = finish(pose, goal, end, reach);
+    double miss = miss_of_pose();
+    for (const bool is_first : {true, false}) {
+        if (miss <= goal.tolerance * reach) break;
+        std::copy_n(best_.begin(), count, nearest_.begin());
+        for (std::size_t i = 0; i < count; ++i)
+            best_[i] = is_first ? of_first_round_[i] : pose.bone(i).rotation;
+        steps += finish(pose, goal, end, reach);
+        if (const double now = miss_of_pose(); now < miss) {
+            miss = now;
+        } else {
+            std::copy_n(nearest_.begin(), count, best_.begin());
+            for (std::size_t i = 0; i < count; ++i) pose.put(i, best_[i], 1.0);
+        }
+    }
+    return steps;
+}
+
 }  // namespace motus::bones::ik

@@ -122,30 +122,6 @@ double value_of(std::span<const Key> keys, bool goes_on, double frame, Parameter
     return Cubic(piece.values).at(parameters.find(piece.frames, frame));
 }
 
-/// Axes of a mode, in the order in which they turn, and whether the three are an odd permutation.
-struct Order {
-    int i, j, k;
-    bool is_odd;
-};
-constexpr std::array<Order, 6> orders{{{0, 1, 2, false},
-                                       {0, 2, 1, true},
-                                       {1, 0, 2, true},
-                                       {1, 2, 0, false},
-                                       {2, 0, 1, false},
-                                       {2, 1, 0, true}}};
-
-/// Turns about the fixed axes, one after the other.
-glm::dquat of_euler(const Order& order, std::span<const double, 4> angles) {
-    glm::dquat result = no_turn;
-    for (const int axis : {order.i, order.j, order.k}) {
-        const Angle half = angle_of(0.5 * angles[static_cast<std::size_t>(axis)]);
-        glm::dquat turn{half.cosine, 0.0, 0.0, 0.0};
-        (axis == 0 ? turn.x : axis == 1 ? turn.y : turn.z) = half.sine;
-        result = turn * result;
-    }
-    return result;
-}
-
 [[nodiscard]] unsigned channel_of(int number) {
     return number < 3 ? location : number < 7 ? rotation : scale;
 }
@@ -176,7 +152,7 @@ glm::dquat rotation_of(Rotation mode, std::span<const double, 4> numbers) {
         const Angle half = angle_of(0.5 * numbers[0]);
         return {half.cosine, half.sine * axis.x, half.sine * axis.y, half.sine * axis.z};
     }
-    if (mode != Rotation::quaternion) return of_euler(orders[static_cast<std::size_t>(mode) - 1], numbers);
+    if (mode != Rotation::quaternion) return of_angles(mode, {numbers[0], numbers[1], numbers[2]});
     const glm::dquat q{numbers[0], numbers[1], numbers[2], numbers[3]};
     const double square = glm::dot(q, q);
     constexpr double vanished = 1e-280;
@@ -203,14 +179,36 @@ Clip::Clip(std::span<const Rotation> rotations, std::span<const Curve> curves, s
         bones_.push_back(static_cast<int>(bone));
         channels_.push_back(said);
         rotations_.push_back(rotations[bone]);
+        spins_.push_back(spin_of(rotations[bone], of_bones[bone]));
         tracks_.insert(tracks_.end(), of_bones[bone].begin(), of_bones[bone].end());
         ends_.push_back(tracks_.size());
     }
 }
 
-void Clip::evaluate(double frame, std::span<const double> given, std::span<Transform> out) const {
+Spin Clip::spin_of(Rotation mode, std::span<const Track> tracks) const {
+    Spin spin{mode, glm::dvec3(0.0)};
+    if (!is_euler(mode)) return {};
+    constexpr double half_turn = 3.1415928;  // as single precision may have it
+    bool is_beyond = false;
+    for (const Track& track : tracks) {
+        const int axis = track.channel - 3;
+        if (axis < 0 || axis > 2 || track.count == 0) continue;
+        const std::span<const Key> keys =
+            std::span(keys_).subspan(static_cast<std::size_t>(track.first), static_cast<std::size_t>(track.count));
+        spin.first[axis] = keys.front().place.y;
+        is_beyond = is_beyond || std::ranges::any_of(keys, [](const Key& key) {
+                        return std::abs(key.place.y) > half_turn;
+                    });
+    }
+    return is_beyond ? spin : Spin{};
+}
+
+void Clip::evaluate(double frame, std::span<const double> given, std::span<Transform> out,
+                    std::span<glm::dvec3> angles) const {
     require(given.size() == given_count_, "given: one value for each curve without keys is needed");
     require(out.size() == bones_.size(), "out: one transform for each bone of the clip is needed");
+    require(angles.empty() || angles.size() == bones_.size(),
+            "angles: three numbers for each bone of the clip are needed");
     Parameters parameters;
     std::size_t track = 0;
     for (std::size_t i = 0; i < bones_.size(); ++i) {
@@ -232,6 +230,8 @@ void Clip::evaluate(double frame, std::span<const double> given, std::span<Trans
         else
             out[i].rotation = no_turn;
         out[i].scale = {numbers[7], numbers[8], numbers[9]};
+        if (!angles.empty())
+            angles[i] = spins_[i].is_on() ? glm::dvec3(numbers[3], numbers[4], numbers[5]) : glm::dvec3(0.0);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "motus/bones/layers/stack.hpp"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "motus/bones/layers/mask.hpp"
 #include "motus/core/numeric.hpp"
@@ -11,7 +12,7 @@ namespace motus::bones::layers {
 class Stack::Solver {
   public:
     Solver(const Stack& stack, std::size_t most, std::span<Transform> bones, std::span<char> changed)
-        : stack_(stack), source_(most), bones_(bones), changed_(changed) {}
+        : stack_(stack), source_(most), angles_(most), bones_(bones), changed_(changed) {}
 
     void lay(double frame, const Layer& layer) {
         const Moment moment = moment_of(layer.timing, frame);
@@ -19,7 +20,7 @@ class Stack::Solver {
         if (!(weight > 0.0)) return;
         const Clip& clip = *layer.clip;
         const std::span<Transform> source = std::span(source_).first(clip.bones().size());
-        clip.evaluate(moment.frame, layer.given, source);
+        clip.evaluate(moment.frame, layer.given, source, std::span(angles_).first(source.size()));
         if (layer.in_armature) {
             turn_in_armature(layer, source, weight);
             blend(layer, source, weight, location | scale);
@@ -48,10 +49,27 @@ class Stack::Solver {
             const unsigned channels = clip.channels()[i] & wanted;
             if (!(share > 0.0) || channels == no_channel) continue;
             const Transform& base = bones_[bone];
-            set(bone, layer.mode == Mode::override
-                          ? overridden(base, source[i], share, channels)
-                          : added(base, source[i], reference_of(layer, i), share, channels));
+            Transform result = layer.mode == Mode::override
+                                   ? overridden(base, source[i], share, channels)
+                                   : added(base, source[i], reference_of(layer, i), share, channels);
+            if ((channels & rotation) != 0 && clip.spins()[i].is_on() && share < 1.0)
+                result.rotation =
+                    normalized_product(layer.mode == Mode::override
+                                           ? clip.spins()[i].towards(base.rotation, angles_[i], share)
+                                           : base.rotation * spun(layer, i, share));
+            set(bone, result);
         }
+    }
+
+    /// The share of the turn from the reference's angles of a bone that spins to those of the clip, after the
+    /// reference.
+    [[nodiscard]] glm::dquat spun(const Layer& layer, std::size_t i, double share) const {
+        const Spin& spin = layer.clip->spins()[i];
+        const glm::dquat reference = reference_of(layer, i).rotation;
+        const glm::dvec3 from = layer.reference_angles.empty()
+                                    ? angles_near(spin.mode, reference, spin.first)
+                                    : layer.reference_angles[i];
+        return glm::conjugate(reference) * of_angles(spin.mode, glm::mix(from, angles_[i], share));
     }
 
     /// What the bone's own rotation turns on: its parent's, and how it lies on that at rest.
@@ -70,26 +88,29 @@ class Stack::Solver {
         said_.assign(count, no_turn);
         said_reference_.assign(count, no_turn);
         share_.assign(count, 0.0);
+        spinning_.assign(count, none);
         for (std::size_t i = 0; i < source.size(); ++i) {
             if ((clip.channels()[i] & rotation) == 0) continue;
             const auto bone = static_cast<std::size_t>(clip.bones()[i]);
             said_[bone] = source[i].rotation;
             said_reference_[bone] = reference_of(layer, i).rotation;
             share_[bone] = weight * layer.mask[bone];
+            if (clip.spins()[i].is_on() && share_[bone] < 1.0) spinning_[bone] = i;
         }
         for (const int next : stack_.order_) {
             const auto bone = static_cast<std::size_t>(next);
             const glm::dquat own = bones_[bone].rotation;
             beneath_[bone] = normalized_product(carried(bone, beneath_) * own);
-            said_[bone] = normalized_product(carried(bone, said_) * said_[bone]);
-            said_reference_[bone] =
-                normalized_product(carried(bone, said_reference_) * said_reference_[bone]);
+            const glm::dquat carries = carried(bone, said_), carries_reference = carried(bone, said_reference_);
+            said_[bone] = normalized_product(carries * said_[bone]);
+            said_reference_[bone] = normalized_product(carries_reference * said_reference_[bone]);
             const glm::dquat on = carried(bone, above_);
             if (!(share_[bone] > 0.0)) {
                 above_[bone] = normalized_product(on * own);
                 continue;
             }
-            above_[bone] = in_armature(layer.mode, bone);
+            above_[bone] = spinning_[bone] == none ? in_armature(layer.mode, bone)
+                                                   : spinning(layer, bone, carries, carries_reference);
             Transform result = bones_[bone];
             result.rotation = normalized_product(glm::conjugate(on) * above_[bone]);
             set(bone, result);
@@ -107,13 +128,34 @@ class Stack::Solver {
             part_of_turn(said_[bone] * glm::conjugate(said_reference_[bone]), share_[bone]) * base);
     }
 
+    /// The same of a bone that spins. carries, carries_reference: what its own rotation turns on, as the clip
+    /// and the reference have it.
+    [[nodiscard]] glm::dquat spinning(const Layer& layer, std::size_t bone, const glm::dquat& carries,
+                                      const glm::dquat& carries_reference) const {
+        const std::size_t i = spinning_[bone];
+        const double share = share_[bone];
+        const glm::dquat& base = beneath_[bone];
+        if (layer.mode == Mode::override)
+            return normalized_product(
+                carries *
+                layer.clip->spins()[i].towards(glm::conjugate(carries) * base, angles_[i], share));
+        const glm::dquat reference = glm::conjugate(carries_reference) * said_reference_[bone];
+        const glm::dquat own = reference * spun(layer, i, share) * glm::conjugate(reference);
+        const glm::dquat above = part_of_turn(carries * glm::conjugate(carries_reference), share);
+        return normalized_product(carries * own * glm::conjugate(carries) * above * base);
+    }
+
+    static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
     const Stack& stack_;
     std::vector<Transform> source_;
+    std::vector<glm::dvec3> angles_;  // of source_
     std::span<Transform> bones_;
     std::span<char> changed_;
     // Rotations in the armature: beneath the layer, with it, as the clip and the reference have them.
     std::vector<glm::dquat> beneath_, above_, said_, said_reference_;
     std::vector<double> share_;
+    std::vector<std::size_t> spinning_;  // which bone of the clip spins, of those that take a share below 1
 };
 
 Stack::Stack(std::span<const int> parents, std::span<const glm::dquat> rest, std::span<const char> inherits)
@@ -140,6 +182,9 @@ void Stack::solve(double frame, std::span<const Layer> layers, std::span<const T
         require(layer.mask.size() == size(), "masks: one weight for each bone is needed");
         require(layer.reference.empty() || layer.reference.size() == layer.clip->bones().size(),
                 "references: one transform for each bone of the clip is needed");
+        require(layer.reference_angles.empty() ||
+                    layer.reference_angles.size() == layer.clip->bones().size(),
+                "references: three angles for each bone of the clip are needed");
         most = std::max(most, layer.clip->bones().size());
     }
     if (result.data() != base.data()) std::ranges::copy(base, result.begin());

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/bones/layers/spin.hpp"
 #include "motus/bones/layers/transform.hpp"
 
 namespace motus::bones::layers {
@@ -28,9 +29,6 @@ struct Curve {
 };
 inline constexpr int channel_count = 10;
 
-/// What the numbers of a bone's rotation are: Blender's rotation modes.
-enum class Rotation : int { quaternion = 0, xyz, xzy, yxz, yzx, zxy, zyx, axis_angle };
-
 /// Value of an F-curve at a frame, as Blender 3.4 to 5.2 evaluate it, but in double precision. keys: at least
 /// one, their frames rising.
 [[nodiscard]] double value_at(std::span<const Key> keys, bool goes_on, double frame);
@@ -52,12 +50,16 @@ class Clip {
     /// Channels that it says of each of these; what it does not say of a channel that it says, is as at rest.
     [[nodiscard]] std::span<const unsigned> channels() const noexcept { return channels_; }
     [[nodiscard]] std::size_t bone_count() const noexcept { return bone_count_; }
+    /// How each of them turns; on where a key of its Euler angles lies beyond half a turn.
+    [[nodiscard]] std::span<const Spin> spins() const noexcept { return spins_; }
     /// How many curves have no keys.
     [[nodiscard]] std::size_t given_count() const noexcept { return given_count_; }
 
-    /// given: values of the curves without keys, in their order. out: one a bone of bones().
-    /// std::invalid_argument where there are more or fewer.
-    void evaluate(double frame, std::span<const double> given, std::span<Transform> out) const;
+    /// given: values of the curves without keys, in their order. out: one a bone of bones(). angles: the same,
+    /// or none: what the Euler angles are of bones that spin. std::invalid_argument where there are more or
+    /// fewer.
+    void evaluate(double frame, std::span<const double> given, std::span<Transform> out,
+                  std::span<glm::dvec3> angles = {}) const;
 
   private:
     /// A Curve, sorted by bone; given: which of those without keys it is.
@@ -67,11 +69,15 @@ class Clip {
         std::size_t given;
     };
 
+    /// How a bone with these F-curves turns.
+    [[nodiscard]] Spin spin_of(Rotation mode, std::span<const Track> tracks) const;
+
     std::size_t bone_count_, given_count_ = 0;
     std::vector<Key> keys_;
     std::vector<int> bones_;
     std::vector<unsigned> channels_;
     std::vector<Rotation> rotations_;  // of bones_
+    std::vector<Spin> spins_;
     std::vector<std::size_t> ends_;    // of the tracks of each bone
     std::vector<Track> tracks_;
 };

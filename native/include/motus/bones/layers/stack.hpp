@@ -24,6 +24,8 @@ struct Layer {
     std::span<const double> mask;   ///< one for each bone of the rig, 0 to 1
     std::span<const Transform>
         reference;  ///< one for each bone of the clip, or none: the rest pose; of an additive layer
+    std::span<const glm::dvec3>
+        reference_angles;  ///< of the reference, as Clip::evaluate() gives them; or none
     Timing timing;
     double weight = 1.0;  ///< 0 to 1
     Mode mode = Mode::override;
