@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.file.pointers import to_object
 from ..core.settings import OVERRIDABLE
 from . import compositor, group
 
@@ -55,8 +56,7 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
     underneath: bpy.props.EnumProperty(
         name="Underneath", description="What shows where the screen was", items=UNDERNEATH, get=_underneath, set=_lay_underneath,
         options=set())
-    plane: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Plane", description="Plane before the camera that shows the key in the viewport")
+    plane: to_object('MESH', name="Plane", description="Plane before the camera that shows the key in the viewport")
     share: _measured("Screen", "Share of the picture that the screen fills")
     luminance_spread: _measured("Unevenness", "Spread of the screen's luminance, over its median")
     chroma_spread: _measured("Color Noise", "Spread of the screen's chromaticity")

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import datablocks
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import analysis, compositor, footage, group, plane, scene_settings, settings
@@ -45,8 +46,9 @@ def apply_measured(node, noted, found, levels):
         setattr(*place, (*color, 1.0))
     for name, level in zip(("black", "white"), levels):
         settings.assign(node, next(one for one in settings.OF_KEYING if one.keyword == name), level)
-    if noted.plane is not None:
-        plane.update(noted.plane, color, levels)
+    shown = pointed(noted, "plane")
+    if shown is not None:
+        plane.update(shown, color, levels)
 
 
 def measure(scene, color=None):
@@ -68,7 +70,7 @@ def add_plane(scene):
     levels = [settings.place(node, one) for one in settings.OF_KEYING if one.keyword in ("black", "white")]
     if source is None or source.image is None or None in (color, *levels):
         raise Refused(tr("The key has lost its footage"))
-    deleted = scene.motus.chroma.plane
+    deleted = pointed(scene.motus.chroma, "plane")
     scene.motus.chroma.plane = plane.add(
         scene, scene.camera, source.image, tuple(getattr(*color))[:3], [getattr(*one) for one in levels], plane.DISTANCE)
     if deleted is not None and group.KEY in deleted:
@@ -80,8 +82,9 @@ def remove(scene):
     noted = scene.motus.chroma
     others = [other for other in bpy.data.scenes if other != scene]
     # A copy of a scene shows the same plane.
-    if noted.plane is not None and group.KEY in noted.plane and all(other.motus.chroma.plane != noted.plane for other in others):
-        datablocks.remove_objects([noted.plane])
+    shown = pointed(noted, "plane")
+    if shown is not None and group.KEY in shown and all(pointed(other.motus.chroma, "plane") != shown for other in others):
+        datablocks.remove_objects([shown])
     compositor.remove(scene, noted)
     footage.drop_unused()
     scene_settings.restore(scene, noted)

@@ -36,6 +36,12 @@ def is_deleted(obj):
     return name in _deleted
 
 
+def forget(obj):
+    """Let an object count as one that has never stood in a collection."""
+    _stood.pop(obj.name, None)
+    _deleted.discard(obj.name)
+
+
 def which(objects):
     """Indices of those of the objects that were deleted."""
     return [index for index, obj in enumerate(objects) if is_deleted(obj)]

@@ -5,6 +5,8 @@ from typing import Any, Callable, Iterable, Optional
 
 import bpy
 
+from .file.pointers import pointed
+
 
 @dataclass(frozen=True)
 class Problem:
@@ -149,7 +151,7 @@ class Geometry(Deformed):
     """
 
     def read(self, value, settings):
-        return getattr(settings, self.of) if Matrix.read(value, settings) is not None else None
+        return pointed(settings, self.of) if Matrix.read(value, settings) is not None else None
 
 
 @dataclass(frozen=True)
@@ -391,7 +393,7 @@ class Context:
 
     def target(self, name):
         """The evaluated object that a pointer setting names."""
-        return getattr(self.settings, name) if self.targets is None else self.targets[name]
+        return pointed(self.settings, name) if self.targets is None else self.targets[name]
 
     @property
     def is_still(self):
@@ -429,11 +431,6 @@ def systems():
 def of_owner(system, owner):
     """Settings of `system` on an object."""
     return getattr(owner.motus, system.name)
-
-
-def pointed(settings, name):
-    """What a pointer of settings names, if anything; to ask one that names nothing has the file hold an empty one."""
-    return getattr(settings, name) if settings.is_property_set(name) else None
 
 
 def has_settings(system, obj):

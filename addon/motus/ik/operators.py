@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import operators, wiring
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_evaluated, check_finite, check_local, check_no_tweak_mode
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -68,7 +69,9 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
 
     def run(self, context):
         rig, entry, chain = self._add(context)
-        target = f"{entry.target.name}: {entry.target_bone}" if entry.target_bone else entry.target.name
+        target = pointed(entry, "target").name
+        if entry.target_bone:
+            target = f"{target}: {entry.target_bone}"
         self.report({'INFO'}, tr("{bone} of {object} reaches for {target}").format(
             bone=entry.name, object=rig.name, target=target))
         context.view_layer.update()
@@ -102,7 +105,7 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
             target = rig, control_bones.new_target(context, rig, chain)
             evaluated = rig.evaluated_get(context.view_layer.depsgraph)
             before = rig.motus.ik.entries.get(bone)
-        if target and target != (before and (before.target, before.target_bone)) and self._keeps_rotation(changes):
+        if target and self._keeps_rotation(changes) and target != (before and (pointed(before, "target"), before.target_bone)):
             changes["rotation_offset"] = placing.rotation_offset(context, evaluated, chain, *target)
         if target is None:
             target = (placing.new_target(context, evaluated, chain), "")
@@ -122,11 +125,11 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
         """Target and pole, each (object, bone) or None: as they are given, selected, or were before."""
         from_selection = None if self.object or self.bone else rig
         target = targets.goal_for(context, self.target, self.target_bone, from_selection)
-        if target is None and before and before.target:
-            target = before.target, before.target_bone
+        if target is None and before and pointed(before, "target"):
+            target = pointed(before, "target"), before.target_bone
         pole = targets.goal_for(context, self.pole, self.pole_bone)
-        if pole is None and before and before.pole and not self.is_given("pole"):
-            pole = before.pole, before.pole_bone
+        if pole is None and before and pointed(before, "pole") and not self.is_given("pole"):
+            pole = pointed(before, "pole"), before.pole_bone
         return target, pole
 
 
@@ -158,8 +161,9 @@ class MOTUS_OT_ik_pole_add(OfABone, bpy.types.Operator):
         rig = targets.rig_with_ik(context, self.object)
         targets.check_editable(rig)
         entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
-        if entry.pole:
-            raise Refused(tr("{bone} has a pole already: {pole}").format(bone=entry.name, pole=entry.pole.name))
+        pole = pointed(entry, "pole")
+        if pole:
+            raise Refused(tr("{bone} has a pole already: {pole}").format(bone=entry.name, pole=pole.name))
         if self.as_bone:
             control_bones.check(context, rig)
         check_evaluated(rig, context.view_layer)

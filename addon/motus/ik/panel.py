@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import panels, ui
+from ..core.file.pointers import pointed
 from . import limits_panel, presets, rows, status, tools_panel
 from .setup import system
 from .shown import shown_entry
@@ -58,7 +59,7 @@ def draw_target(layout, context):
     """What the chain goes to, and what else it can go to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
-    if entry.target != context.object:
+    if pointed(entry, "target") != context.object:
         _of_chain(layout, "motus.ik_control_bone_add", context.object, entry, icon='BONE_DATA')
     rows.OFFSET.draw(ui.split(layout), entry)
     layout.use_property_split = False
@@ -86,7 +87,7 @@ def draw_pole(layout, context):
     """Where the chain bends to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "pole", "pole_bone")
-    if entry.pole is None:
+    if pointed(entry, "pole") is None:
         row = layout.row(align=True)
         _of_chain(row, "motus.ik_pole_add", context.object, entry, icon='EMPTY_AXIS')
         _of_chain(row, "motus.ik_pole_add", context.object, entry, text="As Bone", icon='BONE_DATA').as_bone = True
@@ -125,7 +126,8 @@ class MOTUS_UL_ik_entries(bpy.types.UIList):
 
 class MOTUS_UL_ik_targets(bpy.types.UIList):
     def draw_item(self, _context, layout, _entry, extra, _icon, _active, _name, index):
-        name = extra.object.name if extra.object else "-"
+        named = pointed(extra, "object")
+        name = named.name if named else "-"
         layout.label(text=f"{index + 1}  {name}  {extra.bone}", translate=False)
 
 

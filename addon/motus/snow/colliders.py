@@ -6,11 +6,12 @@ flakes that ever landed would lie elsewhere.
 
 import bpy
 
-from ..core import datablocks, deleted, gathered, wiring
+from ..core import datablocks, deleted, gathered, helpers, wiring
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.scenery import seen
 from ..core.scenery.meshes import joined, placed
-from ..core.system import Problem, is_owner, pointed, registered
+from ..core.system import Problem, is_owner, registered
 from . import flakes
 
 GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)
@@ -58,7 +59,7 @@ def record(emitter, view_layer):
     what was recorded before stays."""
     settings = emitter.motus.snow
     # Colliders are evaluated for flakes that land on them.
-    before, settings.recorded = settings.recorded, None
+    before, settings.recorded = pointed(settings, "recorded"), None
     view_layer.update()
     found = [(one.objects[0].original, one.placed)
              for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
@@ -66,7 +67,7 @@ def record(emitter, view_layer):
     if not found:
         settings.recorded = before
         return False
-    kept = bpy.data.objects.new(NAME, _mesh(*joined([faces for _, faces in found])))
+    kept = helpers.make(NAME, _mesh(*joined([faces for _, faces in found])))
     for obj, faces in found:
         entry = kept.motus.snow.recorded_of.add()
         entry.object, entry.count = obj, len(faces.faces.triangles)
@@ -76,7 +77,7 @@ def record(emitter, view_layer):
 
 
 def _mesh(positions, triangles):
-    mesh = bpy.data.meshes.new(NAME)
+    mesh = bpy.data.meshes.new(f".{NAME}")
     mesh.vertices.add(len(positions))
     mesh.vertices.foreach_set("co", positions.ravel())
     mesh.loops.add(triangles.size)
@@ -110,7 +111,8 @@ def _recorded(kept, left_out):
     # In the file may stand anything.
     if found is None or min(counts, default=-1) < 0 or sum(counts) != len(found.faces.triangles):
         return found
-    stays = [entry.object is None or entry.object.original not in left_out for entry in entries]
+    sources = [pointed(entry, "object") for entry in entries]
+    stays = [one is None or one.original not in left_out for one in sources]
     return found if all(stays) else found.chosen(np.repeat(stays, counts))
 
 
@@ -118,8 +120,9 @@ def _found(settings):
     """([Seen], Problem or None) of evaluated settings: the colliders themselves, recorded or not."""
     ready = wiring.waited_for(settings)
     found, fault = seen.gathered(_members(settings), ready), None
-    if settings.collider is not None:
-        collider = ready.get(settings.collider.original)
+    named = pointed(settings, "collider")
+    if named is not None:
+        collider = ready.get(named.original)
         if collider is None or deleted.is_deleted(collider):
             fault = GONE
         else:

@@ -3,6 +3,7 @@
 import functools
 
 from ..core import native
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.scenery import meshes
@@ -67,7 +68,7 @@ def numbers(settings):
         found.append(("ground", settings.ground))
     if settings.shape == 'CAMERA':
         found += [("frustum_near", settings.closest), ("frustum_far", settings.farthest)]
-    if settings.use_ground or settings.collider or settings.colliders or settings.recorded:
+    if settings.use_ground or any(pointed(settings, name) for name in ("collider", "colliders", "recorded")):
         found += [("collision", settings.collision.lower()), ("melt_time", settings.melt_time),
                   ("friction", settings.friction)]
     if settings.burst > 0:

@@ -1,6 +1,7 @@
 """The panel of snow: in the sidebar's tab and in the object's constraint properties, on the emitter."""
 
 from ..core import panels, tracks, ui
+from ..core.file.pointers import pointed
 from ..core.translations import tr
 from . import births, flakes, landings, presets, rows, solve
 from .build import is_emitter, system
@@ -63,10 +64,10 @@ def draw_landing(layout, context):
     settings = emitter.motus.snow
     column = ui.split(layout)
     rows.COLLIDERS.draw(column, settings)
-    if settings.recorded is not None:
+    if pointed(settings, "recorded") is not None:
         ui.draw_message(layout, tr("As they were on frame {frame}").format(frame=f"{settings.recorded_frame:g}"), 'REC')
         layout.operator("motus.snow_colliders_clear", icon='X').object = emitter.name
-    elif settings.collider is not None or settings.colliders is not None:
+    elif pointed(settings, "collider") is not None or pointed(settings, "colliders") is not None:
         layout.operator("motus.snow_colliders_record", icon='REC').object = emitter.name
     rows.LANDING.draw(ui.split(layout), settings)
 

@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import look
 
@@ -179,26 +180,27 @@ class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
         soft_max=1.0, options=set(), update=touch, override=OVERRIDABLE)
 
 
+def _is_other(settings, obj):
+    """Whether an object is not the emitter itself."""
+    return obj != settings.id_data
+
+
 class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
-    object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Collider that was recorded", override=OVERRIDABLE)
+    object: to_object(name="Object", description="Collider that was recorded", override=OVERRIDABLE)
     count: bpy.props.IntProperty(
         name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE)
 
 
 class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
-    surface: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Mesh", description="Object whose faces flakes leave", update=rewire,
-        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
-    collider: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Collider", description="Mesh object that flakes land on", update=rewire,
-        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
+    surface: to_object('MESH', name="Mesh", description="Object whose faces flakes leave", update=rewire,
+        override=OVERRIDABLE, also=_is_other)
+    collider: to_object('MESH', name="Collider", description="Mesh object that flakes land on", update=rewire,
+        override=OVERRIDABLE, also=_is_other)
     colliders: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Colliders", description="Collection whose mesh objects flakes land on",
         update=rewire, override=OVERRIDABLE)
-    recorded: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Recorded", description="What flakes land on, as it was on one frame", update=rewire,
+    recorded: to_object('MESH', name="Recorded", description="What flakes land on, as it was on one frame", update=rewire,
         override=OVERRIDABLE)
     recorded_of: bpy.props.CollectionProperty(
         type=MOTUS_PG_snow_recorded, name="Recorded Colliders",
@@ -206,11 +208,9 @@ class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     recorded_frame: bpy.props.FloatProperty(
         name="Recorded Frame", description="On which the colliders were as flakes land on them", options=set(),
         override=OVERRIDABLE)
-    camera: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Camera", description="In whose view flakes come into being", update=rewire,
-        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'CAMERA')
-    flake: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Flake", description="Object that each flake is an instance of", update=_dress,
+    camera: to_object('CAMERA', name="Camera", description="In whose view flakes come into being", update=rewire,
+        override=OVERRIDABLE)
+    flake: to_object(name="Flake", description="Object that each flake is an instance of", update=_dress,
         override=OVERRIDABLE)
     flakes: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Flakes", description="Collection whose objects flakes are instances of",

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from ..core import deleted, libraries
+from ..core.file.pointers import pointed
 from ..core.system import leader_of, registered
 
 
@@ -26,7 +27,8 @@ class Foot(NamedTuple):
 
 def label(leg):
     """What the interface calls a leg."""
-    return leg.name or (leg.foot.name if leg.foot else "")
+    foot = pointed(leg, "foot")
+    return leg.name or (foot.name if foot else "")
 
 
 def feet(owner):
@@ -43,7 +45,7 @@ def feet(owner):
 def _thing(owner, leg):
     if leg.name:
         return owner.pose.bones.get(leg.name) if owner.pose else None
-    foot = leg.foot
+    foot = pointed(leg, "foot")
     if foot is None or deleted.is_deleted(foot):
         return None
     return foot if libraries.is_free_or_of(foot, leader_of(registered["walker"], foot), owner) else None
@@ -51,7 +53,7 @@ def _thing(owner, leg):
 
 def names_body(owner):
     """Whether the settings say what rises and leans, be it there or not."""
-    return bool(owner.motus.walker.body_bone if owner.pose else owner.motus.walker.body)
+    return bool(owner.motus.walker.body_bone if owner.pose else pointed(owner.motus.walker, "body"))
 
 
 def body(owner):
@@ -59,7 +61,7 @@ def body(owner):
     settings = owner.motus.walker
     if owner.pose:
         return owner.pose.bones.get(settings.body_bone)
-    thing = settings.body
+    thing = pointed(settings, "body")
     if thing is None or thing.parent != owner or thing.parent_type != 'OBJECT' or deleted.is_deleted(thing):
         return None
     return thing if libraries.is_free_or_of(thing, leader_of(registered["walker"], thing), owner) else None

@@ -136,7 +136,8 @@ def _detach(system, owner):
         of_owner(system, other).leader = None
         overrides.unmark(system, other)
     hubs = [hub for _, hub in hub_lookup.hubs(system, owner)]
-    own = [hub.data for hub in hubs if hub_lookup.is_own_hub(hub, owner)] + hub_lookup.lost_hubs(system, owner)
+    # A file may name one hub twice.
+    own = list(dict.fromkeys([hub.data for hub in hubs if hub_lookup.is_own_hub(hub, owner)] + hub_lookup.lost_hubs(system, owner)))
     property_sink.remove(system, own)
     for mesh in [hub.data for hub in hubs if hub.data not in own]:
         property_sink.remove_copies(system, owner, mesh)

@@ -61,7 +61,7 @@ def add(system, group, index, hub, row=None):
     constraint.mix_scl = "scale" in member.channels
     if member.is_relative:
         constraint.mix_mode = 'AFTER_SPLIT'
-    elif hub.data[STILL_KEY][place] == MOVES:
+    elif (_kinds(hub.data) or {place: MOVES})[place] == MOVES:
         weight = Variable('MESH', hub.data, outbox.out_path(system, first + outbox.WEIGHT, group.key))
         drivers.copy_value(constraint, "influence", weight)
 

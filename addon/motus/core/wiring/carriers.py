@@ -4,7 +4,7 @@ import hashlib
 
 import bpy
 
-from .. import capabilities, copies
+from .. import capabilities, copies, helpers
 from ..system import OwnMatrix, input_variables, of_owner
 from . import drivers, hub_lookup, outbox, proxy_sink, rows
 
@@ -30,9 +30,9 @@ def _is_strange(system, owner, hub):
 
 
 def new_hub(*names):
-    """A hidden object that stands in no collection, with an empty mesh."""
-    mesh = bpy.data.meshes.new(" ".join(filter(None, ("Motus", *names))))
-    hub = bpy.data.objects.new(mesh.name, mesh)
+    """A helper with an empty mesh."""
+    name = " ".join(filter(None, ("Motus", *names)))
+    hub = helpers.make(name, bpy.data.meshes.new(f".{name}"))
     hub.hide_render = hub.hide_viewport = True
     return hub
 

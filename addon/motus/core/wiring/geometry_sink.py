@@ -30,6 +30,8 @@ def add(system, owner, hub):
         return
     active = getattr(owner.modifiers, "active", None)
     found = owner.modifiers.new(f"Motus {system.label}", 'NODES')
+    if found is None:
+        return  # objects of its type have no modifiers: what it holds came with a copy from another one
     found.node_group = _node_group(system)
     found.show_in_editmode = found.show_on_cage = found.show_expanded = False
     # Before it is moved: where that is done by an operator, Blender evaluates, and takes no notice of the hub later.
@@ -155,7 +157,7 @@ def _node_group(system, form=None):
     for group in bpy.data.node_groups:
         if group.get(KEY) == system.name and group.library is None and _form_of(system, group) == form:
             return group
-    name = f"Motus {system.label}" if form == first else f"Motus {system.label} {form}"
+    name = f".Motus {system.label}" if form == first else f".Motus {system.label} {form}"
     group = bpy.data.node_groups.new(name, 'GeometryNodeTree')
     group[KEY] = system.name
     node_groups.add_sockets(group, _sockets(system, form))

@@ -19,7 +19,7 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import copies, deleted, handlers, native, read_keys
+from .. import copies, deleted, handlers, helpers, native, read_keys
 from ..system import has_settings, is_owner, leader_of, of_owner, registered, systems
 from . import attaching, carriers, geometry_sink, hub_lookup, order, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
@@ -206,6 +206,7 @@ def _heal_copies():
     if count == _object_count[0]:
         return
     relations.look()
+    helpers.put_away()
     for system in systems():
         rows.tidy(system)
     for system, owner in _attached():

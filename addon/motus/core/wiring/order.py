@@ -6,7 +6,9 @@ the transform of the empty that carries it; a driver that declares that transfor
 
 import bpy
 
-from ..system import Deformed, pointed
+from .. import helpers
+from ..file.pointers import pointed
+from ..system import Deformed
 
 _WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION'}
 """Type of an object -> of the constraint that waits for its geometry, or, where it has none, for its transform."""
@@ -41,9 +43,9 @@ def set_proxy(system, settings):
 def _proxy_for(targets):
     name = f"Motus Order {targets[0].name}"
     for candidate in bpy.data.objects:
-        if candidate.name.startswith(name) and candidate.library is None and _waits_for(candidate) == targets:
+        if candidate.name.startswith((f".{name}", name)) and candidate.library is None and _waits_for(candidate) == targets:
             return candidate
-    proxy = bpy.data.objects.new(name, None)
+    proxy = helpers.make(name)
     for target in targets:
         constraint = proxy.constraints.new(_WAITING[target.type])
         constraint.target = target

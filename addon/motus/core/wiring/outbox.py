@@ -276,6 +276,15 @@ def _layout_without_info(system, carrier, size):
     return Layout(base, max(0, size - base) // POSE_SIZE, False, system.is_relative, False)
 
 
+def is_in_place(system, carrier, group=""):
+    """Whether the original of a carrier still has a group's outbox.
+
+    A script may delete the property below the driver, or put a group in its place. To Blender's dependency graph the driver then
+    precedes nothing: it may run while other threads read what the solver writes.
+    """
+    return isinstance(carrier, (_Mesh, _Object)) and hasattr(carrier.original.get(out_key(system, group)), "typecode")
+
+
 def has_room(mesh, count):
     """Whether a hub's mesh has data for so many members, or none as yet."""
     if MEMBER_DATA_KEY not in mesh:

@@ -145,7 +145,9 @@ def remove_copies(system, owner, mesh):
         if _object_key(order) in mesh:
             continue
         mine, first = _found(owner, note), _found(mesh.get(outbox.OWNER_KEY), note)
-        curve = mine and mine.driver
+        if mine is None:
+            continue
+        curve = mine.driver
         is_copy = first is None or first.id_data != mine.id_data or bool(mesh.override_library)
         if curve and mesh == _hub_of(curve) and is_copy:
             _restore(system, mine.id_data, curve, mesh)

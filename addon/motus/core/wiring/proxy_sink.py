@@ -11,6 +11,8 @@ A constraint does not count as a user of its target, so the owner's settings poi
 
 import bpy
 
+from .. import helpers
+from ..file.pointers import pointed
 from ..system import Variable
 from . import drivers, marks, outbox
 
@@ -26,7 +28,7 @@ def add(system, settings, group, index, hub):
     """Drive relative member `index` of the group by its slots of the hub's outbox. settings: keep the proxy alive."""
     member = group.members[index]
     thing = member.thing
-    proxy = bpy.data.objects.new(f"{marks.name(system)} {thing.name}", None)
+    proxy = helpers.make(f"{marks.name(system)} {thing.name}")
     proxy[marks.PROXY_KEY] = thing.id_data
     pose = outbox.pose_slot(group, index)
     slots = {"location": ("location", pose), "rotation": ("rotation_euler", pose + 3),
@@ -56,7 +58,7 @@ def _keep(settings, name, proxy):
 
 def release(settings):
     """Let go of the hidden objects; the last one to do so removes them."""
-    kept = {entry.object for entry in settings.targets if entry.object}
+    kept = {pointed(entry, "object") for entry in settings.targets} - {None}
     settings.targets.clear()
     for one in kept:
         if one.users == int(one.use_fake_user) and one.library is None:

@@ -13,40 +13,51 @@ from ..system import groups_of
 from . import attribute_sink, geometry_sink, healing, outbox, property_sink, revival, solving
 
 
-def motus_solve(self, name, frame, depsgraph, *values):
-    """Solve one group of a system into the outbox of the evaluated carrier `self`. Never raises. Returns status.
+def motus_solve(*arguments):
+    """Solve one group of a system into the outbox of an evaluated carrier. Never raises. Returns status.
 
-    name: of the system, with the group's key after a dot where it has one.
+    arguments: the carrier, as `self`; the system's name, with the group's key after a dot where it has one; the frame; the
+    depsgraph; what the driver's variables say. Somebody else may have written other ones into the driver.
     """
     # An exception would leave the driver invalid until somebody edits it; the panel shows the status instead.
     try:
         keep_state()
-        return solving.solver_of(self, name).solve(frame, depsgraph, values)
+        if len(arguments) < 4 or not isinstance(arguments[2], (int, float)):
+            raise Damaged("other arguments")
+        carrier, name, frame, depsgraph, *values = arguments
+        return solving.solver_of(carrier, name).solve(frame, depsgraph, values)
     except Exception as error:
-        return _fail(self, name, frame, error)
+        return _fail(error, *arguments[:3])
 
 
 class _Points:
     """Lets drivers call motus_solve by a subscript, for systems that read neither the frame nor the depsgraph."""
 
     def __getitem__(self, arguments):
-        carrier, name, *values = arguments
+        carrier, name, *values = arguments if isinstance(arguments, tuple) and len(arguments) > 1 else (None, None)
         return motus_solve(carrier, name, 0.0, None, *values)
 
 
-def _fail(carrier, name, frame, error):
+def _fail(error, carrier=None, name="", frame=0.0):
     """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
     solving.log_error(carrier, name, error)
+    with suppress(Exception):
+        system, key = solving.called(name)
+        if outbox.is_in_place(system, carrier, key):
+            _rest(system, key, carrier, frame)
+    if isinstance(error, Damaged):
+        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
+    return float(outbox.INTERNAL)
+
+
+def _rest(system, key, carrier, frame):
     if isinstance(carrier, bpy.types.Mesh) and outbox.SHARED_KEY not in carrier and carrier.get(outbox.OWNER_KEY) is None:
         healing.note_orphan(carrier)
     for rest in (_rest_slots, _rest_attribute):
         with suppress(Exception):
-            rest(*solving.called(name), carrier)
+            rest(system, key, carrier)
     with suppress(Exception):
-        property_sink.blend_none(*solving.called(name), carrier, frame)
-    if isinstance(error, Damaged):
-        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
-    return float(outbox.INTERNAL)
+        property_sink.blend_none(system, key, carrier, frame)
 
 
 def _rest_slots(system, key, carrier):

@@ -10,25 +10,31 @@ import logging
 from .. import copies, native, read_keys, stored
 from ..lazy import numpy as np
 from ..stored import Damaged
-from ..system import Context, Setting, groups_of, of_owner, registered
+from ..system import Context, Setting, System, groups_of, of_owner, registered
 from . import attribute_sink, geometry_sink, healing, outbox, outputs, property_sink, rows
 
 log = logging.getLogger(__name__)
 
 
 def called(name):
-    """The system and the group's key that a driver names."""
-    name, _, key = name.partition(".")
-    return registered[name], key
+    """The system and the group's key that a driver names. Raises Damaged."""
+    name, _, key = name.partition(".") if isinstance(name, str) else ("", "", "")
+    system = registered.get(name)
+    if not isinstance(system, System):
+        raise Damaged("no system")
+    return system, key
 
 
 def solver_of(carrier, name):
     """The Solver or RowsSolver for an evaluated carrier and what its driver names. Raises Damaged."""
+    system, key = called(name)
+    if not outbox.is_in_place(system, carrier, key):
+        raise Damaged("no outbox")
     copy = copies.of(carrier)
     found = None if copy is None else copy.found.get(name)
     if found is None or not found.is_current():
         kind = RowsSolver if outbox.SHARED_KEY in carrier else Solver
-        found = kind(*called(name), carrier)
+        found = kind(system, key, carrier)
         if copy is not None:
             copy.found[name] = found
     return found
@@ -55,7 +61,7 @@ class Solver:
         self._place = None if owner.library else (system.name, owner.name)
         self._reads_mesh, self._reads_several = system.reads_mesh, system.reads_several
         self._settings = [one for one in system.inputs if isinstance(one, Setting)]
-        self._inputs = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
+        self._inputs = _inputs(system)
         self._context = Context(
             settings=settings, owner=owner, locations=self._poses.locations, rotations=self._poses.rotations,
             scales=self._poses.scales, outputs=self._box[outbox.FIRST_OUTPUT:layout.base],
@@ -118,11 +124,7 @@ class Solver:
         """The arguments of solve by their names."""
         context = self._context
         found = context.kept("settings", None, self._read_settings) if self._settings else {}
-        if self._inputs:
-            found = found.copy()
-            for index, declared in self._inputs:
-                found[declared.name] = declared.read(values[index], context.settings)
-        return found
+        return found | _arguments(self._inputs, values, context.settings) if self._inputs else found
 
     def _read_settings(self):
         return {declared.name: declared.read(0.0, self._context.settings) for declared in self._settings}
@@ -173,7 +175,7 @@ class RowsSolver:
         if count == 0 or count * layout.size != len(slots) or layout.has_attribute and count != len(mesh.vertices):
             raise Damaged("another number of rows")
         self._table, self._poses = slots.reshape(count, layout.size), _Poses(count)
-        self._inputs = [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
+        self._inputs = _inputs(system)
         self._rows = [rows.row(system, mesh, index) for index in range(count)]
         self._contexts = [self._context(index, row) for index, row in enumerate(self._rows)]
         self._name = mesh.name if not mesh.library else None
@@ -200,7 +202,7 @@ class RowsSolver:
         if native.module is None:
             return table[0, outbox.STATUS]
         poses.reset()
-        inputs = {declared.name: declared.read(values[index], None) for index, declared in self._inputs}
+        inputs = _arguments(self._inputs, values, None)
         common, targets = {}, rows.targets(self._system, self._mesh)
         if self._name is not None:
             healing.watch_rows(self._system, self._name, self._rows)
@@ -231,6 +233,18 @@ class RowsSolver:
                 return
         context.locations[:] = 0.0
         context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
+
+
+def _inputs(system):
+    """(place among the driver's arguments, input) of those inputs that a solver does not read of the settings."""
+    return [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
+
+
+def _arguments(inputs, values, settings):
+    """What the driver gave for these inputs, by their names."""
+    if inputs and len(values) <= inputs[-1][0]:
+        raise Damaged("too few arguments")
+    return {declared.name: declared.read(values[index], settings) for index, declared in inputs}
 
 
 class _Poses:

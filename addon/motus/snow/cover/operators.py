@@ -3,6 +3,7 @@
 import bpy
 
 from ...core import gathered, libraries, wiring
+from ...core.file.pointers import pointed
 from ...core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
 from ...core.over_frames import Job
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
@@ -117,7 +118,7 @@ def _let_land(emitters, surfaces, collection):
     """Let flakes land that land on nothing as yet: an emitter has one mesh, or a collection of them."""
     for emitter in emitters:
         snow = emitter.motus.snow
-        if emitter.library or snow.collider or snow.colliders or snow.recorded:
+        if emitter.library or any(pointed(snow, name) for name in ("collider", "colliders", "recorded")):
             continue
         if collection and not surfaces:
             snow.colliders = collection
@@ -196,7 +197,7 @@ class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
     def run(self, context):
         cover = self.found(context, self.object)
         entries = self.entries(cover)
-        known = [entry.object for entry in entries]
+        known = [pointed(entry, "object") for entry in entries]
         is_wanted, check = (sources.is_surface, _check_surface) if self.what == 'SURFACES' else (
             sources.is_emitter, _check_emitter)
         if self.objects:

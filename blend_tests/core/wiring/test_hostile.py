@@ -1,0 +1,25 @@
+"""Whatever a script or the outliner does to what Motus keeps in a file, Blender stays alive, and nothing raises."""
+
+import unittest
+
+import support
+
+
+class HostileTest(unittest.TestCase):
+    def check(self, keys):
+        status, said = support.run_blender(
+            "import tempfile\nfrom core.wiring import hostile_acts\n"
+            f"with tempfile.TemporaryDirectory(prefix='motus-test-') as folder:\n    hostile_acts.run(folder, {keys})\n")
+        lines = said.splitlines()
+        acts = [line for line in lines if line.startswith("ACT ")]
+        self.assertIn("ALIVE", lines, f"status {status}, after {acts[-1:]}: {lines[-12:]}")
+        self.assertGreater(len(acts), 40)
+        told = [line for line in lines if line.startswith(("ACT ", "LOGGED", "Traceback"))]
+        wrong = [(told[index - 1], line) for index, line in enumerate(told) if not line.startswith("ACT ")]
+        self.assertEqual(wrong, [])
+
+    def test_custom_properties(self):
+        self.check(True)
+
+    def test_everything_else(self):
+        self.check(False)
