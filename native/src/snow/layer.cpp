@@ -1,11 +1,17 @@
 #include "motus/snow/layer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <unordered_map>
+#include <utility>
 
+#include "holding.hpp"
 #include "motus/core/ieee_floats.hpp"
 #include "motus/core/numeric.hpp"
+#include "motus/core/parallel.hpp"
 
 namespace motus::snow {
 namespace {
@@ -31,7 +37,7 @@ void check(std::span<const glm::vec3> positions, std::span<const glm::ivec3> tri
 }  // namespace
 
 Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
-             const glm::dvec3& up) {
+             const glm::dvec3& up, const Collider* shelter, double hold) {
     check(positions, triangles);
     positions_.assign(positions.begin(), positions.end());
     triangles_.assign(triangles.begin(), triangles.end());
@@ -84,6 +90,19 @@ Layer::Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> t
         if (last == first + 1) loose_.push_back({all[first].triangle, all[first].side});
         first = last;
     }
+    ends_.assign(edges_.size(), -1.0F);
+    if (shelter != nullptr) in_ieee_floats([&] { find_ends(*shelter, unit_vector(up), hold); });
+}
+
+void Layer::find_ends(const Collider& shelter, const glm::dvec3& up, double hold) {
+    const Holding holding = holding_of(positions_, triangles_, shelter, up, hold, thread_count());
+    constexpr std::size_t grain = 256;
+    in_parts(edges_.size(), grain, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            const auto from = static_cast<std::size_t>(edges_[i].x), to = static_cast<std::size_t>(edges_[i].y);
+            ends_[i] = end_on_edge(holding, positions_, shelter, up, from, to).value_or(-1.0F);
+        }
+    });
 }
 
 /// Collects the triangles that are shown, with their vertices and edges numbered anew.
@@ -95,21 +114,14 @@ class Layer::Builder {
           thinnest_(thinnest),
           vertices_(layer.positions_.size(), none),
           feet_(layer.positions_.size(), none),
+          rims_(layer.positions_.size(), none),
           posts_(layer.positions_.size(), none),
-          edges_(layer.edges_.size(), none) {}
+          edges_(layer.edges_.size(), none),
+          cuts_(layer.edges_.size(), none) {}
 
     [[nodiscard]] Mesh build() {
-        for (std::size_t i = 0; i < layer_.triangles_.size(); ++i) {
-            const glm::ivec3& corners = layer_.triangles_[i];
-            if (is_degenerate(corners) || !is_shown(corners)) continue;
-            glm::ivec3 placed(0), sides(0);
-            for (std::size_t corner = 0; corner < 3; ++corner) {
-                placed[static_cast<int>(corner)] = top(vertex(corners, corner));
-                sides[static_cast<int>(corner)] = edge(layer_.sides_[i][static_cast<int>(corner)]);
-            }
-            mesh_.triangles.push_back(placed);
-            mesh_.sides.push_back(sides);
-        }
+        for (std::size_t i = 0; i < layer_.triangles_.size(); ++i)
+            if (!is_degenerate(layer_.triangles_[i])) show(i);
         for (const Loose& loose : layer_.loose_) close(loose);
         return std::move(mesh_);
     }
@@ -119,9 +131,6 @@ class Layer::Builder {
         return corners.x == corners.y || corners.y == corners.z || corners.z == corners.x;
     }
     [[nodiscard]] bool is_deep(std::size_t at) const { return depths_[at] > thinnest_; }
-    [[nodiscard]] bool is_shown(const glm::ivec3& corners) const {
-        return is_deep(vertex(corners, 0)) || is_deep(vertex(corners, 1)) || is_deep(vertex(corners, 2));
-    }
 
     [[nodiscard]] int add(const glm::vec3& position, float depth) {
         mesh_.positions.push_back(position);
@@ -132,6 +141,45 @@ class Layer::Builder {
         mesh_.edges.emplace_back(a, b);
         return static_cast<int>(mesh_.edges.size() - 1);
     }
+    void add_triangle(const glm::ivec3& corners, const glm::ivec3& sides) {
+        mesh_.triangles.push_back(corners);
+        mesh_.sides.push_back(sides);
+    }
+
+    /// The part of a triangle that lies on the deep side of the line along which the layer is cut.
+    void show(std::size_t index) {
+        const glm::ivec3 &corners = layer_.triangles_[index], &sides = layer_.sides_[index];
+        std::array<int, 4> around{};
+        std::array<bool, 4> is_whole{};  // whether the side from a vertex to the next is one of the triangle's
+        std::size_t count = 0;
+        const auto go = [&](int at, bool is_side) {
+            if (count > 0 && around.at(count - 1) == at) --count;
+            around.at(count) = at;
+            is_whole.at(count++) = is_side;
+        };
+        std::array<int, 4> whole{};
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::size_t a = vertex(corners, corner), b = vertex(corners, corner + 1);
+            const int side = sides[static_cast<int>(corner)];
+            if (is_deep(a)) {
+                go(top(a), is_deep(b));
+                if (is_deep(b)) whole.at(count - 1) = side;
+            }
+            if (is_deep(a) != is_deep(b)) go(cut(side), false);
+        }
+        while (count > 1 && around.at(count - 1) == around.at(0)) --count;
+        if (count < 3) return;
+        std::array<int, 4> edges{};
+        for (std::size_t i = 0; i < count; ++i)
+            edges.at(i) = is_whole.at(i) ? edge(whole.at(i)) : new_edge(around.at(i), around.at((i + 1) % count));
+        if (count == 3) {
+            add_triangle({around[0], around[1], around[2]}, {edges[0], edges[1], edges[2]});
+            return;
+        }
+        const int across = new_edge(around[0], around[2]);
+        add_triangle({around[0], around[1], around[2]}, {edges[0], edges[1], across});
+        add_triangle({around[0], around[2], around[3]}, {across, edges[2], edges[3]});
+    }
 
     /// Where no snow lies: under the surface, if that tells which of its sides is the upper one.
     [[nodiscard]] float sunk(std::size_t at) const { return layer_.is_upright_[at] != 0 ? -thinnest_ : 0.0F; }
@@ -139,7 +187,7 @@ class Layer::Builder {
     [[nodiscard]] int top(std::size_t at) {
         if (vertices_[at] != none) return vertices_[at];
         const float depth = depths_[at];
-        // From sunk, at no depth, by way of the surface, at the thinnest that is shown, to the depth itself.
+        // From the surface, at the thinnest that is shown, to the depth itself.
         const float share = depth < 2.0F * thinnest_ ? std::max(0.0F, depth / (2.0F * thinnest_)) : 1.0F;
         const float off = share * depth + (1.0F - share) * sunk(at);
         return vertices_[at] = add(layer_.positions_[at] + off * layer_.normals_[at], depth);
@@ -161,28 +209,78 @@ class Layer::Builder {
         }
         return edges_[at];
     }
+    /// An edge that is none of the layer's, or a part of one.
+    [[nodiscard]] int new_edge(int a, int b) {
+        const auto [low, high] = std::minmax(a, b);
+        const auto key = (static_cast<std::uint64_t>(low) << 32U) | static_cast<std::uint64_t>(high);
+        const auto [found, is_new] = new_edges_.try_emplace(key, none);
+        if (is_new) found->second = add_edge(a, b);
+        return found->second;
+    }
+
+    /// Where the layer is cut on an edge, one end of which is deep: on the surface, as deep as what is
+    /// hidden at most.
+    [[nodiscard]] int cut(int index) {
+        const auto at = static_cast<std::size_t>(index);
+        if (cuts_[at] != none) return cuts_[at];
+        const auto x = static_cast<std::size_t>(layer_.edges_[at].x);
+        const auto y = static_cast<std::size_t>(layer_.edges_[at].y);
+        const float part = layer_.ends_[at] >= 0.0F ? layer_.ends_[at]
+                                                    : (depths_[x] - thinnest_) / (depths_[x] - depths_[y]);
+        // At a bare vertex all cuts are one.
+        constexpr float near = 1e-3F;
+        if (const float left = is_deep(x) ? 1.0F - part : part; left < near)
+            return cuts_[at] = rim(is_deep(x) ? y : x);
+        return cuts_[at] = add(glm::mix(layer_.positions_[x], layer_.positions_[y], part), thinnest_);
+    }
+    [[nodiscard]] int rim(std::size_t at) {
+        if (rims_[at] == none) rims_[at] = add(layer_.positions_[at], depths_[at]);
+        return rims_[at];
+    }
 
     /// A wall from a loose edge of what is shown down to the surface.
     void close(const Loose& loose) {
         const glm::ivec3& corners = layer_.triangles_[loose.triangle];
         const std::size_t a = vertex(corners, loose.side), b = vertex(corners, loose.side + 1);
         if (is_degenerate(corners) || !(is_deep(a) || is_deep(b))) return;
-        const int under = add_edge(foot(a), foot(b)), across = add_edge(top(a), foot(b));
-        const int above = edge(layer_.sides_[loose.triangle][static_cast<int>(loose.side)]);
-        mesh_.triangles.emplace_back(top(b), top(a), foot(b));
-        mesh_.sides.emplace_back(above, across, post(b));
-        mesh_.triangles.emplace_back(top(a), foot(a), foot(b));
-        mesh_.sides.emplace_back(post(a), under, across);
+        const int side = layer_.sides_[loose.triangle][static_cast<int>(loose.side)];
+        if (is_deep(a) && is_deep(b)) {
+            const int under = add_edge(foot(a), foot(b)), across = add_edge(top(a), foot(b));
+            add_triangle({top(b), top(a), foot(b)}, {edge(side), across, post(b)});
+            add_triangle({top(a), foot(a), foot(b)}, {post(a), under, across});
+            return;
+        }
+        const int end = cut(side);
+        const std::size_t deep = is_deep(a) ? a : b;
+        const int above = new_edge(top(deep), end), under = add_edge(foot(deep), end);
+        if (is_deep(a))
+            add_triangle({end, top(a), foot(a)}, {above, post(a), under});
+        else
+            add_triangle({top(b), end, foot(b)}, {above, under, post(b)});
     }
 
     const Layer& layer_;
     std::span<const float> depths_;
     float thinnest_;
-    std::vector<int> vertices_, feet_, posts_, edges_;  ///< new numbers, or `none`
+    std::vector<int> vertices_, feet_, rims_, posts_, edges_, cuts_;  ///< new numbers, or `none`
+    std::unordered_map<std::uint64_t, int> new_edges_;                ///< by their ends' new numbers
     Mesh mesh_;
 };
 
-void Layer::fall_off(std::vector<float>& depths, float steepest) const {
+void Layer::fall_off(std::vector<float>& depths, float thinnest, float steepest) const {
+    const auto is_bare = [&](int at) { return !(depths[static_cast<std::size_t>(at)] > thinnest); };
+    std::vector<std::pair<int, float>> deepest;  // of vertices beside where snow ends
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+        if (ends_[i] < 0.0F || is_bare(edges_[i].x) == is_bare(edges_[i].y)) continue;
+        const bool is_first = is_bare(edges_[i].y);
+        const float way = (is_first ? ends_[i] : 1.0F - ends_[i]) * lengths_[i];
+        if (way * steepest < std::numeric_limits<float>::max())
+            deepest.emplace_back(is_first ? edges_[i].x : edges_[i].y, thinnest + way * steepest);
+    }
+    for (const auto& [at, depth] : deepest) {
+        float& one = depths[static_cast<std::size_t>(at)];
+        one = std::min(one, depth);
+    }
     // Heaps are narrow where they are too steep: a few rounds, which go through the edges there and back.
     constexpr int most_rounds = 32;
     bool has_changed = true;
@@ -212,7 +310,7 @@ Layer::Mesh Layer::at(std::span<const float> depths, float thinnest, float steep
     require(steepest > 0.0F, "steepest must be greater than 0");
     return in_ieee_floats([&] {
         std::vector<float> fallen(depths.begin(), depths.end());
-        fall_off(fallen, steepest);
+        fall_off(fallen, thinnest, steepest);
         return Builder(*this, fallen, thinnest).build();
     });
 }

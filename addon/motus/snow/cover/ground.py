@@ -1,6 +1,7 @@
 """What snow lies on: the surfaces as one mesh in the world, refined, and what else flakes land on."""
 
 import functools
+import math
 from typing import Any, NamedTuple
 
 from ...core import native
@@ -10,6 +11,8 @@ from ...core.scenery import meshes
 MOST = 1 << 21
 """Vertices of the layer."""
 KEPT = 3
+GRIP = 1.5
+"""Times the tangent of the slope up to which all flakes lie: that of the steepest slope on which any do."""
 
 
 class Ground(NamedTuple):
@@ -21,16 +24,16 @@ class Ground(NamedTuple):
 
 
 @functools.lru_cache(maxsize=KEPT)
-def made(lain_on, shelters, resolution, up):
+def made(lain_on, shelters, resolution, up, repose):
     """The Ground of what is Placed; None where it would have more than MOST vertices."""
     positions, triangles = meshes.joined(lain_on)
     try:
         positions, triangles = native.module.refine(positions, triangles, resolution, MOST)
     except ValueError:
         return None
-    layer = native.module.SnowLayer(positions, triangles, up)
     joined = [(positions, triangles)]
     if shelters:
         more = meshes.joined(shelters)
         joined.append((more[0], more[1] + np.int32(len(positions))))
-    return Ground(native.module.SnowCollider(*map(np.concatenate, zip(*joined))), layer)
+    collider = native.module.SnowCollider(*map(np.concatenate, zip(*joined)))
+    return Ground(collider, native.module.SnowLayer(positions, triangles, up, collider, GRIP * math.tan(repose)))

@@ -10,6 +10,8 @@
 
 namespace motus::snow {
 
+struct Holding;  ///< which vertices snow lies on; private to the library
+
 struct CoverSettings {
     double end = 0.0;            ///< s; flakes that land later are left out
     double flake_volume = 1e-4;  ///< m^3 of lying snow that a flake stands for, > 0
@@ -18,7 +20,7 @@ struct CoverSettings {
     /// the slope's tangent is 1.5 times as large.
     double repose = 0.9;
     /// Rounds in which neighbouring vertices even out half of what they differ, 0 to most_rounds; not with
-    /// those that are under something, or too steep.
+    /// those that are too steep, nor from what is under something to what is not.
     int smoothing = 4;
 
     static constexpr int most_rounds = 1000;
@@ -53,8 +55,7 @@ class Cover {
     };
     struct Deposit;
     void deposit(std::span<const Deposit> deposits, double volume);
-    void link_neighbours(const Collider& collider, const glm::dvec3& pull, double steepest,
-                         std::size_t threads);
+    void link_neighbours(const Collider& collider, const Holding& holding);
     [[nodiscard]] std::size_t lying(double time) const;
 
     double flake_volume_;

@@ -4,21 +4,29 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
+
+#include "motus/snow/collider.hpp"
 
 namespace motus::snow {
 
 /// What lies on triangles, in their space. Immutable, so that several threads may ask at once.
 ///
 /// The layer is a surface above that of the triangles, as far off each vertex as the snow there is deep. It
-/// is left out where it is thin, dips under the surface around that, and is closed by a wall at loose edges.
+/// is cut where it is thin, along a line on the surface, and is closed by a wall at loose edges.
 class Layer {
   public:
     /// `up`: away from what pulls snow down, of any length but 0. Throws std::invalid_argument, naming
     /// layer_positions or layer_triangles, where a position is not finite, a triangle names a vertex that
     /// there is not, or there are 2^29 triangles or more.
-    Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up);
+    ///
+    /// `shelter`: what snow cannot fall through. Between a vertex with snow and a bare one that is under
+    /// something, or steeper than `hold`, the tangent of a slope, the layer ends where the one or the other
+    /// begins. Without a shelter it ends everywhere as the depths have it.
+    Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up,
+          const Collider* shelter = nullptr, double hold = std::numeric_limits<double>::infinity());
 
     struct Mesh {
         std::vector<glm::vec3> positions;
@@ -43,13 +51,15 @@ class Layer {
         std::uint32_t side = 0;
     };
     class Builder;
-    void fall_off(std::vector<float>& depths, float steepest) const;
+    void find_ends(const Collider& shelter, const glm::dvec3& up, double hold);
+    void fall_off(std::vector<float>& depths, float thinnest, float steepest) const;
 
     std::vector<glm::vec3> positions_, normals_;  ///< unit, upwards; zero where there is none
     std::vector<std::uint8_t> is_upright_;        ///< whether the triangles' own normals point upwards there
     std::vector<glm::ivec3> triangles_;
     std::vector<glm::ivec2> edges_;
     std::vector<float> lengths_;  ///< of the edges
+    std::vector<float> ends_;     ///< fractions of the edges at which snow ends, or none: a negative number
     std::vector<glm::ivec3> sides_;
     std::vector<Loose> loose_;  ///< sides that no other triangle has
 };
