@@ -29,7 +29,7 @@ void check(const Picture& picture);
 struct Difference {
     double balance = 0.0;  ///< in [0, 1]: the screen's channel is compared with the larger of the others at
                            ///< 0, with their mean at 0.5, with the smaller at 1
-    double gain = 1.0;  ///< >= 0, what the amount is multiplied by
+    double gain = 1.0;     ///< >= 0, what the amount is multiplied by
 };
 
 /// Alpha of a pixel, in [0, 1], by the colour difference m(C), the screen's channel less a mixture of the
