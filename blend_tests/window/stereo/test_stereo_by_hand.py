@@ -38,12 +38,12 @@ def show(camera, name):
 
 
 def colored(path):
-    """How many pixels of the 3D viewport are reddish or bluish."""
+    """How many pixels of the 3D viewport have more red than green, or less: Blender's yellow frame of the active camera has not."""
     width, _, values = window_support.pixels(path)
     seen = np.array(values).reshape(-1, width, 4)
     view = window_support.region()
     inner = seen[view.y + view.height // 4:view.y + 3 * view.height // 4, view.x + view.width // 4:view.x + 3 * view.width // 4]
-    return int((np.abs(inner[..., 0] - inner[..., 2]) > 0.2).sum())
+    return int((np.abs(inner[..., 0] - inner[..., 1]) > 0.2).sum())
 
 
 def test_a_camera_view_is_plain_until_it_is_asked_for():
