@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
+from ..core.operators import OBJECT_OR_POSE_MODE, FindsValues, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
 from . import filters, rows, setup, styles, targets, told
@@ -37,7 +37,7 @@ class _OnProperty:
         options={'SKIP_SAVE'})
 
 
-class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.Operator):
+class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.types.Operator):
     bl_idname = "motus.dynamics_add"
     bl_label = "Add Dynamics"
     bl_description = "Let objects, bones or a property follow their animation with weight, swing and overshoot"
@@ -86,6 +86,7 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
             made = {owner: self._entries(owner, names, changes) for owner, names in wanted.items()}
         for owner, found in made.items():
             setup.add(owner, found)
+        self._show_used(made)
         self._report(context, made)
 
     def _changes(self, context):
@@ -154,6 +155,12 @@ class MOTUS_OT_dynamics_add(Operator, DynamicsKeywords, _OnProperty, bpy.types.O
         owner, followed = targets.property_of(context, self.object, self.data_path, self.index)
         targets.check_editable(owner)
         return {owner: {followed: changes}}
+
+    def _show_used(self, made):
+        """The redo panel's values: those of the first entry that was made."""
+        owner, found = next(iter(made.items()))
+        settings = owner.motus.dynamics
+        self.show_used(settings.entries[setup.find(settings, next(iter(found)))], KEYWORDS)
 
     def _report(self, context, made):
         count = sum(map(len, made.values()))

@@ -32,7 +32,7 @@ class OfABone(OfARig):
         options={'SKIP_SAVE'})
 
 
-class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
+class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Operator):
     bl_idname = "motus.ik_add"
     bl_label = "Inverse Kinematics"
     bl_description = "Let a chain of bones reach for a target"
@@ -67,6 +67,7 @@ class MOTUS_OT_ik_add(OfABone, IkKeywords, bpy.types.Operator):
 
     def run(self, context):
         rig, entry, chain = self._add(context)
+        self.show_used(entry, KEYWORDS)
         self.report({'INFO'}, status.added(entry))
         context.view_layer.update()
         for sentence in targets.warnings(rig, chain, entry.chain_length) + status.warnings(context, rig, entry):

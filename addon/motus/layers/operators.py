@@ -55,7 +55,7 @@ class MaskKeywords:
                 for name in names]
 
 
-class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator):
+class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator):
     bl_idname = "motus.layer_add"
     bl_label = "Add Layer"
     bl_description = "Lay an action over the rig's own animation, on the selected bones and those below, or on all bones"
@@ -97,8 +97,9 @@ class MOTUS_OT_layer_add(MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator
                 changes["start"] = scene_time.present(context.scene)
             setup.add(rig, self.layer or self.action or tr("Layer"), changes, items)
         settings = rig.motus.layers
-        self.report({'INFO'}, tr("{object} has the layer {layer}").format(
-            object=rig.name, layer=settings.entries[settings.active_entry].name))
+        made = settings.entries[settings.active_entry]
+        self.show_used(made, KEYWORDS)
+        self.report({'INFO'}, tr("{object} has the layer {layer}").format(object=rig.name, layer=made.name))
 
 
 class MOTUS_OT_layer_remove(OfALayer, bpy.types.Operator):

@@ -22,7 +22,7 @@ class OfAHead(OfARig):
         name="Head", description="Name of the head bone; empty takes the active one", options={'SKIP_SAVE'})
 
 
-class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
+class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.types.Operator):
     bl_idname = "motus.look_at_add"
     bl_label = "Look At"
     bl_description = "Let head, spine and eyes turn to a target"
@@ -56,6 +56,7 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
 
     def run(self, context):
         rig, head, target = self._add(context)
+        self.show_used(rig.motus.look_at.entries[head], (*KEYWORDS, "body_length"))
         self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
             head=head, object=rig.name, target=target.name))
         wiring.report_problems(self, context, setup.system(), [rig])
@@ -69,7 +70,7 @@ class MOTUS_OT_look_at_add(OfARig, LookAtKeywords, bpy.types.Operator):
         before = rig.motus.look_at.entries.get(head)
         eyes = self._eyes(rig, head, before)
         length = before.body_length if before and not self.is_given("body_length") else targets.spine_for(
-            rig, head, self.body_length)
+            rig, head, self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH)
         target = targets.target_for(context, self, rig)
         targets.check_target(target or (before and before.target), self.target_bone)
         target_bone = self.target_bone

@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
 from ..core.refusals import Refused, check_evaluated, check_finite, check_local
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -32,7 +32,7 @@ class OfARig:
         targets.check_removable(targets.rig_for(context, ""))
 
 
-class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
+class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
     bl_idname = "motus.stereo_rig_add"
     bl_label = "Add Stereo Rig"
     bl_description = "Give a camera a left and a right eye, whose distances are set for an audience in front of a screen"
@@ -87,6 +87,7 @@ class MOTUS_OT_stereo_rig_add(Operator, StereoKeywords, bpy.types.Operator):
         if focus and not self.is_given("convergence"):
             keywords["convergence"] = 'OBJECT'
         rig.add(context.scene, camera, self.mode, focus, keywords)
+        self.show_used(camera.motus.stereo, KEYWORDS)
         self._select(context, camera)
         self.report({'INFO'}, tr("{object} has a stereo rig").format(object=camera.name))
         wiring.report_problems(self, context, rig.system(), [camera])

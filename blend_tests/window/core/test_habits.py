@@ -1,8 +1,12 @@
 """What every system shares in the interface, as an artist sees it: menus, the redo panel, what is baked, and a narrow sidebar."""
 
+import types
+
 import bpy
 import live_scenes
+import numpy as np
 import support
+from layers import layer_cases
 from window import window_support
 
 TOOLTIP = 1.5
@@ -128,6 +132,53 @@ def test_redo_panel_shows_the_numbers_that_were_used():
     assert bpy.context.object.motus.walker.stride > 5.0 * spider.stride, bpy.context.object.motus.walker.stride
 
 
+def shown_and_used(settings, names):
+    """{keyword: (what the redo panel shows, what the settings have)} of those that differ."""
+    found = {}
+    for name in names:
+        shown, used = (support.addon("core.operators")._plain(getattr(one, name)) for one in (last(), settings))
+        differ = abs(shown - used) > 1e-6 if isinstance(shown, float) else shown != used
+        if differ:
+            found[name] = shown, used
+    return found
+
+
+def test_every_add_shows_the_values_that_its_settings_have():
+    """Found from the rig, the view, the scene's unit, a style or the brush: nothing but what was given differs from the defaults."""
+    bpy.context.scene.unit_settings.scale_length = 0.5
+    bpy.context.scene.motus.pull.radius = 0.37
+    live_scenes.build()
+    things = bpy.data.objects
+    arm, figure, puppet = things["Arm"], things["Figure"], things["Puppet"]
+    bpy.ops.motus.ik_remove(object=arm.name, bone="Bone 1")
+    bpy.ops.motus.look_at_remove(object=figure.name, bone="Head")
+    bpy.ops.mesh.primitive_plane_add(size=2.0)
+    ground = bpy.context.object
+    camera = things.new("Eye", bpy.data.cameras.new("Eye"))
+    camera.location = (0.0, -8.0, 1.0)
+    camera.rotation_euler.x = 1.57
+    bpy.context.scene.collection.objects.link(camera)
+    cases = (
+        ("ik", "ik_add", (arm,), {"bone": "Bone 1"}, lambda: arm.motus.ik.entries["Bone 1"]),
+        ("look_at", "look_at_add", (figure,), {"bone": "Head"}, lambda: figure.motus.look_at.entries["Head"]),
+        ("dynamics", "dynamics_add", (ground,), {"style": 'BOUNCY'}, lambda: ground.motus.dynamics.entries[0]),
+        ("layers", "layer_add", (puppet,), {"action": "Wave"}, lambda: puppet.motus.layers.entries[-1]),
+        ("snow.cover", "snow_cover_add", (ground,), {}, lambda: bpy.context.object.motus.snow_cover),
+        ("stereo", "stereo_rig_add", (camera,), {}, lambda: camera.motus.stereo),
+        ("pull.pins", "pin_add", (ground,), {}, lambda: bpy.context.scene.motus.pull),
+    )
+    for system, name, objects, keywords, settings in cases:
+        choose(*objects)
+        with window_support.override():
+            assert getattr(bpy.ops.motus, name)('INVOKE_DEFAULT', True, **keywords) == {'FINISHED'}, name
+        yield
+        where = "operators" if system == "pull.pins" else "properties"
+        names = support.addon(f"{system}.{where}").KEYWORDS
+        assert not shown_and_used(settings(), names), (name, shown_and_used(settings(), names))
+    assert last().radius == bpy.context.scene.motus.pull.radius and abs(last().radius - 0.37) < 1e-6
+    bpy.context.scene.unit_settings.scale_length = 1.0
+
+
 def test_bake_says_what_it_bakes():
     """The dialog names the object and all of its systems, whichever panel the button stands in."""
     _, _, rig = build()
@@ -143,6 +194,42 @@ def test_bake_says_what_it_bakes():
     window_support.press('ESC', x, y)
     yield
     assert not rig.motus.ik.is_baked
+
+
+def test_a_panels_bake_button_bakes_all_systems_of_the_armature():
+    """It stands in the panel of each system; the pose stays as it was seen, and Unbake gives back what was live."""
+    _, _, rig = build()
+    layer_cases.turning("Nod", {"thigh": (0.3, 0.0, 0.0)})
+    bpy.ops.motus.layer_add(object=rig.name, action="Nod", mask='ALL')
+    bpy.ops.motus.ik_add(object=rig.name, bone="shin")
+    rig.motus.ik.entries["shin"].target.location.x += 0.3
+    choose(rig)
+    scene, drawn = bpy.context.scene, []
+    scene.frame_start, scene.frame_end = 1, 12
+    ui = support.addon("core.ui")
+    own = ui.draw_bake
+
+    def noting(layout):
+        own(types.SimpleNamespace(operator=lambda identifier, **_keywords: drawn.append(types.SimpleNamespace(button=identifier)) or drawn[-1]))
+        own(layout)
+    ui.draw_bake = noting
+    try:
+        yield from window_support.open_tab("Motus")
+    finally:
+        ui.draw_bake = own
+    keywords = {"system": ""}
+    assert len(drawn) >= 2 and all(vars(button) == {"button": "motus.bake", **keywords} for button in drawn), drawn
+
+    def pose():
+        bpy.context.view_layer.update()
+        return np.array([rig.pose.bones[name].matrix for name in ("thigh", "shin")])
+    before = pose()
+    for step in ("bake", "unbake"):
+        with window_support.override():
+            assert getattr(bpy.ops.motus, step)('EXEC_DEFAULT', True, **keywords) == {'FINISHED'}
+        yield
+        assert rig.motus.ik.is_baked == rig.motus.layers.is_baked == (step == "bake"), step
+        np.testing.assert_allclose(pose(), before, atol=1e-5, err_msg=step)
 
 
 def baked_follower():

@@ -3,7 +3,7 @@
 import bpy
 
 from ...core.lazy import numpy as np
-from ...core.operators import OBJECT_MODE, Operator, object_keyword
+from ...core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
 from ...core.refusals import Refused, check_finite
 from ...core.rows import Row, Rows
 from ...core.translations import tr
@@ -58,7 +58,7 @@ class PinKeywords:
     __annotations__ = {name: BrushKeywords.__annotations__[name] for name in KEYWORDS}
 
 
-class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
+class MOTUS_OT_pin_add(FindsValues, PinOperator, PinKeywords, bpy.types.Operator):
     bl_idname = "motus.pin_add"
     bl_label = "Add Pull Pin"
     bl_description = "Add a pin: a pull in the object's list, which can be keyed, muted and removed"
@@ -102,6 +102,7 @@ class MOTUS_OT_pin_add(PinOperator, PinKeywords, bpy.types.Operator):
             targets.take_back(history.last_shapes, obj)
         else:
             vertex, values = targets.from_keywords(self, context, obj)
+            self.show_used(context.scene.motus.pull, KEYWORDS)
         setup.add(obj, vertex, name, values | own)
         self.report({'INFO'}, tr("Pinned at vertex {index} of {object}").format(index=vertex, object=obj.name))
 

@@ -37,7 +37,7 @@ def nearest(obj, positions, place, metric):
 def from_keywords(operator, context, obj):
     """(root, settings) of a pin by an operator's keywords, where given, and else by the scene's brush."""
     given = {name: getattr(operator, name) for name in (*KEYWORDS, "curve")
-             if name != "strength" and hasattr(operator, name) and operator.properties.is_property_set(name)}
+             if name != "strength" and hasattr(operator, name) and operator.is_given(name)}
     brush = Brush.of(context.scene.motus.pull, given)
     space = Space(obj.evaluated_get(context.evaluated_depsgraph_get()).matrix_world)
     positions = arrays.positions(obj.data)

@@ -3,7 +3,7 @@
 import bpy
 
 from ...core import gathered, libraries, wiring
-from ...core.operators import OBJECT_MODE, OfAnObject, Operator, object_keyword, select_only
+from ...core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ...core.over_frames import Job
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
 from ...core.rows import Rows
@@ -25,7 +25,7 @@ def _listed(names):
     return [named(name.strip()) for name in names.split(",") if name.strip()]
 
 
-class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
+class MOTUS_OT_snow_cover_add(FindsValues, SnowCoverKeywords, bpy.types.Operator):
     bl_idname = "motus.snow_cover_add"
     bl_label = "Add Snow Cover"
     bl_description = "Let the flakes that land on the selected meshes stay there, as a layer of snow that grows"
@@ -64,6 +64,7 @@ class MOTUS_OT_snow_cover_add(Operator, SnowCoverKeywords, bpy.types.Operator):
             _let_land(emitters, surfaces, collection)
         build.wire(cover)
         select_only(context, cover)
+        self.show_used(settings, KEYWORDS)
         wiring.report_problems(self, context, build.system(), [cover])
 
 
