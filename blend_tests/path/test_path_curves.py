@@ -83,6 +83,31 @@ class Kinds(PathTestCase):
         car.motus.path.distance_factor = (total - 1.0) / total
         self.assertPlace(car, np.array((9.0, 0.0, 3.0)), tolerance=1e-6)
 
+    def test_dots_among_splines_are_passed_over(self):
+        """Splines of one point have no length, of whatever kind and wherever they stand; a doubled point has none either."""
+        data = curve_data()
+        add_points(data, 'POLY', [(-3, 0, 0)])
+        add_points(data, 'POLY', [(0, 0, 0), (10, 0, 0)])
+        add_points(data, 'NURBS', [(10, 0, 0)])
+        add_bezier(data, [((4, 4, 4), (5, 5, 5), (6, 6, 6))])
+        add_points(data, 'POLY', [(10, 0, 0), (10, 0, 0)])
+        add_points(data, 'POLY', [(10, 0, 0), (10, 10, 0)])
+        add_points(data, 'POLY', [(0, 0, 3)])
+        self.link("Course", data)
+        car = self.follow(spline=-1, timing='MANUAL')
+        self.assertIsNone(self.sentence(car))
+        self.assertAlmostEqual(self.output(car, "length"), 20.0, places=5)
+        for fraction, wanted in ((0.0, (0, 0, 0)), (0.25, (5, 0, 0)), (0.75, (10, 5, 0)), (1.0, (10, 10, 0))):
+            car.motus.path.distance_factor = fraction
+            self.assertPlace(car, np.array(wanted, float), tolerance=1e-6)
+
+    def test_a_dot_beside_a_closed_curve(self):
+        data = curve_data()
+        add_points(data, 'POLY', [(0, 0, 0), (4, 0, 0), (4, 4, 0)], use_cyclic_u=True)
+        add_points(data, 'POLY', [(9, 9, 9)])
+        self.link("Course", data)
+        self.assertEqual(self.follow(spline=-1).motus.path.extend, 'LOOP')
+
     def test_flat_curve(self):
         curve = self.cubic([(x, y, 0.0) for x, y, _ in CLIMB])
         curve.data.dimensions = '2D'
@@ -122,8 +147,11 @@ class Refusals(PathTestCase):
         self.assertFalse(bpy.data.objects["Other"].motus.path.is_active)
 
     def test_one_point(self):
-        self.points('POLY', [(1, 2, 3)])
-        self.assertSentence("two points")
+        curve = self.points('POLY', [(1, 2, 3)])
+        car = self.assertSentence("two points")
+        add_points(curve.data, 'POLY', [(3, 2, 1)])
+        car.motus.path.spline = -1
+        self.assertIn("two points", self.sentence(car) or "")
 
     def test_index_beyond_the_last(self):
         self.cubic()

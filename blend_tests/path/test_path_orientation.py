@@ -145,6 +145,30 @@ class Modes(PathTestCase):
                 self.assertIsNone(self.sentence(car))
                 self.assertAlmostEqual(axis(self.at(car), "Z")[2], math.cos(0.5), places=4)
 
+    def test_tilt_of_a_mirrored_curve(self):
+        """Up is the mirror image of the tilt along the curve that is not mirrored, as with Blender's own Follow Path."""
+        curve = self.points('POLY', [(0, 0, 0), (0, 10, 0)])
+        curve.data.twist_mode = 'Z_UP'
+        for point in curve.data.splines[0].points:
+            point.tilt = 0.5
+        car, own = self.follow(timing='MANUAL', orientation='TILT', distance_factor=0.5), self.link("Own")
+        follow = own.constraints.new('FOLLOW_PATH')
+        follow.target, follow.use_fixed_location, follow.offset_factor, follow.use_curve_follow = curve, True, 0.5, True
+        follow.forward_axis, follow.up_axis = 'FORWARD_Y', 'UP_Z'
+        parent = self.link("Parent")
+        curve.parent = parent
+        for scale in ((1, 1, 1), (-1, 1, 1), (1, -1, 1), (-1, -1, 1), (-2, -2, -2), (-0.5, 0.5, 0.5)):
+            for mirrored, still in ((curve, parent), (parent, curve)):
+                mirrored.scale, still.scale = scale, (1, 1, 1)
+                bpy.context.view_layer.update()
+                with self.subTest(scale=scale, mirrored=mirrored.name):
+                    # Along +Y the tilt turns up towards +X. Upside down the mirror image is half a turn from Z, which is up in the world.
+                    side = math.sin(0.5) * math.copysign(1.0, scale[0] * scale[2])
+                    wanted = np.array((side, 0.0, math.cos(0.5)))
+                    image = self.at(own).to_3x3().col[2].normalized()
+                    np.testing.assert_allclose(image, wanted * math.copysign(1.0, scale[2]), atol=1e-5)
+                    np.testing.assert_allclose(axis(self.at(car), "Z"), wanted, atol=1e-5)
+
     def test_lag_trails_behind(self):
         self.bezier(circle_knots(5.0), cyclic=True)
         keywords = {"timing": 'SPEED', "speed": 5.0, "extend": 'LOOP', "orientation": 'WORLD_UP'}

@@ -115,12 +115,34 @@ class Ends(Straight):
                         self.assertDistance(lagging, self.place(exact, frame)[0], frame)
 
     def test_outputs_stay_on_the_path(self):
-        for extend, wanted in (('CLAMP', 10.0), ('EXTRAPOLATE', 13.0), ('LOOP', 3.0), ('PING_PONG', 7.0)):
+        for extend, wanted, travelled in (
+                ('CLAMP', 10.0, 10.0), ('EXTRAPOLATE', 13.0, 13.0), ('LOOP', 3.0, 13.0), ('PING_PONG', 7.0, 7.0)):
             car = self.follow(extend, timing='MANUAL', distance_factor=1.3, extend=extend)
-            self.assertAlmostEqual(self.output(car, "distance"), wanted, places=4)
+            self.assertAlmostEqual(self.output(car, "distance"), travelled, places=4)
             self.assertAlmostEqual(self.output(car, "fraction"), wanted / 10.0, places=5)
             self.assertAlmostEqual(self.output(car, "parameter"), min(wanted, 10.0) / 10.0, places=5)
             self.assertDistance(car, wanted)
+
+    def test_distance_grows_over_the_seam(self):
+        """Whatever the timing: on a loop of 10 m at 5 m/s, which begins anew every two seconds, forwards and backwards."""
+        ways = {
+            "Speed": {"timing": 'SPEED', "speed": 5.0},
+            "Back": {"timing": 'SPEED', "speed": -5.0},
+            "Duration": {"timing": 'DURATION', "duration": 2.0},
+            "Keyed": {"timing": 'SPEED', "speed": 5.0},
+            "Ahead": {"timing": 'SPEED', "speed": 5.0, "offset": 4.0},
+        }
+        for name, keywords in ways.items():
+            car = self.follow(name, extend='LOOP', **keywords)
+            if name == "Keyed":
+                car.keyframe_insert("motus.path.speed", frame=1)
+            start, way = keywords.get("offset", 0.0), -5.0 if name == "Back" else 5.0
+            for frame in (1, 48.5, 49, 50, 97, 300, 5000):
+                with self.subTest(name, frame=frame):
+                    wanted = start + way * (frame - 1) / 24
+                    self.assertAlmostEqual(self.output(car, "distance", frame), wanted, delta=1e-6 * max(1.0, abs(wanted)))
+                    off = self.output(car, "fraction", frame) - wanted / LENGTH
+                    self.assertAlmostEqual(off, round(off), places=5)
 
 
 class Speed(Straight):

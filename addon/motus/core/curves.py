@@ -71,7 +71,8 @@ def read(curve_object, splines, depsgraph, index, matrix):
 
 
 def _in_world(curve, tilt, matrix):
-    return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), tilt)
+    # A mirror image turns to the other side about the direction of travel.
+    return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), -tilt if matrix.is_negative else tilt)
 
 
 def _read(curve_object, splines, depsgraph, index, is_deformed):
@@ -95,9 +96,15 @@ def _read_splines(splines, index, is_polygon):
         if index >= count:
             raise Unreadable(NO_SUCH_SPLINE)
         return _read_spline(splines[index], is_polygon)
-    if count == 1:
-        return _read_spline(splines[0], is_polygon)
-    return _joined([_read_spline(spline, is_polygon) for spline in splines])
+    long = long_splines(splines) or splines[:1]
+    if len(long) == 1:
+        return _read_spline(long[0], is_polygon)
+    return _joined([_read_spline(spline, is_polygon) for spline in long])
+
+
+def long_splines(splines):
+    """Those that are more than a single point, which has no length: who rides all splines passes over it."""
+    return [one for one in splines if len(one.bezier_points if one.type == 'BEZIER' else one.points) > 1]
 
 
 def _read_spline(spline, is_polygon):

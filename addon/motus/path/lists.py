@@ -216,8 +216,8 @@ def _remove_pins(settings, frame):
 
 def _here_and_now(context, obj):
     depsgraph = context.view_layer.depsgraph
-    values = {name: wiring.output(setup.system(), obj, name, depsgraph) or 0.0 for name in ("fraction", "distance")}
-    return values | {"frame": scene_time.present(context.scene)}
+    distance, length = (wiring.output(setup.system(), obj, name, depsgraph) or 0.0 for name in ("distance", "length"))
+    return {"distance": distance, "fraction": distance / length if length else 0.0, "frame": scene_time.present(context.scene)}
 
 
 classes = (

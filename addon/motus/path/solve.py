@@ -108,10 +108,13 @@ def axis_name(identifier):
 
 
 def _write_outputs(outputs, curve, length, moving, time, offset, extend):
-    within = _within(moving.timing.distance(time) + moving.offset + offset, length, extend)
+    gone = moving.timing.distance(time) + moving.offset + offset
+    within = _within(gone, length, extend)
     on_curve = min(max(within, 0.0), length)
+    # A wheel that turns by the distance goes on turning from one lap of a loop to the next.
+    distance = gone if extend == 'loop' and length else within
     outputs[:] = (
-        curve.t_at_length(on_curve), within / length if length else 0.0, within, moving.timing.speed(time), length)
+        curve.t_at_length(on_curve), within / length if length else 0.0, distance, moving.timing.speed(time), length)
 
 
 def _within(distance, length, extend):

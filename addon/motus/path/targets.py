@@ -41,7 +41,7 @@ def selected_followers(context):
 
 def ends_for(curve, spline, is_train):
     """What is best done beyond the ends of a curve's spline, -1 for all of them: an item of EXTENDS."""
-    splines = curve.data.splines[:] if spline < 0 else curve.data.splines[spline:spline + 1]
+    splines = curves.long_splines(curve.data.splines) if spline < 0 else curve.data.splines[spline:spline + 1]
     if splines and all(one.use_cyclic_u for one in splines):
         return 'LOOP'
     return 'LINE_UP' if is_train else 'CLAMP'

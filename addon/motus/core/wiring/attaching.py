@@ -10,14 +10,17 @@ from . import (
     proxy_sink, readers, rows, solver_driver, transform_sink)
 from .sinks import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
 
+AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
+
 
 def attach(system, owner):
     """Wire `system` on `owner`: hubs with solvers and outboxes, and sinks on all members. What was wired before is replaced."""
-    _attach(system, owner)
+    _attach(system, owner, {})
     refresh_others(system, owner)
 
 
-def _attach(system, owner):
+def _attach(system, owner, before):
+    """before: what _stacks() said of the owner's last wiring; things that had sinks then have them at these places again."""
     followers = readers.of(system, owner)
     _detach(system, owner)
     settings = of_owner(system, owner)
@@ -34,6 +37,7 @@ def _attach(system, owner):
     readers.point(system, owner, followers)
     settings.wired = carriers.signature(system, owner, groups)
     overrides.mark(system, owner, groups)
+    _order_sinks(system, owner, groups, before)
     _tag(system, owner)
     if partner not in {None, owner}:
         _refresh(system, partner)
@@ -59,23 +63,40 @@ def _wire(system, owner, group):
         return
     driven = drivers.driven_bones(owner)
     for index, member in enumerate(group.members):
-        active, before = member.thing.constraints.active, len(member.thing.constraints)
+        active = member.thing.constraints.active
         if uses_attribute:
             attribute_sink.add(system, group, index, hub)
         elif proxy_sink.is_needed(system, member, driven):
             proxy_sink.add(system, of_owner(system, owner), group, index, hub)
         else:
             transform_sink.add(system, group, index, hub)
-        if system.lays_pose:
-            _put_first(member.thing, before)
         member.thing.constraints.active = active
         _lead(system, owner, member.thing.id_data)
 
 
-def _put_first(thing, before):
-    """Move the constraints of an Object or PoseBone that were added behind `before` others to the top of its stack."""
-    for place in range(before, len(thing.constraints)):
-        thing.constraints.move(place, place - before)
+def _order_sinks(system, owner, groups, before):
+    """Move sinks, which were added behind all other constraints, to where they were, or to where new ones belong."""
+    aimed = {member.thing for group in groups for member in group.members if _is_aimed_afterwards(member)}
+    for thing, places in _stacks(system, owner).items():
+        old = before.get(thing)
+        first = old[0][0] if old else 0 if system.lays_pose else _first_aiming(thing, places[0][0]) if thing in aimed else None
+        for offset, (index, _) in enumerate(places):
+            if old:
+                thing.constraints[index].mute = old[min(offset, len(old) - 1)][1]
+            if first is not None:
+                thing.constraints.move(index, min(first + offset, len(thing.constraints) - 1))
+
+
+def _is_aimed_afterwards(member):
+    """Whether constraints that turn a member towards something are to act where its sinks have put it."""
+    return "location" in member.channels and not (member.is_relative and "rotation" in member.channels)
+
+
+def _first_aiming(thing, end):
+    """Where the constraints before `end` begin that all aim at something."""
+    while end and thing.constraints[end - 1].type in AIMING:
+        end -= 1
+    return end
 
 
 def _lead(system, owner, obj):
@@ -187,14 +208,7 @@ def refresh(system, owner):
 def _refresh(system, owner):
     if system.groups is not None:
         _follow_renamed(system, owner)
-    before = _stacks(system, owner)
-    _attach(system, owner)
-    for thing, places in _stacks(system, owner).items():
-        old = before.get(thing)
-        for offset, (index, _) in enumerate(places if old else ()):
-            constraint = thing.constraints[index]
-            constraint.mute = old[min(offset, len(old) - 1)][1]
-            thing.constraints.move(index, min(old[0][0] + offset, len(thing.constraints) - 1))
+    _attach(system, owner, _stacks(system, owner))
 
 
 def refresh_others(system, owner):
