@@ -6,6 +6,7 @@ from bl_operators.presets import AddPresetBase
 from bl_ui.utils import PresetPanel
 import bpy
 
+from . import units
 from .operators import Operator
 from .refusals import Refused, check_local
 from .rows import Rows
@@ -13,7 +14,7 @@ from .translations import tr
 
 
 class Preset(NamedTuple):
-    """One that Motus brings. values: {name of a setting: value}; what only others of the system name is at its default."""
+    """One that Motus brings. values: {name of a setting: value, in metres}; what only others of the system name is at its default."""
 
     identifier: str
     label: str
@@ -62,7 +63,8 @@ class _Use(Operator):
         values = next(preset.values for preset in self.brought if preset.identifier == self.preset)
         for settings in every:
             for name in dict.fromkeys(name for preset in self.brought for name in preset.values):
-                setattr(settings, name, values.get(name, _default(settings, name)))
+                value = values.get(name, _default(settings, name))
+                setattr(settings, name, units.in_scene(context.scene, settings.bl_rna.properties[name], value))
 
 
 def _default(settings, name):

@@ -36,6 +36,11 @@ def first(scene):
     return keys_time(scene, scene.frame_start)
 
 
+def beginning(scene):
+    """The keys' time at which a motion begins that is set up newly: frame 1, or where the scene begins instead."""
+    return 1.0 if scene.frame_start == 1 else first(scene)
+
+
 def last(scene):
     """The keys' time of the scene's last frame."""
     return keys_time(scene, scene.frame_end)

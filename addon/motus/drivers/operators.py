@@ -2,12 +2,12 @@
 
 import bpy
 
-from ..core import capabilities, datablocks, hovered
+from ..core import capabilities, datablocks, hovered, units
 from ..core.operators import Operator
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr
 from . import expressions, history, places, preview
-from .keywords import REDO, DriverKeywords, given
+from .keywords import NAMES, REDO, DriverKeywords, given
 
 WIDTH = 360
 """Of the dialog, pixels at the interface's normal size."""
@@ -85,8 +85,14 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             return
         if len(found) == 1 and self.data_path and not self.is_given("base"):
             self.base = float(found[0].value)
-        if context.scene.use_gravity and not self.is_given("gravity"):
+        for name, value in self._in_unit(context.scene).items():
+            setattr(self, name, value)
+        if context.scene.use_gravity and units.is_gravity_meant(context.scene) and not self.is_given("gravity"):
             self.gravity = context.scene.gravity.length
+
+    def _in_unit(self, scene):
+        """Keywords that nobody gave, in the scene's unit."""
+        return units.defaults(scene, self.properties, [name for name in NAMES if not self.is_given(name)])
 
     def draw_below(self, _context):
         preview.draw(self.layout, self)
@@ -98,7 +104,8 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
             if place.curve and not self.replace:
                 raise Refused(_is_driven(place))
         self._check()
-        texts = [self._text(place, number) for number, place in enumerate(found)]
+        keywords = given(self) | self._in_unit(context.scene)
+        texts = [self._text(place, number, keywords) for number, place in enumerate(found)]
         for place, text in zip(found, texts):
             try:
                 place.add(text)
@@ -108,8 +115,8 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
         self.report({'INFO'}, tr("{property} is now driven by {function}").format(
             property=places.label(found), function=tr(function.label)))
 
-    def _text(self, place, number):
-        keywords = self._keywords(place, number)
+    def _text(self, place, number, keywords):
+        keywords = self._for_component(keywords, place, number)
         if expressions.BY_IDENTIFIER[self.function].follows:
             history.check(place.holder, keywords["source"], keywords["source_index"])
         text = expressions.compose(keywords)
@@ -118,9 +125,9 @@ class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Opera
                 count=len(text), most=expressions.LONGEST))
         return text
 
-    def _keywords(self, place, number):
+    def _for_component(self, keywords, place, number):
         """The keywords for a component of an array: each swings about its own value, and each noise is another one."""
-        keywords = given(self)
+        keywords = dict(keywords)
         if not self.is_given("base"):
             known = place.curve and expressions.read(place.curve.driver.expression)
             keywords["base"] = known["base"] if known else float(place.value)

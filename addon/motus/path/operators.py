@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import wiring
+from ..core import scene_time, units, wiring
 from ..core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
@@ -19,11 +19,18 @@ def follower_for(context, name=""):
     return obj
 
 
-def with_ends(owner, curve, keywords, is_train=False):
-    """The keywords of a NewFollowKeywords; of a new owner also `extend`, as the curve asks for it if it is not given."""
-    if "extend" in keywords or owner.motus.path.is_active:
+def for_new(context, owner, curve, keywords, is_train=False):
+    """The keywords of a NewFollowKeywords; of a new owner also those that nobody gave and the curve or the scene decides."""
+    settings = owner.motus.path
+    if settings.is_active:
         return keywords
-    return keywords | {"extend": targets.ends_for(curve, keywords.get("spline", 0), is_train)}
+    free = [name for name in KEYWORDS if name not in keywords and not settings.is_property_set(name)]
+    found = units.defaults(context.scene, settings, free)
+    if "start_frame" in free:
+        found["start_frame"] = scene_time.beginning(context.scene)
+    if "extend" not in keywords:
+        found["extend"] = targets.ends_for(curve, keywords.get("spline", 0), is_train)
+    return keywords | found
 
 
 def make_active(context, obj):
@@ -71,7 +78,7 @@ class MOTUS_OT_path_follow_add(FindsValues, NewFollowKeywords, bpy.types.Operato
             targets.check_free(owner, curve)
             targets.check_settings(owner, curve, keywords)
         for owner in owners:
-            setup.attach(owner, curve, with_ends(owner, curve, keywords))
+            setup.attach(owner, curve, for_new(context, owner, curve, keywords))
         self.show_used(owners[0].motus.path, KEYWORDS)
         self.curve = curve.name
         if not self.object:

@@ -9,7 +9,7 @@ from ..core.rows import Rows
 from ..core.translations import tr
 from . import rows, setup, targets
 from .gaps import touching_gaps
-from .operators import make_active, with_ends
+from .operators import for_new, make_active
 from .properties import KEYWORDS, NewFollowKeywords
 
 
@@ -61,7 +61,7 @@ class MOTUS_OT_path_train_add(FindsValues, NewFollowKeywords, bpy.types.Operator
             gaps = [self.gap] * len(wagons)
         else:
             gaps = touching_gaps(train, self.forward_axis)
-        setup.attach(leader, curve, with_ends(leader, curve, keywords, is_train=True), list(zip(wagons, gaps)))
+        setup.attach(leader, curve, for_new(context, leader, curve, keywords, is_train=True), list(zip(wagons, gaps)))
         self.show_used(leader.motus.path, KEYWORDS)
         if not self.objects:
             make_active(context, leader)

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import bpy
 from mathutils import Matrix
 
-from ..core import actions, datablocks, libraries, wiring
+from ..core import actions, datablocks, libraries, units, wiring
 from ..core.forgetting import forget
 from ..core.system import registered
 from . import parts, trail
@@ -36,7 +36,7 @@ def new_pivot(context, name, place):
     pivot = bpy.data.objects.new(name, None)
     pivot.location = place
     pivot.empty_display_type = 'SPHERE'
-    pivot.empty_display_size = 0.05
+    pivot.empty_display_size = 0.05 / units.metres(context.scene)
     context.collection.objects.link(pivot)
     return pivot
 

@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Vector
 
-from ..core import actions, libraries, scene_time, wiring
+from ..core import actions, libraries, scene_time, units, wiring
 from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.rows import Row, Rows, is_one_of
@@ -90,7 +90,7 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
         wiring.report_problems(self, context, build.system(), pivots)
 
     def _add(self, context):
-        keywords = self._checked()
+        keywords = self._checked(context)
         bobs = []
         if self.bobs or self.take == 'PLACED':
             pivot, bobs = targets.placed_objects(context, self.object, self.bobs)
@@ -110,7 +110,7 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
             kind = self._kind_of(bobs)
             keywords |= targets.measured(pivot, bobs)
         count = self.count if kind == 'FAN' else 1
-        build.attach(context, pivot, _rods_of(kind), count, keywords, self._look(), bobs)
+        build.attach(context, pivot, _rods_of(kind), count, keywords, self._look(context), bobs)
         return [pivot]
 
     def _kind_of(self, bobs):
@@ -126,7 +126,8 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
         if self.kind != 'CHAOS':
             count = self.count if self.kind == 'FAN' else 1
             return [self._hang(context, tr("Pendulum"), place, self.kind, count, keywords)]
-        along = Vector((APART * 2.0 * (self.length1 + self.length2), 0.0, 0.0))
+        lengths = (keywords.get(name, getattr(self, name)) for name in ("length1", "length2"))
+        along = Vector((APART * 2.0 * sum(lengths), 0.0, 0.0))
         other = dict(zip(("angle1", "angle2"), OTHER_ANGLES))
         return [
             self._hang(context, tr("Fan"), place, 'DOUBLE', self.count, keywords),
@@ -135,16 +136,18 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
 
     def _hang(self, context, name, place, kind, count, keywords, hue=0.0):
         pivot = build.new_pivot(context, name, place)
-        look = self._look()
+        look = self._look(context)
         look = look._replace(hue=(look.hue + hue) % 1.0)
         build.attach(context, pivot, _rods_of(kind), count, keywords, look, has_made_pivot=True)
         return pivot
 
-    def _look(self):
-        return build.Look(self.rod_radius, self.bob_radius, self.spacing, self.hue)
+    def _look(self, context):
+        free = [name for name in ("rod_radius", "bob_radius", "spacing") if not self.is_given(name)]
+        look = build.Look(self.rod_radius, self.bob_radius, self.spacing, self.hue)
+        return look._replace(**units.defaults(context.scene, self.properties, free))
 
-    def _checked(self):
-        """The keywords that were given, where they can work."""
+    def _checked(self, context):
+        """The keywords that were given, where they can work, and those that the scene decides."""
         keywords = self.given(KEYWORDS)
         check_finite(self, (*KEYWORDS, "rod_radius", "bob_radius", "spacing", "hue", "location"))
         positive = ("length1", "length2", "mass1", "mass2", "most_velocity", "most_acceleration")
@@ -156,7 +159,13 @@ class MOTUS_OT_pendulum_add(FindsValues, PendulumKeywords, bpy.types.Operator):
                 raise Refused(tr("{keyword} must not be less than 0").format(keyword=name))
         if not 1 <= self.count <= parts.LARGEST_FAN:
             raise Refused(tr("A fan has 1 to {count} pendulums").format(count=parts.LARGEST_FAN))
-        return keywords
+        return self._with_those_of_scene(context.scene, keywords)
+
+    def _with_those_of_scene(self, scene, keywords):
+        found = units.defaults(scene, self.properties, [name for name in KEYWORDS if name not in keywords])
+        if not (units.is_gravity_meant(scene) or "gravity" in keywords or "use_scene_gravity" in keywords):
+            found["use_scene_gravity"] = False
+        return {"start_frame": scene_time.beginning(scene)} | keywords | found
 
 
 def _rods_of(kind):
