@@ -140,6 +140,17 @@ class DynamicsTest(support.SceneTestCase):
             bound = {"Smooth": 4e-3, "Straight": 2e-6, "Stepped": 4e-3}[name]
             np.testing.assert_allclose(found, places[name, 96], atol=bound, err_msg=f"{name} {fps}")
 
+    def test_a_loop_over_the_scene_in_stretched_time(self):
+        scene = bpy.context.scene
+        scene.frame_start, scene.frame_end = 2, 81
+        scene.render.frame_map_old, scene.render.frame_map_new = 100, 200
+        ball = cases.moved(rows={1: (0.0, 0.0, 0.0), 20: (3.0, 0.0, 0.0), 41: (0.0, 0.0, 0.0)})
+        cases.add(ball, style='BOUNCY')
+        bpy.ops.motus.dynamics_loop(object="Ball")
+        entry = ball.motus.dynamics.entries[0]
+        self.assertEqual((entry.loop_start, entry.loop_end), (1, 41))
+        np.testing.assert_allclose(cases.matrix(ball, 2), cases.matrix(ball, 82), atol=1e-5)
+
     def test_a_loop_has_no_seam(self):
         scene = bpy.context.scene
         scene.frame_start, scene.frame_end = 1, 40

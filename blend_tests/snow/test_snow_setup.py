@@ -24,6 +24,15 @@ class Setup(SnowTestCase):
         self.assertEqual((settings.start_speed, settings.lifetime, settings.rate, settings.looping), (5.0, 2.0, 5.0, True))
         self.assertFalse(settings.snow or settings.gravity or settings.random_size)
 
+    def test_a_preset_in_stretched_time(self):
+        """Flakes have fallen for their whole life on the scene's first frame."""
+        scene = bpy.context.scene
+        scene.frame_start, scene.render.frame_map_old, scene.render.frame_map_new = 1001, 100, 200
+        settings = self.add(preset='GENTLE').motus.snow
+        fps = scene.render.fps / scene.render.fps_base
+        self.assertLess(settings.start_frame, 500.5 - settings.lifetime * fps)
+        self.assertGreater(settings.start_frame, 500.5 - (settings.lifetime + 2.0) * fps)
+
     def test_presets(self):
         presets = support.addon("snow.presets")
         for identifier in presets.NUMBERS:

@@ -148,6 +148,26 @@ class Measure(StereoTestCase):
         for frame, value in enumerate(found, 1):
             self.assertLessEqual(value, (8.0 if frame <= 20 else 3.0) + 1e-4)
 
+    def test_in_stretched_time(self):
+        """Twice as many frames of the time line, so that near goes ahead by twice as many too, have what plain time has."""
+        found = []
+        for stretch in (1, 2):
+            self.setUp()
+            render = bpy.context.scene.render
+            render.frame_map_old, render.frame_map_new = 100, 100 * stretch
+            obj = self.add(convergence='BUDGET')
+            square("Wall", (0.0, 12.0, 0.0), 60.0)
+            near = square("Near", (0.0, 8.0, 0.0), 4.0)
+            for frame, depth in ((1, 8.0), (20, 8.0), (21, 3.0), (30, 3.0)):
+                near.location.y = depth
+                near.keyframe_insert("location", frame=frame)
+            bpy.ops.motus.stereo_measure(object="Camera", frame_start=stretch, frame_end=30 * stretch, ahead=5 * stretch)
+            for frame in (1, 10, 18, 25):
+                go_to(frame * stretch)
+                found.append(obj.evaluated_get(bpy.context.evaluated_depsgraph_get()).motus.stereo.near)
+        render.frame_map_new = 100
+        np.testing.assert_allclose(found[4:], found[:4], atol=0.25)
+
     def test_a_single_depth_leaves_a_budget(self):
         obj = self.add(convergence='BUDGET')
         square("Wall", (0.0, 12.0, 0.0), 60.0)

@@ -94,6 +94,17 @@ class Reach(cases.WalkerTestCase):
         told, seen = self.missed()
         self.assertEqual(told - seen, set())
 
+    def test_the_sentence_names_frames_of_the_time_line(self):
+        self.harden()
+        told = support.addon("walker.told")
+        found = []
+        for stretch in (1, 3):
+            self.scene.render.frame_map_old, self.scene.render.frame_map_new = 100, 100 * stretch
+            sentence = told.sentence(bpy.context, self.spider, support.addon("walker.solve").UNREACHED)
+            found.append([int(frame) for frame in sentence.split(" on frames ")[1].split(",")[0].split("-")])
+        for plain, stretched in zip(*found):
+            self.assertLess(abs(stretched - 3 * plain), 3, found)
+
     def test_the_sentence_names_frames_that_are_missed(self):
         self.harden()
         _, seen = self.missed()

@@ -22,6 +22,18 @@ class IkMatchesFk(MatchTestCase):
         self.match()
         self.assertRecorded(rig, before)
 
+    def test_in_stretched_time(self):
+        """Frames of the operator are of the time line, keys stand in the keys' time: 60 frames show what 30 did."""
+        rig = self.animated_arm()
+        before = self.recorded(rig)
+        self.reach(make_pole=True, target="", position_weight=0.0)
+        render, self.scene.frame_end = self.scene.render, 60
+        render.frame_map_old, render.frame_map_new = 100, 200
+        self.match(switch=True, frame_start=2, frame_end=60)
+        self.assertRecorded(rig, {2 * frame: pose for frame, pose in before.items()})
+        curve = support.addon("core.actions").find(bpy.data.objects["Rig"].motus.ik.entries[0].target, "location", 0)
+        self.assertEqual([point.co.x for point in curve.keyframe_points][::58], [1.0, 30.0])
+
     def test_without_pole(self):
         rig = self.animated_arm()
         before = self.recorded(rig)

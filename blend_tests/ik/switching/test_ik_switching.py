@@ -32,6 +32,14 @@ class Keyed(SwitchTestCase):
         self.assertAlmostEqual(self.blend_at(15), 0.5, places=4)
         self.assertLess(self.blend_at(10.5), 0.05 * 0.5, "starts slowly")
 
+    def test_in_stretched_time(self):
+        """Frames of the operator are of the time line."""
+        render = bpy.context.scene.render
+        render.frame_map_old, render.frame_map_new = 100, 200
+        self.keyed("B", 20, 40, interpolation='LINEAR')
+        for frame, blend in ((10, 0.0), (20, 0.0), (30, 0.5), (40, 1.0), (60, 1.0)):
+            self.assertAlmostEqual(self.blend_at(frame), blend, places=5)
+
     def test_interpolations(self):
         self.keyed("B", 10, 20, interpolation='LINEAR')
         self.keyed("C", 30, 40, interpolation='CONSTANT')
