@@ -302,6 +302,39 @@ class RemoveTest(support.SceneTestCase):
         self.assertEqual(set(bpy.data.objects), {ball})
         np.testing.assert_allclose(cases.shapes().positions(ball.data), deformed, atol=1e-6)
 
+    def test_applied_among_other_modifiers(self):
+        """What is seen stays, or a sentence names the modifier in the way, and nothing is changed."""
+        for kind in ('SUBSURF', 'MIRROR', 'ARRAY', 'SIMPLE_DEFORM', 'SMOOTH', 'WEIGHTED_NORMAL'):
+            for is_behind in (False, True):
+                ball = cases.ball(kind)
+                if not is_behind:
+                    ball.modifiers.new("Other", kind)
+                lattice = fit(objects=ball.name)
+                if is_behind:
+                    ball.modifiers.new("Other", kind)
+                cases.displace(lattice, 0.2)
+                before = cases.evaluated(ball)
+                with self.subTest(kind=kind, is_behind=is_behind):
+                    if is_behind or kind == 'WEIGHTED_NORMAL':
+                        bpy.ops.motus.lattice_remove(objects=ball.name, use_apply=True)
+                        self.assertEqual(len(ball.modifiers), 1)
+                    else:
+                        with self.assertRaisesRegex(RuntimeError, "Other of .* acts before"):
+                            bpy.ops.motus.lattice_remove(objects=ball.name, use_apply=True)
+                        self.assertEqual(len(ball.modifiers), 2)
+                    np.testing.assert_allclose(cases.evaluated(ball), before, atol=1e-5)
+
+    def test_a_modifier_in_the_way_that_is_off_or_applied_along(self):
+        ball = cases.ball()
+        other = ball.modifiers.new("Other", 'SUBSURF')
+        other.show_viewport = other.show_render = False
+        for _ in range(2):
+            cases.displace(fit(objects=ball.name), 0.1)
+        before = cases.evaluated(ball)
+        bpy.ops.motus.lattice_remove(objects=ball.name, use_apply=True)
+        self.assertEqual([one.name for one in ball.modifiers], ["Other"])
+        np.testing.assert_allclose(cases.evaluated(ball), before, atol=1e-5)
+
     def test_one_of_two(self):
         ball = cases.ball()
         first, second = fit(objects=ball.name), fit(objects=ball.name)

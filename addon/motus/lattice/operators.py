@@ -98,9 +98,13 @@ class MOTUS_OT_lattice_remove(Operator, bpy.types.Operator):
     def run(self, context):
         uses = _fitted(context, self.objects, self.modifier)
         removal.check_removable(uses, self.use_apply)
+        bent = [obj.name for obj, _ in uses if obj.type in {'CURVE', 'SURFACE'}] if self.use_apply else []
         names = ", ".join(obj.name for obj, _ in uses)
         removal.remove(context, uses, self.use_apply)
         self.report({'INFO'}, tr("{objects} without a lattice").format(objects=names))
+        if bent:
+            self.report({'WARNING'}, tr("Of {objects} the control points keep the deformation: what lies between them can look "
+                                        "different").format(objects=", ".join(bent)))
 
 
 def _fitted(context, names="", modifier=""):

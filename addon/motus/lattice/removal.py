@@ -6,6 +6,9 @@ from ..core.refusals import Refused, check_local
 from ..core.translations import tr
 from . import shapes
 
+KEEP_SHAPES = {'NORMAL_EDIT', 'UV_PROJECT', 'UV_WARP', 'WEIGHTED_NORMAL'}
+"""Types of modifiers after which a deformation may as well come before."""
+
 
 def fitted(modifier):
     """Whether this is the modifier of a lattice that Motus has fitted."""
@@ -37,6 +40,7 @@ def check_removable(uses, is_applied):
         check_local(obj)
         if is_applied:
             _check_applicable(obj, name)
+            _check_first(obj, name, {one for other, one in uses if other == obj})
 
 
 def _check_applicable(obj, name):
@@ -54,6 +58,14 @@ def _check_applicable(obj, name):
     if not obj.modifiers[name].show_viewport:
         raise Refused(tr("The modifier {modifier} of {object} is switched off in the viewport").format(
             modifier=name, object=obj.name))
+
+
+def _check_first(obj, name, applied):
+    """Refuse where another modifier acts on the shape before: what is applied comes before all that is not."""
+    for other in obj.modifiers[:obj.modifiers.find(name)]:
+        if other.name not in applied and other.type not in KEEP_SHAPES and (other.show_viewport or other.show_render):
+            raise Refused(tr("{other} of {object} acts before {modifier}, and would act on the applied shape afterwards: apply {other} "
+                             "first, or move {modifier} above it").format(object=obj.name, modifier=name, other=other.name))
 
 
 def remove(context, uses, is_applied):

@@ -93,6 +93,12 @@ INTERFACE = {
     "{modifier} of {object} cannot be applied: {error}": "{modifier} de {object} no se puede aplicar: {error}",
     "{modifier} of {object} has no influence there": "{modifier} de {object} no tiene influencia ahí",
     "{objects} without a lattice": "{objects} sin jaula",
+    "Of {objects} the control points keep the deformation: what lies between them can look different":
+        "De {objects} los puntos de control conservan la deformación: lo que hay entre ellos puede verse distinto",
+    "{other} of {object} acts before {modifier}, and would act on the applied shape afterwards: apply {other} first, or move "
+    "{modifier} above it":
+        "{other} de {object} actúa antes que {modifier}, y actuaría después sobre la forma aplicada: aplica primero {other}, o mueve "
+        "{modifier} por encima",
     "{object} deforms nothing that is shown": "{object} no deforma nada que se muestre",
     "The lattice would be too large or too small for Blender": "La jaula sería demasiado grande o pequeña para Blender",
     "{object} has no geometry": "{object} no tiene geometría",
