@@ -74,7 +74,7 @@ def draw_mask(layout, context):
         ui.draw_message(layout, tr("The layer acts on all bones: add some to keep it to these"), 'INFO')
     elif 0 <= entry.active_mask < len(entry.mask):
         item, column = entry.mask[entry.active_mask], ui.split(layout)
-        column.row().prop(item, "kind", expand=True)
+        column.prop(item, "kind")
         data, name = (rig.data, "bones") if item.kind == 'BONE' else mask.collection_names(rig)
         column.prop_search(item, "name", data, name)
         column.prop(item, "with_children")
