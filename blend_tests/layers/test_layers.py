@@ -185,6 +185,45 @@ class Time(LayerTestCase):
             wanted = walk["UpperArm.L"].to_quaternion().slerp(throw["UpperArm.L"].to_quaternion(), share)
             self.assertSameTurn(self.own("UpperArm.L"), wanted.to_matrix(), frame)
 
+    def turned(self, **keywords):
+        """Angle about Y of a bone at rest on frames 1, 2, ... 97, under a layer that turns it twice in 48 frames."""
+        self.rig.animation_data_clear()
+        if self.rig.motus.layers.entries:
+            bpy.ops.motus.layer_remove(object="Rig")
+        mode = keywords.pop("rotation_mode", 'XYZ')
+        self.rig.pose.bones["Head"].rotation_mode = mode
+        path, index = ("rotation_axis_angle", 0) if mode == 'AXIS_ANGLE' else ("rotation_euler", 1)
+        easing = keywords.pop("interpolation", 'LINEAR')
+        action = new_action("Spin", {(f'pose.bones["Head"].{path}', index): [(1, 0.0), (49, 4 * math.pi)]})
+        for curve in self.actions.curves_for_object(action):
+            for point in curve.keyframe_points:
+                point.interpolation = easing
+            curve.update()
+        self.add(action="Spin", bones="Head", layer="Spin", **keywords)
+        for frame in range(1, 98):
+            self.go(frame)
+            yield frame, self.own("Head").to_quaternion()
+
+    def assertTurns(self, angle, **keywords):
+        for frame, found in self.turned(**keywords):
+            self.assertSameTurn(found.to_matrix(), Quaternion((0, 1, 0), angle(frame)).to_matrix(), (keywords, frame), 1e-5)
+
+    def test_two_turns_stay_two_turns(self):
+        """As strips of Blender's NLA have it, Replace or Combine: a part of the angle."""
+        way = 4 * math.pi / 48
+        for mode in ('OVERRIDE', 'ADDITIVE'):
+            for rotation_mode in ('XYZ', 'ZXY', 'AXIS_ANGLE'):
+                self.assertTurns(lambda frame: 0.25 * way * min(frame - 1, 48), mode=mode, weight=0.25, rotation_mode=rotation_mode)
+        self.assertTurns(lambda frame: 0.25 * way * (frame - 1), weight=0.25, after='REPEAT')
+        self.assertTurns(lambda frame: -0.25 * way * (frame - 1), weight=0.25, after='REPEAT', speed=-1.0)
+        self.assertTurns(lambda frame: 0.5 * way * min(frame - 1, 48), weight=0.5, in_armature=True)
+        # Compared with its last pose it has nothing to add there.
+        self.assertTurns(lambda frame: 0.25 * way * min(frame - 49, 0), mode='ADDITIVE', weight=0.25, reference='FRAME', reference_frame=49.0)
+
+    def test_turns_that_blender_eases(self):
+        curves = self.actions.curves_for_object
+        self.assertTurns(lambda frame: 0.25 * curves(bpy.data.actions["Spin"])[0].evaluate(frame), interpolation='SINE', weight=0.25)
+
     def test_any_frame_in_any_order(self):
         entry = self.add(bones="Chest", in_armature=True, feather=1, after='REPEAT')
         for frame, weight in ((1, 0.2), (30, 1.0)):

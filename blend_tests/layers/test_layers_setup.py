@@ -19,6 +19,31 @@ class Add(LayerTestCase):
         self.assertEqual((entry.name, entry.action), ("Throw", self.throw))
         self.assertEqual([(item.name, item.kind, item.with_children) for item in entry.mask], [("Chest", 'BONE', True)])
 
+    def test_without_a_start_it_is_the_current_frame(self):
+        bpy.context.scene.frame_set(12)
+        self.assertEqual(bpy.ops.motus.layer_add(object="Rig", action="Throw", layer="Now"), {'FINISHED'})
+        self.assertEqual(self.rig.motus.layers.entries["Now"].start, 12.0)
+        self.assertIn("current frame", bpy.ops.motus.layer_add.get_rna_type().properties["start"].description)
+
+    def test_the_slot_that_animates_the_rig(self):
+        if not support.addon("core.capabilities").has_slotted_actions():
+            self.skipTest("actions have no slots")
+        action = bpy.data.actions.new("Shot")
+        strip = action.layers.new("Layer").strips.new(type='KEYFRAME')
+        for name, path, value in (("Prop", "location", 9.0), ("Double", 'pose.bones["Hips"].location', 2.0),
+                                  ("Rig", 'pose.bones["Hips"].location', 3.0)):
+            slot = action.slots.new('OBJECT', name)
+            strip.channelbag(slot, ensure=True).fcurves.new(path, index=2).keyframe_points.insert(1, value)
+        for slot, value in (("", 3.0), ("OBDouble", 2.0)):
+            self.add(action="Shot", slot=slot, bones="Hips", layer="Shot")
+            self.go(5)
+            self.assertAlmostEqual(self.own("Hips").translation.z, value, delta=1e-6)
+        # An action that is chosen in the panel has no slot named.
+        action.slots.remove(action.slots["OBRig"])
+        self.rig.motus.layers.entries["Shot"].slot = ""
+        self.go(6)
+        self.assertAlmostEqual(self.own("Hips").translation.z, 2.0, delta=1e-6)
+
     def test_selected_bones_are_the_mask(self):
         bpy.context.view_layer.objects.active = self.rig
         bpy.ops.object.mode_set(mode='POSE')

@@ -348,9 +348,13 @@ class LayerClip:
     @property
     def channels(self) -> tuple[int, ...]: ...  # of each bone a sum of 1 location, 2 rotation, 4 scale
     @property
+    def spins(self) -> bool: ...  # whether angles of any bone go beyond half a turn
+    @property
     def given(self) -> int: ...  # curves without keys
     # (n, 10): location, quaternion, scale of its bones at a frame of the action.
     def pose(self, frame: float, given: ArrayLike | None = None) -> _Array: ...
+    # (n, 4): what their rotations are made of, in their modes.
+    def numbers(self, frame: float, given: ArrayLike | None = None) -> _Array: ...
 
 class LayerStack:
     """What the bones of one rig hang on, for layers of animation over its pose. Immutable."""
@@ -377,6 +381,7 @@ class LayerStack:
         rotations: _Array,  # (R, 4), written into: after the bone's own
         scales: _Array,  # (R, 3), written into: to multiply by
         laid: NDArray[np.float32],  # (R, 16), columns, written into: the bones' own transforms with all layers
+        laps: list[_Array | None] | None = None,  # (n, 8): LayerClip.numbers() where it begins, and what a lap adds
     ) -> None: ...
 
 # (B,): chosen, with a border that rises over `feather` bones.

@@ -27,13 +27,28 @@ def curves_of(player):
     return bag.fcurves if bag else ()
 
 
-def curves_for_object(action, slot=""):
-    """The F-curves that an action has for an object. slot: identifier of one of its slots; "" takes the first one of an object."""
+def curves_for_object(action, slot="", bones=()):
+    """The F-curves that an action has for an object.
+
+    slot: identifier of one of its slots; "" takes the first one that animates one of these bones, else the first one of an object.
+    """
     if not capabilities.has_slotted_actions():
         return action.fcurves
-    found = action.slots.get(slot) or next(iter(slots_for_objects(action)), None)
-    bag = found and _channelbag(action, found)
-    return bag.fcurves if bag else ()
+    found = [action.slots[slot]] if slot in action.slots else slots_for_objects(action)
+    bags = [_channelbag(action, one) for one in found]
+    best = next((bag for bag in bags if bag and animates(bag.fcurves, bones)), bags[0] if bags else None)
+    return best.fcurves if best else ()
+
+
+def animates(curves, bones):
+    """Whether one of the F-curves animates the own transform of one of these bones."""
+    return any(bone_of(curve) in bones for curve in curves)
+
+
+def bone_of(curve):
+    """Name of the bone whose own transform an F-curve animates; None for any other F-curve."""
+    match = OWN_CHANNEL.match(curve.data_path)
+    return bpy.utils.unescape_identifier(match["bone"]) if match and match["bone"] is not None else None
 
 
 def slots_for_objects(action):

@@ -1,6 +1,6 @@
 """What an action says of a rig's bones, as the native module plays it: read once for each state of the action."""
 
-import bpy
+import math
 
 from ..core import actions, copies, native, read_keys
 from ..core.lazy import numpy as np
@@ -30,7 +30,8 @@ class Clip:
             for channel, index, curve in _used(found.get(name, {}), used[row]):
                 points = _points(curve)
                 number = 0 if points is None else len(points[0])
-                curves.append((row, _FIRST[channel] + index, count, number, curve.extrapolation == 'LINEAR'))
+                goes_on = _goes_around(curve) if points is None else curve.extrapolation == 'LINEAR'
+                curves.append((row, _FIRST[channel] + index, count, number, goes_on))
                 count += number
                 if points is None:
                     self._given.append(curve)
@@ -41,7 +42,7 @@ class Clip:
             np.array([MODES.index(mode) for mode in used], np.int32), np.array(curves, np.int32).reshape(-1, 5),
             np.concatenate(keys) if keys else np.empty((0, 6), np.float32),
             np.concatenate(kinds) if kinds else np.empty(0, np.int32))
-        self._reference = None, None
+        self._kept = {}
 
     @property
     def asks_curves(self):
@@ -56,12 +57,28 @@ class Clip:
         return np.nan_to_num([curve.evaluate(frame) for curve in self._given], posinf=0.0, neginf=0.0)
 
     def reference(self, frame):
-        """LayerClip.pose() of a frame, kept for the next call."""
-        known, pose = self._reference
-        if known != frame:
-            pose = self.native.pose(frame, self.given(frame))
-            self._reference = frame, pose
-        return pose
+        """LayerClip.pose() of a frame, kept for the next calls."""
+        return self._found("pose", frame, lambda: self.native.pose(frame, self.given(frame)))
+
+    def laps(self, begin, end, reference):
+        """What LayerStack.solve() wants of bones that go around; None without any. begin, end: of what is played, as it is played.
+        reference: frame of the reference; None if that is no pose of the action."""
+        if not self.native.spins:
+            return None
+        start = begin if reference is None else reference
+        return self._found("laps", (begin, end, start), lambda: np.hstack((
+            self._numbers(start), self._numbers(end) - self._numbers(begin))))
+
+    def _numbers(self, frame):
+        return self.native.numbers(frame, self.given(frame))
+
+    def _found(self, what, place, make):
+        """What make() gives, kept until it is asked for at another place."""
+        known, found = self._kept.get(what, (None, None))
+        if known != place:
+            found = make()
+            self._kept[what] = place, found
+        return found
 
 
 def clip_of(action, slot, names, modes):
@@ -80,11 +97,10 @@ def clip_of(action, slot, names, modes):
 def _curves_of_bones(action, slot, names):
     """{bone: {channel: {index: F-curve}}} of what is not muted."""
     wanted, found = set(names), {}
-    for curve in actions.curves_for_object(action, slot):
-        match = actions.OWN_CHANNEL.match(curve.data_path)
-        if not match or match["bone"] is None or curve.mute or (curve.group and curve.group.mute):
+    for curve in actions.curves_for_object(action, slot, wanted):
+        if curve.mute or (curve.group and curve.group.mute):
             continue
-        name, channel = bpy.utils.unescape_identifier(match["bone"]), curve.data_path.rpartition(".")[2]
+        name, channel = actions.bone_of(curve), curve.data_path.rpartition(".")[2]
         if name in wanted and channel in _SIZES and curve.array_index < _SIZES[channel]:
             found.setdefault(name, {}).setdefault(channel, {})[curve.array_index] = curve
     return found
@@ -105,6 +121,13 @@ def _used(channels, mode):
     for channel in ("location", turning, "scale"):
         for index, curve in channels.get(channel, {}).items():
             yield channel, index, curve
+
+
+def _goes_around(curve):
+    """Whether the values of a curve that Blender has to be asked for go beyond half a turn."""
+    if curve.extrapolation == 'LINEAR' or any(not one.mute and one.type != 'NOISE' for one in curve.modifiers):
+        return True
+    return any(abs(point.co.y) > math.pi for point in curve.keyframe_points)
 
 
 def _points(curve):

@@ -63,11 +63,14 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
     action: bpy.props.StringProperty(
         name="Action", description="Name of the action; empty leaves it to be chosen", options={'SKIP_SAVE'})
     slot: bpy.props.StringProperty(
-        name="Slot", description="Identifier of the action's slot; empty takes the rig's own, else the first one of an object",
+        name="Slot", description="Identifier of the action's slot; empty takes the rig's own or one of its name, else the first one that animates its bones",
         options={'SKIP_SAVE'})
     layer: bpy.props.StringProperty(
         name="Layer", description="Name of the layer; empty takes the action's. One that is there is changed",
         options={'SKIP_SAVE'})
+    start: bpy.props.FloatProperty(
+        name="Start", description="Frame of the scene on which the action begins to play; not given, the current frame",
+        default=1.0, step=100, precision=1)
     mask: bpy.props.EnumProperty(
         name="Mask", description="Bones that the layer acts on if neither bones nor collections are named", items=MASKS,
         default='SELECTED')
@@ -94,7 +97,7 @@ class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfA
         else:
             targets.check_room(rig)
             if not self.is_given("start"):
-                changes["start"] = scene_time.present(context.scene)
+                self.start = changes["start"] = scene_time.present(context.scene)
             setup.add(rig, self.layer or self.action or tr("Layer"), changes, items)
         settings = rig.motus.layers
         made = settings.entries[settings.active_entry]

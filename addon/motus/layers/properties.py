@@ -89,7 +89,7 @@ class MOTUS_PG_layers_entry(LayerKeywords, bpy.types.PropertyGroup):
     action: bpy.props.PointerProperty(
         type=bpy.types.Action, name="Action", description="Action that the layer plays", update=touch, override=OVERRIDABLE)
     slot: bpy.props.StringProperty(
-        name="Slot", description="Slot of the action, where it has several; empty takes the first one of an object",
+        name="Slot", description="Slot of the action, where it has several; empty takes the first one that animates bones of the rig",
         update=touch, override=OVERRIDABLE)
     mask: bpy.props.CollectionProperty(type=MOTUS_PG_layers_mask, name="Mask", override=EXTENDABLE)
     active_mask: bpy.props.IntProperty(name="Active Mask", options=set())

@@ -101,11 +101,14 @@ def remove_from_mask(rig, index, place):
 
 
 def slot_of(rig, action):
-    """Identifier of the slot by which a layer plays an action: the rig's own one, if the action has it; else the first."""
-    own = actions.slot_identifier(rig)
+    """Identifier of the slot by which a layer plays an action: the rig's own one, or one of its name, that animates its bones;
+    else ""."""
     if action is None or not capabilities.has_slotted_actions():
         return ""
-    return own if own in [one.identifier for one in actions.slots_for_objects(action)] else ""
+    own, bones = actions.slot_identifier(rig), rig.data.bones.keys()
+    found = [slot.identifier for slot in actions.slots_for_objects(action) if rig.name == slot.name_display or own == slot.identifier]
+    found.sort(key=lambda identifier: identifier != own)
+    return next((one for one in found if actions.animates(actions.curves_for_object(action, one), bones)), "")
 
 
 def _add_items(entry, items):

@@ -92,18 +92,26 @@ def lay(source, found, settings, frame, basis, locations, rotations, scales):
         frames = native.module.layer_moments(numbers, frame)[:, 0].tolist()
         given = [found[row].given(at) for row, at in zip(playing, frames)]
     laid = np.empty((len(wired.rows), 16), np.float32)
+    played = [(source.entries[row], found[row]) for row in playing]
+    frames = [_reference_frame(entry, clip) for entry, clip in played]
     wired.stack.solve(
-        frame, basis, [found[row].native for row in playing], numbers, source.masks[playing],
-        [_reference(source.entries[row], found[row]) for row in playing], given, wired.rows, locations, rotations, scales,
-        laid)
+        frame, basis, [clip.native for _, clip in played], numbers, source.masks[playing],
+        [None if at is None else clip.reference(at) for at, (_, clip) in zip(frames, played)], given, wired.rows,
+        locations, rotations, scales, laid, [_laps(*pair, at) for at, pair in zip(frames, played)])
     return laid
 
 
-def _reference(entry, clip):
-    """What an additive layer starts from; None for the rest pose."""
+def _reference_frame(entry, clip):
+    """Frame of the action that an additive layer starts from; None for the rest pose."""
     if entry.mode != 'ADDITIVE' or entry.reference == 'REST':
         return None
-    return clip.reference(entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip)[0])
+    return entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip)[0]
+
+
+def _laps(entry, clip, reference):
+    """Clip.laps() of a layer."""
+    begin, end = span(entry, clip)
+    return clip.laps(end, begin, reference) if entry.speed < 0.0 else clip.laps(begin, end, reference)
 
 
 def span(entry, clip):

@@ -83,6 +83,15 @@ class Stacks(unittest.TestCase):
         found = Stack().solve(settings=settings(mode=1.0), references=[clip().pose(3.0)])
         np.testing.assert_allclose(found["rotations"][1], about_z(0.3), atol=1e-15)
 
+    def test_whole_turns(self):
+        keys = np.array([[1, 0, 0, 0, 2, 0], [11, 4 * np.pi, 10, 1, 12, 1]], np.float32)
+        around = native.LayerClip([1] * 3, np.array([[1, 5, 0, 2, 0]], np.int32), keys, LINEAR)
+        self.assertEqual((around.spins, clip().spins), (True, False))
+        np.testing.assert_allclose(around.numbers(6.0), [[0, 0, 2 * np.pi, 0]], atol=1e-6)
+        laps = np.hstack((around.numbers(1.0), around.numbers(11.0) - around.numbers(1.0)))
+        found = Stack().solve(9.0, clips=[around], settings=settings(weight=0.5), laps=[laps])
+        np.testing.assert_allclose(found["rotations"][1], about_z(0.5 * 4 * np.pi * 0.8), atol=1e-6)
+
     def test_no_layers(self):
         found = Stack().solve(clips=[], settings=np.empty((0, 10)), masks=np.empty((0, 3)), references=[], given=[])
         np.testing.assert_array_equal(found["laid"], [EYE, EYE])
@@ -94,6 +103,7 @@ class Stacks(unittest.TestCase):
             ("settings", ValueError, settings(speed=np.inf)), ("masks", ValueError, np.ones((1, 2))),
             ("masks", ValueError, np.full((1, 3), 1.5)), ("references", ValueError, []),
             ("references", ValueError, [np.zeros((2, 10))]), ("given", ValueError, [[1.0]]), ("given", ValueError, []),
+            ("laps", ValueError, []), ("laps", TypeError, 1.0), ("laps", ValueError, [np.zeros((1, 4))]),
             ("rows", ValueError, [0, 3]), ("locations", ValueError, np.empty((3, 3))), ("rotations", TypeError, np.empty((2, 4), np.float32)),
             ("scales", TypeError, [1.0]), ("laid", ValueError, np.empty((1, 16), np.float32)))
         for name, error, value in bad:

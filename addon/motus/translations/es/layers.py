@@ -67,8 +67,8 @@ INTERFACE = {
     "Action": "Acción",
     "Action that the layer plays": "Acción que reproduce la capa",
     "Slot": "Ranura",
-    "Slot of the action, where it has several; empty takes the first one of an object":
-        "Ranura de la acción, si tiene varias; vacío toma la primera de un objeto",
+    "Slot of the action, where it has several; empty takes the first one that animates bones of the rig":
+        "Ranura de la acción, si tiene varias; vacío toma la primera que anima huesos del rig",
     "Mask": "Máscara",
     "Active Mask": "Máscara activa",
     "Switch the layer off": "Desactivar la capa",
@@ -93,8 +93,10 @@ INTERFACE = {
     "Collections": "Colecciones",
     "All bones below those of the mask count as well": "También cuentan todos los huesos bajo los de la máscara",
     "Name of the action; empty leaves it to be chosen": "Nombre de la acción; vacío la deja por elegir",
-    "Identifier of the action's slot; empty takes the rig's own, else the first one of an object":
-        "Identificador de la ranura de la acción; vacío toma la del rig, si no la primera de un objeto",
+    "Identifier of the action's slot; empty takes the rig's own or one of its name, else the first one that animates its bones":
+        "Identificador de la ranura de la acción; vacío toma la del rig o una de su nombre, si no la primera que anima sus huesos",
+    "Frame of the scene on which the action begins to play; not given, the current frame":
+        "Fotograma de la escena en el que la acción empieza a reproducirse; si no se da, el fotograma actual",
     "Name of the layer; empty takes the action's. One that is there is changed":
         "Nombre de la capa; vacío toma el de la acción. Una que ya existe se cambia",
     "Bones that the layer acts on if neither bones nor collections are named":

@@ -115,6 +115,17 @@ DoubleArray clip_pose(const layers::Clip& clip, const py::object& frame, const p
     return result;
 }
 
+DoubleArray clip_numbers(const layers::Clip& clip, const py::object& frame, const py::object& given) {
+    const std::vector<double> values = given_values(given, clip.given_count());
+    std::vector<Transform> pose(clip.bones().size());
+    std::vector<layers::Numbers> numbers(pose.size());
+    clip.evaluate(number(frame, "frame"), values, pose, numbers);
+    DoubleArray result = new_array({numbers.size(), std::size_t{4}});
+    double* out = values_of(result).data();
+    for (const layers::Numbers& row : numbers) out = std::ranges::copy(row, out).out;
+    return result;
+}
+
 // --- layer_moments, layer_mask ---------------------------------------------------------------------------
 
 /// Columns of settings.
@@ -210,8 +221,11 @@ DoubleArray mask(const py::object& parents, const py::object& chosen, const py::
 class Layers {
   public:
     Layers(const layers::Stack& stack, const py::list& clips, const py::object& settings,
-           const py::object& masks, const py::list& references, const py::list& given) {
+           const py::object& masks, const py::list& references, const py::list& given,
+           const py::object& laps) {
         const std::size_t count = clips.size();
+        const py::list of_laps = laps.is_none() ? all_none(count) : list(laps, "laps");
+        if (of_laps.size() != count) value_error("laps", "must have one item for each clip");
         if (references.size() != count) value_error("references", "must have one item for each clip");
         if (given.size() != count) value_error("given", "must have one item for each clip");
         const std::span<const double> rows = setting_rows(settings, count);
@@ -223,11 +237,13 @@ class Layers {
             if (clip.bone_count() != stack.size()) value_error("clips", "another number of bones");
             given_.push_back(given_values(given[i], clip.given_count()));
             references_.push_back(reference_of(references[i], clip.bones().size()));
+            laps_.push_back(laps_of(of_laps[i], clip.bones().size()));
             layers_.push_back(layer_of(rows.subspan(i * column_count, column_count), clip));
         }
         for (std::size_t i = 0; i < count; ++i) {
             layers_[i].given = given_[i];
             layers_[i].reference = references_[i];
+            layers_[i].laps = laps_[i];
             layers_[i].mask = std::span(masks_).subspan(i * stack.size(), stack.size());
             bones_ += layers_[i].clip->bones().size();
         }
@@ -257,9 +273,33 @@ class Layers {
         return result;
     }
 
+    [[nodiscard]] static py::list all_none(std::size_t count) {
+        py::list result(count);
+        for (std::size_t i = 0; i < count; ++i) result[i] = py::none();
+        return result;
+    }
+
+    [[nodiscard]] static py::list list(const py::object& given, std::string_view name) {
+        if (!py::isinstance<py::list>(given)) throw py::type_error(std::string(name) + ": must be a list");
+        return given;
+    }
+
+    [[nodiscard]] static std::vector<layers::Lap> laps_of(const py::object& given, std::size_t count) {
+        if (given.is_none()) return {};
+        const std::span<const double> rows = elements<double>(given, "laps", {count, 8});
+        if (!are_finite(rows)) value_error("laps", "every value must be finite");
+        std::vector<layers::Lap> result(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            std::ranges::copy(rows.subspan(8 * i, 4), result[i].from.begin());
+            std::ranges::copy(rows.subspan(8 * i + 4, 4), result[i].gained.begin());
+        }
+        return result;
+    }
+
     std::vector<double> masks_;
     std::vector<std::vector<double>> given_;
     std::vector<std::vector<Transform>> references_;
+    std::vector<std::vector<layers::Lap>> laps_;
     std::vector<layers::Layer> layers_;
     std::size_t bones_ = 0;
 };
@@ -298,11 +338,11 @@ void solve_stack(const layers::Stack& stack, const py::object& frame, const py::
                  const py::list& clips, const py::object& settings, const py::object& masks,
                  const py::list& references, const py::list& given, const py::object& rows,
                  const py::object& locations, const py::object& rotations, const py::object& scales,
-                 const py::object& laid) {
+                 const py::object& laid, const py::object& laps) {
     const std::size_t count = stack.size();
     const double at = number(frame, "frame");
     const std::vector<float> own = copied(elements<float>(basis, "basis", {count, 16}));
-    const Layers all(stack, clips, settings, masks, references, given);
+    const Layers all(stack, clips, settings, masks, references, given, laps);
     const std::vector<int> members = member_rows(rows, count);
     Moves moves(locations, rotations, scales, members.size());
     auto whole = output<float>(laid, "laid", {static_cast<py::ssize_t>(members.size()), 16});
@@ -346,20 +386,27 @@ What an action says of a rig's bones: its F-curves as plain arrays. Immutable.
 
 rotations: (B,), rotation mode of each bone: 0 quaternion, 1-6 Euler XYZ, XZY, YXZ, YZX, ZXY, ZYX, 7 axis and angle.
 curves: (C, 5) int32: bone; channel, 0-2 location, 3-6 the numbers of its rotation mode, 7-9 scale; index of its first key;
-how many it has, 0 where the caller gives its value; whether it goes on beyond them as a straight line.
+how many it has, 0 where the caller gives its value; whether it goes on beyond them as a straight line, without keys whether
+it is an angle that goes beyond half a turn.
 keys: (K, 6) float32: frame and value of the key, of its left handle, of its right one.  interpolations: (K,) int32: 0
 constant, 1 linear, 2 Bezier.
-bones: those that it animates.  channels: of each a sum of 1 location, 2 rotation, 4 scale.  given: how many curves have no
-keys.
+bones: those that it animates.  channels: of each a sum of 1 location, 2 rotation, 4 scale.  spins: whether angles of any go
+beyond half a turn, or by a whole turn from key to key.  given: how many curves have no keys.
 Raises ValueError or TypeError that names the argument.)")
         .def(py::init(&make_clip), "rotations"_a, "curves"_a, "keys"_a, "interpolations"_a)
         .def_property_readonly("bones", &bones_of)
         .def_property_readonly("channels", &channels_of)
+        .def_property_readonly("spins", &layers::Clip::has_spins)
         .def_property_readonly("given", &layers::Clip::given_count)
         .def("pose", &clip_pose, "frame"_a, "given"_a = py::none(), R"(
 (n, 10) of the bones at a frame of the action: location, unit quaternion w, x, y, z, scale; at rest what it says nothing of.
 
-given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.)");
+given: (given,), values of the curves without keys.  Raises ValueError or TypeError that names the argument.)")
+        .def("numbers", &clip_numbers, "frame"_a, "given"_a = py::none(), R"(
+(n, 4): what the bones' rotations are made of at a frame of the action, in their modes: a quaternion, Euler angles and a number
+that does not count, an angle and its axis; rad.
+
+given: as of pose().  Raises ValueError or TypeError that names the argument.)");
 }
 
 }  // namespace
@@ -385,7 +432,8 @@ Raises ValueError or TypeError that names the argument.)");
     stack.def(py::init(&make_stack), "parents"_a, "rest"_a, "inheritance"_a);
     stack.attr("SETTINGS") = setting_names();
     stack.def("solve", &solve_stack, "frame"_a, "basis"_a, "clips"_a, "settings"_a, "masks"_a, "references"_a,
-              "given"_a, "rows"_a, "locations"_a, "rotations"_a, "scales"_a, "laid"_a, R"(
+              "given"_a, "rows"_a, "locations"_a, "rotations"_a, "scales"_a, "laid"_a, "laps"_a = py::none(),
+              R"(
 Lays layers, the lowest first, over the bones' own transforms at a frame of the scene, and writes what comes on top of these.
 
 basis: (B, 16) float32, PoseBone.matrix_basis, column by column.  clips: (L) LayerClip.  settings: (L, 10), see SETTINGS: start
@@ -395,6 +443,9 @@ masks: (L, B), in [0, 1].  references: of each layer the pose() that an additive
 given: of each layer the values of its clip's curves without keys, or None.
 rows: (R,) bones.  locations (R, 3), rotations (R, 4) w, x, y, z, scales (R, 3), float64: written into; location to add, rotation
 after the bone's own, scale to multiply by.  laid: (R, 16) float32, written into: the bone's own transform with all layers.
+laps: of each layer (n, 8), or None: numbers() of the first pose that it plays (of an additive one's reference, if that is a pose
+of the clip), and how far numbers() come from the first pose to the last. Bones that go around, see LayerClip.spins, then do so by a
+part of the way where the layer counts for a part; without it all rotations go the shorter way.
 Raises ValueError or TypeError that names the argument; transforms that are not finite stay as they are.)");
 }
 

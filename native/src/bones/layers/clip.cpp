@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 #include "motus/core/numeric.hpp"
-#include "trigonometry.hpp"
 
 namespace motus::bones::layers {
 namespace {
@@ -125,30 +125,6 @@ double value_of(std::span<const Key> keys, bool goes_on, double frame, Parameter
     return Cubic(piece.values).at(parameters.find(piece.frames, frame));
 }
 
-/// Axes of a mode, in the order in which they turn, and whether the three are an odd permutation.
-struct Order {
-    int i, j, k;
-    bool is_odd;
-};
-constexpr std::array<Order, 6> orders{{{0, 1, 2, false},
-                                       {0, 2, 1, true},
-                                       {1, 0, 2, true},
-                                       {1, 2, 0, false},
-                                       {2, 0, 1, false},
-                                       {2, 1, 0, true}}};
-
-/// Turns about the fixed axes, one after the other.
-glm::dquat of_euler(const Order& order, std::span<const double, 4> angles) {
-    glm::dquat result = no_turn;
-    for (const int axis : {order.i, order.j, order.k}) {
-        const Angle half = angle_of(0.5 * angles[static_cast<std::size_t>(axis)]);
-        glm::dquat turn{half.cosine, 0.0, 0.0, 0.0};
-        (axis == 0 ? turn.x : axis == 1 ? turn.y : turn.z) = half.sine;
-        result = turn * result;
-    }
-    return result;
-}
-
 [[nodiscard]] unsigned channel_of(int number) {
     return number < 3 ? location : number < 7 ? rotation : scale;
 }
@@ -186,28 +162,6 @@ double value_at(std::span<const Key> keys, bool goes_on, double frame) {
     return value_of(keys, goes_on, frame, parameters);
 }
 
-glm::dquat rotation_of(Rotation mode, std::span<const double, 4> numbers) {
-    if (mode == Rotation::axis_angle) {
-        const glm::dvec3 given(numbers[1], numbers[2], numbers[3]);
-        const glm::dvec3 axis =
-            std::isinf(glm::dot(given, given)) ? unit_vector(given) : direction_or(given, glm::dvec3(0.0));
-        if (axis == glm::dvec3(0.0)) return no_turn;
-        const Angle half = angle_of(0.5 * numbers[0]);
-        return {half.cosine, half.sine * axis.x, half.sine * axis.y, half.sine * axis.z};
-    }
-    if (mode != Rotation::quaternion) return of_euler(orders[static_cast<std::size_t>(mode) - 1], numbers);
-    const glm::dquat q{numbers[0], numbers[1], numbers[2], numbers[3]};
-    const double square = glm::dot(q, q);
-    constexpr double vanished = 1e-280;
-    if (!(square > vanished)) return {0.0, 1.0, 0.0, 0.0};
-    if (std::isinf(square)) {
-        constexpr double smaller = 0x1p-600;
-        const glm::dquat scaled = q * smaller;
-        return scaled * (1.0 / std::sqrt(glm::dot(scaled, scaled)));
-    }
-    return q * (1.0 / std::sqrt(square));
-}
-
 Clip::Clip(std::span<const Rotation> rotations, std::span<const Curve> curves, std::span<const Key> keys)
     : bone_count_(rotations.size()), keys_(keys.begin(), keys.end()) {
     check(keys);
@@ -225,36 +179,55 @@ Clip::Clip(std::span<const Rotation> rotations, std::span<const Curve> curves, s
         bones_.push_back(static_cast<int>(bone));
         channels_.push_back(said);
         rotations_.push_back(rotations[bone]);
+        spins_.push_back(goes_around(rotations[bone], of_bones[bone]) ? rotations[bone]
+                                                                      : Rotation::quaternion);
+        has_spins_ = has_spins_ || spins_.back() != Rotation::quaternion;
         tracks_.insert(tracks_.end(), of_bones[bone].begin(), of_bones[bone].end());
         ends_.push_back(tracks_.size());
     }
 }
 
-void Clip::evaluate(double frame, std::span<const double> given, std::span<Transform> out) const {
+bool Clip::goes_around(Rotation mode, std::span<const Track> tracks) const {
+    constexpr double rounding = 1e-5;  // keys have single precision
+    return std::ranges::any_of(tracks, [&](const Track& track) {
+        if (track.channel < 3 || static_cast<std::size_t>(track.channel) >= 3 + angle_count(mode))
+            return false;
+        if (track.count == 0) return track.goes_on;
+        const auto keys = std::span(keys_).subspan(static_cast<std::size_t>(track.first),
+                                                   static_cast<std::size_t>(track.count));
+        const auto [least, most] = std::ranges::minmax(keys, {}, [](const Key& key) { return key.place.y; });
+        return std::max(-least.place.y, most.place.y) > std::numbers::pi + rounding ||
+               most.place.y - least.place.y > 2.0 * std::numbers::pi - rounding;
+    });
+}
+
+void Clip::evaluate(double frame, std::span<const double> given, std::span<Transform> out,
+                    std::span<Numbers> numbers) const {
     require(std::isfinite(frame), "frame: must be finite");
     require(given.size() == given_count_, "given: one value for each curve without keys is needed");
     require(out.size() == bones_.size(), "out: one transform for each bone of the clip is needed");
+    require(numbers.empty() || numbers.size() == bones_.size(),
+            "numbers: four for each bone of the clip are needed");
     Parameters parameters;
     std::size_t track = 0;
     for (std::size_t i = 0; i < bones_.size(); ++i) {
-        std::array<double, channel_count> numbers = at_rest;
+        std::array<double, channel_count> values = at_rest;
         // Euler angles have no number that is 1 at rest.
-        if (rotations_[i] != Rotation::quaternion) numbers[3] = 0.0;
-        if (rotations_[i] == Rotation::axis_angle) numbers[5] = 1.0;
+        if (rotations_[i] != Rotation::quaternion) values[3] = 0.0;
+        if (rotations_[i] == Rotation::axis_angle) values[5] = 1.0;
         for (; track < ends_[i]; ++track) {
             const Track& one = tracks_[track];
-            numbers[static_cast<std::size_t>(one.channel)] =
+            values[static_cast<std::size_t>(one.channel)] =
                 one.count == 0 ? given[one.given]
                                : value_of(std::span(keys_).subspan(static_cast<std::size_t>(one.first),
                                                                    static_cast<std::size_t>(one.count)),
                                           one.goes_on, frame, parameters);
         }
-        out[i].location = {numbers[0], numbers[1], numbers[2]};
-        if ((channels_[i] & rotation) != 0)
-            out[i].rotation = rotation_of(rotations_[i], std::span(numbers).subspan<3, 4>());
-        else
-            out[i].rotation = no_turn;
-        out[i].scale = {numbers[7], numbers[8], numbers[9]};
+        const std::span<const double, 4> turning = std::span(values).subspan<3, 4>();
+        out[i].location = {values[0], values[1], values[2]};
+        out[i].rotation = (channels_[i] & rotation) != 0 ? rotation_of(rotations_[i], turning) : no_turn;
+        out[i].scale = {values[7], values[8], values[9]};
+        if (!numbers.empty()) std::ranges::copy(turning, numbers[i].begin());
     }
 }
 

@@ -8,12 +8,18 @@
 namespace motus::bones::layers {
 namespace {
 
-/// How far an action of that length is played, 0 to length, after so many of its frames.
-double played(double frames, double length, After after) {
-    if (after != After::repeat || length <= 0.0 || std::isinf(length)) return std::min(frames, length);
+/// How far an action of some length is played, 0 to length, and how often it has begun again.
+struct Played {
+    double way, laps;
+};
+
+/// The same after so many frames of the action.
+Played played(double frames, double length, After after) {
+    if (after != After::repeat || length <= 0.0 || std::isinf(length)) return {std::min(frames, length), 0.0};
     // Of numbers so large, or a length so small, that the laps cannot be counted, the first frame.
-    const double rest = frames - length * std::floor(frames / length);
-    return std::min(std::max(0.0, rest), length);
+    const double laps = std::floor(frames / length);
+    const double rest = frames - length * laps;
+    return {std::min(std::max(0.0, rest), length), std::isfinite(laps) ? laps : 0.0};
 }
 
 /// A ramp that rises from 0 to 1 over a width; 1 without one.
@@ -40,8 +46,8 @@ Moment moment_of(const Timing& timing, double frame) {
     const double length = timing.last - timing.first;
     const double elapsed = frame - timing.start;
     const double rate = std::abs(timing.speed);
-    const double way = played(std::max(elapsed, 0.0) * rate, length, timing.after);
-    Moment result{timing.speed < 0.0 ? timing.last - way : timing.first + way, 0.0};
+    const auto [way, laps] = played(std::max(elapsed, 0.0) * rate, length, timing.after);
+    Moment result{timing.speed < 0.0 ? timing.last - way : timing.first + way, 0.0, laps};
     // Where the frames' range is no number: the end that is played to.
     if (!std::isfinite(result.frame)) result.frame = timing.speed < 0.0 ? timing.first : timing.last;
     if (elapsed < 0.0) return result;

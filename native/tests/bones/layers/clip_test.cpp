@@ -117,6 +117,25 @@ TEST_CASE("a clip says what its curves say, and rests otherwise", "[layers]") {
     CHECK(distance(pose[2].rotation, glm::angleAxis(0.5, glm::dvec3(0, 1, 0))) < 1e-7);
 }
 
+TEST_CASE("angles beyond half a turn go around", "[layers]") {
+    const auto goes = [](Rotation mode, int channel, double from, double to) {
+        const std::array keys{key(0, from, Interpolation::linear), key(10, to, Interpolation::linear)};
+        return Clip(std::array{mode}, std::array{Curve{0, channel, 0, 2, false}}, keys).has_spins();
+    };
+    CHECK(goes(Rotation::xyz, 4, 0.0, 3.5));
+    CHECK(goes(Rotation::xyz, 4, 0.0, -3.5));
+    CHECK(goes(Rotation::xyz, 4, -pi, pi));
+    CHECK_FALSE(goes(Rotation::xyz, 4, -pi, 3.0));
+    CHECK_FALSE(goes(Rotation::xyz, 6, 0.0, 9.0));
+    CHECK_FALSE(goes(Rotation::xyz, 1, 0.0, 9.0));
+    CHECK(goes(Rotation::axis_angle, 3, 0.0, 9.0));
+    CHECK_FALSE(goes(Rotation::axis_angle, 4, 0.0, 9.0));
+    CHECK_FALSE(goes(Rotation::quaternion, 4, 0.0, 9.0));
+    for (const bool is_beyond : {false, true})
+        CHECK(Clip(std::array{Rotation::xyz}, std::array{Curve{0, 3, 0, 0, is_beyond}}, {}).has_spins() ==
+              is_beyond);
+}
+
 TEST_CASE("a clip refuses what cannot be", "[layers]") {
     const std::array modes{Rotation::quaternion};
     const std::array keys{key(3, 0, Interpolation::linear), key(1, 1, Interpolation::linear)};

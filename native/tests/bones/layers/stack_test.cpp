@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 #include <vector>
 
@@ -14,6 +15,7 @@
 using namespace motus;
 using namespace motus::bones;
 using namespace motus::bones::layers;
+using std::numbers::pi;
 
 namespace {
 
@@ -119,6 +121,116 @@ TEST_CASE("without weight a layer leaves every bit", "[layers]") {
         figure.layer.weight = weight;
         const std::vector<Transform> found = figure.lay(6.0, {figure.layer}, base);
         for (std::size_t bone = 0; bone < 4; ++bone) CHECK(found[bone].rotation == base[bone].rotation);
+    }
+}
+
+namespace {
+
+/// Two turns in 48 frames about Y, and nothing else, of a rig's second bone; with the third one keyed at a
+/// slant.
+Clip rotor(Rotation mode) {
+    const std::array modes{mode, mode, Rotation::xyz, Rotation::xyz};
+    const auto key = [](double frame, double value) {
+        return Key{{frame, value}, {frame, value}, {frame, value}, Interpolation::linear};
+    };
+    const std::array keys{key(1, 0), key(49, 4.0 * pi), key(1, 0.6), key(49, 0.9)};
+    return {modes,
+            std::array{Curve{1, mode == Rotation::axis_angle ? 3 : 4, 0, 2, false}, Curve{2, 3, 2, 2, false}},
+            keys};
+}
+
+/// A layer that plays it, with what LayerStack wants of it.
+struct Rotor {
+    Clip clip;
+    std::vector<Lap> laps;
+    Layer layer;
+
+    Rotor(const Figure& figure, Rotation mode, double begin = 1.0, double end = 49.0)
+        : clip(rotor(mode)), laps(2), layer(figure.layer) {
+        std::array<Transform, 2> pose;
+        std::array<Numbers, 2> first, last;
+        clip.evaluate(begin, {}, pose, first);
+        clip.evaluate(end, {}, pose, last);
+        for (std::size_t i = 0; i < 2; ++i) {
+            laps[i].from = first[i];
+            for (std::size_t n = 0; n < 4; ++n) laps[i].gained[n] = last[i][n] - first[i][n];
+        }
+        layer.clip = &clip;
+        layer.laps = laps;
+        layer.timing.last = 49.0;
+    }
+    Rotor(const Rotor&) = delete;
+    Rotor& operator=(const Rotor&) = delete;
+};
+
+const glm::dvec3 y(0, 1, 0);
+
+}  // namespace
+
+TEST_CASE("two turns stay two turns at a part of the weight", "[layers]") {
+    Figure figure;
+    const std::vector<Transform> still(4);
+    for (const Rotation mode : {Rotation::xyz, Rotation::zxy, Rotation::axis_angle}) {
+        Rotor rotor(figure, mode);
+        CHECK(rotor.clip.has_spins());
+        for (const Mode acts : {Mode::override, Mode::additive}) {
+            for (const double weight : {0.1, 0.25, 0.5, 0.9, 1.0}) {
+                figure.mask = {0, 1, 1, 1};
+                rotor.layer.mask = figure.mask;
+                rotor.layer.mode = acts;
+                rotor.layer.weight = weight;
+                for (double frame = 1.0; frame <= 49.0; frame += 1.5) {
+                    const double angle = weight * (frame - 1.0) / 48.0 * 4.0 * pi;
+                    CHECK(distance(figure.lay(frame, {rotor.layer}, still)[1].rotation,
+                                   glm::angleAxis(angle, y)) < 1e-7);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("what goes around goes on from lap to lap, and backwards", "[layers]") {
+    Figure figure;
+    figure.mask = {0, 1, 1, 1};
+    const std::vector<Transform> still(4);
+    for (const double speed : {1.0, -1.0}) {
+        Rotor rotor(figure, Rotation::xyz, speed > 0.0 ? 1.0 : 49.0, speed > 0.0 ? 49.0 : 1.0);
+        rotor.layer.mask = figure.mask;
+        rotor.layer.timing.after = After::repeat;
+        rotor.layer.timing.speed = speed;
+        rotor.layer.weight = 0.25;
+        for (double frame = 1.0; frame <= 300.0; frame += 7.5) {
+            const double angle = 0.25 * speed * (frame - 1.0) / 48.0 * 4.0 * pi;
+            CHECK(distance(figure.lay(frame, {rotor.layer}, still)[1].rotation, glm::angleAxis(angle, y)) <
+                  1e-6);
+        }
+    }
+}
+
+TEST_CASE("what goes around takes along what it carries in the armature", "[layers]") {
+    Figure figure;
+    figure.mask = {0, 1, 1, 1};
+    for (const Mode acts : {Mode::override, Mode::additive}) {
+        Rotor rotor(figure, Rotation::xyz);
+        rotor.layer.mask = figure.mask;
+        rotor.layer.in_armature = true;
+        rotor.layer.mode = acts;
+        const auto poses = [&](double frame, double weight) {
+            rotor.layer.weight = weight;
+            return figure.standing(figure.lay(frame, {rotor.layer}, walking()));
+        };
+        for (const double weight : {0.3, 0.5, 0.8}) {
+            for (double frame = 1.0; frame < 49.0; frame += 0.5)
+                for (std::size_t bone = 0; bone < 4; ++bone)
+                    CHECK(distance(poses(frame, weight)[bone], poses(frame + 0.5, weight)[bone]) <
+                          weight * 0.5 / 48.0 * 4.5 * pi);
+        }
+        for (const double frame : {1.0, 13.0, 30.0, 49.0}) {
+            for (std::size_t bone = 0; bone < 4; ++bone) {
+                CHECK(distance(poses(frame, 1.0)[bone], poses(frame, 1.0 - 1e-9)[bone]) < 1e-6);
+                CHECK(distance(poses(frame, 1e-9)[bone], figure.standing(walking())[bone]) < 1e-6);
+            }
+        }
     }
 }
 

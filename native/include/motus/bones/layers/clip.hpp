@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "motus/bones/layers/spin.hpp"
 #include "motus/bones/layers/transform.hpp"
 
 namespace motus::bones::layers {
@@ -24,20 +25,14 @@ struct Curve {
     int channel = 0;       ///< 0-2 location, 3-6 the numbers of its rotation, 7-9 scale
     int first = 0;         ///< index of its first key
     int count = 0;         ///< 0: no keys, the caller gives its value
-    bool goes_on = false;  ///< beyond its keys as a straight line; else it holds
+    bool goes_on = false;  ///< beyond its keys as a straight line; else it holds. Without keys: it is an
+                           ///< angle that goes beyond half a turn
 };
 inline constexpr int channel_count = 10;
-
-/// What the numbers of a bone's rotation are: Blender's rotation modes.
-enum class Rotation : int { quaternion = 0, xyz, xzy, yxz, yzx, zxy, zyx, axis_angle };
 
 /// Value of an F-curve at a frame, as Blender 3.4 to 5.2 evaluate it, but in double precision. keys: at least
 /// one, their frames rising. std::invalid_argument where that is not so, or a number is not finite.
 [[nodiscard]] double value_at(std::span<const Key> keys, bool goes_on, double frame);
-
-/// A unit quaternion of up to four numbers in a rotation mode. Of no length: half a turn about X, of an axis
-/// without one no turn, as Blender has them.
-[[nodiscard]] glm::dquat rotation_of(Rotation mode, std::span<const double, 4> numbers);
 
 /// Immutable.
 class Clip {
@@ -52,12 +47,19 @@ class Clip {
     /// Channels that it says of each of these; what it does not say of a channel that it says, is as at rest.
     [[nodiscard]] std::span<const unsigned> channels() const noexcept { return channels_; }
     [[nodiscard]] std::size_t bone_count() const noexcept { return bone_count_; }
+    /// Of each of these its rotation mode, if its angles go beyond half a turn, or by a whole turn from key
+    /// to key; else the mode of quaternions, which know no whole turns.
+    [[nodiscard]] std::span<const Rotation> spins() const noexcept { return spins_; }
+    /// Whether any of them does.
+    [[nodiscard]] bool has_spins() const noexcept { return has_spins_; }
     /// How many curves have no keys.
     [[nodiscard]] std::size_t given_count() const noexcept { return given_count_; }
 
-    /// given: values of the curves without keys, in their order. out: one a bone of bones().
-    /// std::invalid_argument where there are more or fewer, or the frame is not finite.
-    void evaluate(double frame, std::span<const double> given, std::span<Transform> out) const;
+    /// given: values of the curves without keys, in their order. out: one a bone of bones(). numbers: the
+    /// same, or none: what the bones' rotations are made of. std::invalid_argument where there are more or
+    /// fewer, or the frame is not finite.
+    void evaluate(double frame, std::span<const double> given, std::span<Transform> out,
+                  std::span<Numbers> numbers = {}) const;
 
   private:
     /// A Curve, sorted by bone; given: which of those without keys it is.
@@ -67,12 +69,15 @@ class Clip {
         std::size_t given;
     };
 
+    [[nodiscard]] bool goes_around(Rotation mode, std::span<const Track> tracks) const;
+
     std::size_t bone_count_, given_count_ = 0;
+    bool has_spins_ = false;
     std::vector<Key> keys_;
     std::vector<int> bones_;
     std::vector<unsigned> channels_;
-    std::vector<Rotation> rotations_;  // of bones_
-    std::vector<std::size_t> ends_;    // of the tracks of each bone
+    std::vector<Rotation> rotations_, spins_;  // of bones_
+    std::vector<std::size_t> ends_;            // of the tracks of each bone
     std::vector<Track> tracks_;
 };
 

@@ -17,6 +17,13 @@ enum class Mode : int {
     additive = 1   ///< what its action does beyond the reference comes on top
 };
 
+/// Where a bone that goes around begins, and what it has come to at the end of a lap.
+struct Lap {
+    Numbers from{};  ///< of the first pose that the layer plays; of an additive one's reference, if that is a
+                     ///< pose of the clip
+    Numbers gained{};  ///< from the first pose to the last one that is played
+};
+
 /// One layer at one moment; views of somebody's memory.
 struct Layer {
     const Clip* clip = nullptr;
@@ -24,6 +31,7 @@ struct Layer {
     std::span<const double> mask;   ///< one for each bone of the rig, 0 to 1
     std::span<const Transform>
         reference;  ///< one for each bone of the clip, or none: the rest pose; of an additive layer
+    std::span<const Lap> laps;  ///< one for each bone of the clip, or none: all rotations go the shorter way
     Timing timing;
     double weight = 1.0;  ///< 0 to 1
     Mode mode = Mode::override;

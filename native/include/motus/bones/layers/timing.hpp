@@ -22,9 +22,9 @@ struct Timing {
     double blend_out = 0.0;  ///< frames of the scene before its end, where it has one; >= 0
 };
 
-/// frame: of the action. weight: 0 to 1.
+/// frame: of the action. weight: 0 to 1. laps: how often it has begun again.
 struct Moment {
-    double frame, weight;
+    double frame, weight, laps = 0.0;
 };
 
 /// Throws std::invalid_argument, naming the number, where one is not finite or outside its domain.
