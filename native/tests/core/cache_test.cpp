@@ -65,6 +65,22 @@ TEST_CASE("a full cache drops what was used longest ago", "[cache]") {
     CHECK(maker.made == 4);
 }
 
+TEST_CASE("what is unwanted is dropped, with its bytes, and nothing else", "[cache]") {
+    WordCache cache(8, roomy);
+    Maker maker;
+    for (const char* key : {"a1", "b1", "a2", "b2", "a3"}) (void)cache.get(key, std::ref(maker));
+    const std::size_t before = cache.bytes();
+    const auto handed_out = cache.held("a1");
+    cache.erase_if([](const std::string& key) { return key.front() == 'a'; });
+    CHECK(cache.size() == 2);
+    CHECK(cache.bytes() == before - 3 * (2 + 3));
+    CHECK(*handed_out == "a1!");
+    for (const char* gone : {"a1", "a2", "a3"}) CHECK(cache.held(gone) == nullptr);
+    for (const char* kept : {"b1", "b2"}) CHECK(cache.held(kept) != nullptr);
+    CHECK(*cache.get("a2", std::ref(maker)) == "a2!");
+    CHECK(maker.made == 6);
+}
+
 TEST_CASE("what was handed out outlives the cache's copy", "[cache]") {
     WordCache cache(1, roomy);
     const auto held = cache.get("a", Maker{});
