@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import panels, ui
+from ..core.file.pointers import pointed
 from ..core.translations import tr
 from . import analysis, compositor, group, operators, scene_settings, settings, setup, viewing
 
@@ -44,7 +45,7 @@ def _draw_background(layout, context):
         return
     noted = context.scene.motus.chroma
     # What an older version has laid underneath only the node knows.
-    holder = (noted, "background") if node.image == noted.background else (node, "image")
+    holder = (noted, "background") if node.image == pointed(noted, "background") else (node, "image")
     if node.image is None:
         ui.draw_message(layout, tr("Choose the clip or image that lies underneath"), 'INFO')
     layout.template_ID(*holder, open="image.open")

@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.file.pointers import pointed, to_object
 from ..core.settings import OVERRIDABLE
 from . import compositor, group, settings
 
@@ -56,9 +57,9 @@ def _set_limit(noted, value):
 
 
 def _play_background(noted, _context):
-    node = compositor.node_of(noted.id_data, compositor.BACKGROUND)
-    if node is not None and node.image != noted.background:
-        compositor.show_image(noted.id_data, node, noted.background)
+    node, image = compositor.node_of(noted.id_data, compositor.BACKGROUND), pointed(noted, "background")
+    if node is not None and node.image != image:
+        compositor.show_image(noted.id_data, node, image)
 
 
 def _measured(name, description):
@@ -85,8 +86,7 @@ class MOTUS_PG_chroma(bpy.types.PropertyGroup):
         name="Key", description="Which of the keys the panel shows", min=0, options=set(), override=OVERRIDABLE)
     gap: bpy.props.StringProperty(
         name="Gap", description="Pictures that are missing in sequences, and the frames in which they are", options=set())
-    plane: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Plane", description="Plane before the camera that shows the key in the viewport")
+    plane: to_object('MESH', name="Plane", description="Plane before the camera that shows the key in the viewport")
     share: _measured("Screen", "Share of the picture that the screen fills")
     luminance_spread: _measured("Unevenness", "Spread of the screen's luminance, over its median")
     chroma_spread: _measured("Color Noise", "Spread of the screen's chromaticity")

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import datablocks
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import analysis, compositor, footage, group, plane, scene_settings, settings
@@ -59,8 +60,9 @@ def apply_measured(node, noted, found, levels):
         setattr(*place, (*color, 1.0))
     for name, level in zip(("black", "white"), levels):
         settings.assign(node, settings.BY_KEYWORD[name], level)
-    if noted.plane is not None and node == compositor.key_of(noted.id_data):
-        plane.update(noted.plane, _shown(node))
+    shown = pointed(noted, "plane")
+    if shown is not None and node == compositor.key_of(noted.id_data):
+        plane.update(shown, _shown(node))
 
 
 def _shown(node):
@@ -133,7 +135,7 @@ def add_plane(scene):
     node, image = compositor.key_of(scene), image_of(scene)
     if color_of(node) is None:
         raise Refused(tr("The key has lost its footage"))
-    deleted = scene.motus.chroma.plane
+    deleted = pointed(scene.motus.chroma, "plane")
     scene.motus.chroma.plane = plane.add(scene, scene.camera, image, _shown(node), plane.DISTANCE)
     if deleted is not None and group.KEY in deleted:
         datablocks.remove_objects([deleted])
@@ -144,8 +146,9 @@ def remove(scene):
     noted = scene.motus.chroma
     others = [other for other in bpy.data.scenes if other != scene]
     # A copy of a scene shows the same plane.
-    if noted.plane is not None and group.KEY in noted.plane and all(other.motus.chroma.plane != noted.plane for other in others):
-        datablocks.remove_objects([noted.plane])
+    shown = pointed(noted, "plane")
+    if shown is not None and group.KEY in shown and all(pointed(other.motus.chroma, "plane") != shown for other in others):
+        datablocks.remove_objects([shown])
     compositor.remove(scene, noted)
     noted.background = None
     footage.drop_unused()

@@ -1,6 +1,7 @@
 """The key in the viewport: by the compositor, where Blender has it there, and else on the plane before the camera."""
 
 from ..core import capabilities, viewports
+from ..core.file.pointers import pointed
 from . import setup
 
 _COMPOSITOR = "shading.use_compositor"
@@ -27,7 +28,7 @@ def show(context):
     scene, space = context.scene, viewports.space_for(context)
     if space is None or space.region_3d is None:
         return
-    plane = scene.motus.chroma.plane
+    plane = pointed(scene.motus.chroma, "plane")
     is_there = plane is not None and bool(plane.users_collection)  # a pointer keeps what was deleted
     if not capabilities.has_compositor_in_viewport() and scene.camera is not None and not is_there:
         setup.add_plane(scene)

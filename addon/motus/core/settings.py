@@ -3,6 +3,7 @@
 import bpy
 
 from . import wiring
+from .file.pointers import to_object
 from .system import registered
 
 ANIMATED = {'ANIMATABLE'}
@@ -42,8 +43,7 @@ def _is_keyword(item):
 class MOTUS_PG_helper(bpy.types.PropertyGroup):
     """A hidden object that the wiring has made."""
 
-    object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Hidden object that computes for this one",
+    object: to_object(name="Object", description="Hidden object that computes for this one",
         override={'LIBRARY_OVERRIDABLE'})
 
 
@@ -59,8 +59,7 @@ class SystemSettings:
     is_released: bpy.props.BoolProperty(
         name="Released", description="What the library has wired on this override was taken off it", options=set(),
         override={'LIBRARY_OVERRIDABLE'})
-    hub: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Hub", description="Hidden object that computes for all members",
+    hub: to_object(name="Hub", description="Hidden object that computes for all members",
         override={'LIBRARY_OVERRIDABLE'})
     row: bpy.props.IntProperty(
         name="Row", description="Which of the objects that share the hub this one is", min=0, options=set(),
@@ -74,11 +73,9 @@ class SystemSettings:
     wired: bpy.props.StringProperty(
         name="Wired", description="What was wired, to notice where it has changed since", options=set(),
         override={'LIBRARY_OVERRIDABLE'})
-    order_proxy: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Order Proxy",
+    order_proxy: to_object(name="Order Proxy",
         description="Hidden object that lets the curve's deformation be evaluated first")
-    leader: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Leader", description="Object whose settings drive this one")
+    leader: to_object(name="Leader", description="Object whose settings drive this one")
 
 
 classes = (MOTUS_PG_helper,)

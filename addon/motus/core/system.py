@@ -6,6 +6,7 @@ from typing import Any, Callable, Iterable, Optional
 import bpy
 
 from . import scene_time
+from .file.pointers import pointed
 
 
 @dataclass(frozen=True)
@@ -151,7 +152,7 @@ class Geometry(Deformed):
     """
 
     def read(self, value, settings):
-        return getattr(settings, self.of) if Matrix.read(value, settings) is not None else None
+        return pointed(settings, self.of) if Matrix.read(value, settings) is not None else None
 
 
 @dataclass(frozen=True)
@@ -395,7 +396,7 @@ class Context:
 
     def target(self, name):
         """The evaluated object that a pointer setting names."""
-        return getattr(self.settings, name) if self.targets is None else self.targets[name]
+        return pointed(self.settings, name) if self.targets is None else self.targets[name]
 
     @property
     def is_still(self):
@@ -432,11 +433,6 @@ def systems():
 def of_owner(system, owner):
     """Settings of `system` on an object."""
     return getattr(owner.motus, system.name)
-
-
-def pointed(settings, name):
-    """What a pointer of settings names, if anything; to ask one that names nothing has the file hold an empty one."""
-    return getattr(settings, name) if settings.is_property_set(name) else None
 
 
 def has_settings(system, obj):

@@ -8,6 +8,7 @@ import bpy
 
 from ..core import dependencies, rigs
 from ..core.entries import unwired
+from ..core.file.pointers import pointed
 from ..core.system import BonesOwn, Entry, Group, Member, Transform
 from . import chains
 
@@ -59,12 +60,12 @@ def bone_renamed(owner, rig, old, new):
         for entry in settings.entries:
             if rig == owner and entry.name == old:
                 entry.name = new
-            if entry.target == rig and entry.target_bone == old:
+            if pointed(entry, "target") == rig and entry.target_bone == old:
                 entry.target_bone = new
-            if entry.pole == rig and entry.pole_bone == old:
+            if pointed(entry, "pole") == rig and entry.pole_bone == old:
                 entry.pole_bone = new
             for extra in entry.extra_targets:
-                if extra.object == rig and extra.bone == old:
+                if pointed(extra, "object") == rig and extra.bone == old:
                     extra.bone = new
 
 
@@ -93,8 +94,8 @@ def _unshared(owner):
 
 def goals(entry):
     """(object, bone or "") of all that an entry goes to or bends towards."""
-    pairs = [(entry.target, entry.target_bone), (entry.pole, entry.pole_bone)]
-    pairs += [(extra.object, extra.bone) for extra in entry.extra_targets]
+    pairs = [(pointed(entry, "target"), entry.target_bone), (pointed(entry, "pole"), entry.pole_bone)]
+    pairs += [(pointed(extra, "object"), extra.bone) for extra in entry.extra_targets]
     return [(goal, bone if goal.pose and bone in goal.pose.bones else "") for goal, bone in pairs if goal]
 
 
@@ -130,8 +131,8 @@ def plan_of(owner, entries_found):
     chains_found = [{
         "name": found.entry.name, "bones": found.chain.bones, "effector": found.chain.effector, "stretches": found.stretches,
         "all": len(chains.of_bone(owner, found.entry.name, 0, found.chain.use_tail).bones),
-        "target": _where(owner, found.entry.target), "target_bone": found.entry.target_bone,
-        "pole": _where(owner, found.entry.pole), "pole_bone": found.entry.pole_bone, "extras": len(found.entry.extra_targets),
+        "target": _where(owner, pointed(found.entry, "target")), "target_bone": found.entry.target_bone,
+        "pole": _where(owner, pointed(found.entry, "pole")), "pole_bone": found.entry.pole_bone, "extras": len(found.entry.extra_targets),
         "settings": {name: float(getattr(found.entry, name)) for name in ("tolerance", "iterations")},
     } for found in entries_found]
     return json.dumps({"fingerprint": rigs.fingerprint(owner), "chains": chains_found, "guards": kept + guards})

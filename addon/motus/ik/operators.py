@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import operators, wiring
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_evaluated, check_finite, check_local, check_no_tweak_mode
 from ..core.rows import Rows
 from ..core.translations import tr
@@ -100,7 +101,7 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
             target = rig, control_bones.new_target(context, rig, chain)
             evaluated = rig.evaluated_get(context.view_layer.depsgraph)
             before = rig.motus.ik.entries.get(bone)
-        if target and target != (before and (before.target, before.target_bone)) and self._keeps_rotation(changes):
+        if target and self._keeps_rotation(changes) and target != (before and (pointed(before, "target"), before.target_bone)):
             changes["rotation_offset"] = placing.rotation_offset(context, evaluated, chain, *target)
         if target is None:
             target = (placing.new_target(context, evaluated, chain), "")
@@ -120,11 +121,11 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
         """Target and pole, each (object, bone) or None: as they are given, selected, or were before."""
         from_selection = None if self.object or self.bone else rig
         target = targets.goal_for(context, self.target, self.target_bone, from_selection)
-        if target is None and before and before.target:
-            target = before.target, before.target_bone
+        if target is None and before and pointed(before, "target"):
+            target = pointed(before, "target"), before.target_bone
         pole = targets.goal_for(context, self.pole, self.pole_bone)
-        if pole is None and before and before.pole and not self.is_given("pole"):
-            pole = before.pole, before.pole_bone
+        if pole is None and before and pointed(before, "pole") and not self.is_given("pole"):
+            pole = pointed(before, "pole"), before.pole_bone
         return target, pole
 
 
@@ -156,8 +157,9 @@ class MOTUS_OT_ik_pole_add(OfABone, bpy.types.Operator):
         rig = targets.rig_with_ik(context, self.object)
         targets.check_editable(rig)
         entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
-        if entry.pole:
-            raise Refused(tr("{bone} has a pole already: {pole}").format(bone=entry.name, pole=entry.pole.name))
+        pole = pointed(entry, "pole")
+        if pole:
+            raise Refused(tr("{bone} has a pole already: {pole}").format(bone=entry.name, pole=pole.name))
         if self.as_bone:
             control_bones.check(context, rig)
         check_evaluated(rig, context.view_layer)

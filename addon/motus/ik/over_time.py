@@ -3,6 +3,7 @@
 from mathutils import Matrix
 
 from ..core import deleted, entry_keys, rigs
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.question import answered
@@ -59,8 +60,8 @@ class _Chain:
         self._owner, self._found, self._index = owner, found, index
         entry, chain = found.entry, found.chain
         parent = owner.data.bones[chain.bones[0]].parent
-        goals = [(entry.pole, entry.pole_bone), (entry.target, entry.target_bone),
-                 *((extra.object, extra.bone) for extra in entry.extra_targets)]
+        goals = [(pointed(entry, "pole"), entry.pole_bone), (pointed(entry, "target"), entry.target_bone),
+                 *((pointed(extra, "object"), extra.bone) for extra in entry.extra_targets)]
         self._goals = list(map(_goal, goals))
         self.inputs = RigInputs(
             owner, scene, ("ik", index), chain.driven, parent.name if parent else "", self._goals, self._paths)

@@ -5,6 +5,7 @@ import math
 from mathutils import Quaternion
 
 from ..core import deleted
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
 from . import chains, status
@@ -37,7 +38,7 @@ def _batches(context, owner):
         if shown.show_reach and index == active:
             report = status.report(owner, entry.name, depsgraph)
             found += _circles(rig, chain, entry, joints, report.reach if report else 0.0)
-        pole = _place(entry.pole, entry.pole_bone)
+        pole = _place(pointed(entry, "pole"), entry.pole_bone)
         if pole:
             poles += [_middle(joints), pole]
         target = _target(rig, entry)

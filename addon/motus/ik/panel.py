@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import bone_entries, panels, ui
+from ..core.file.pointers import pointed
 from . import limits_panel, presets, rows, status, tools_panel
 from .setup import system
 from .shown import shown_entry
@@ -50,7 +51,7 @@ def draw_add(layout, context):
 def draw_goal(column, owner, pointer, bone):
     """An object, and a bone of it where it is an armature."""
     column.prop(owner, pointer, text="")  # a label would leave no room for the name in a narrow sidebar
-    goal = getattr(owner, pointer)
+    goal = pointed(owner, pointer)
     if goal and goal.type == 'ARMATURE':
         column.prop_search(owner, bone, goal.data, "bones", text="")
 
@@ -59,7 +60,7 @@ def draw_target(layout, context):
     """What the chain goes to, and what else it can go to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "target", "target_bone")
-    if entry.target != context.object:
+    if pointed(entry, "target") != context.object:
         _of_chain(layout.operator("motus.ik_control_bone_add", icon='BONE_DATA'), context.object, entry)
     rows.OFFSET.draw(ui.split(layout), entry)
     layout.use_property_split = False
@@ -86,7 +87,7 @@ def draw_pole(layout, context):
     """Where the chain bends to."""
     entry = shown_entry(context)
     draw_goal(layout.column(), entry, "pole", "pole_bone")
-    if entry.pole is None:
+    if pointed(entry, "pole") is None:
         row = layout.row(align=True)
         _of_chain(row.operator("motus.ik_pole_add", icon='EMPTY_AXIS'), context.object, entry)
         _of_chain(row.operator("motus.ik_pole_add", text="As Bone", icon='BONE_DATA'), context.object, entry).as_bone = True
@@ -125,7 +126,8 @@ class MOTUS_UL_ik_entries(bpy.types.UIList):
 
 class MOTUS_UL_ik_targets(bpy.types.UIList):
     def draw_item(self, _context, layout, _entry, extra, _icon, _active, _name, index):
-        name = extra.object.name if extra.object else "-"
+        named = pointed(extra, "object")
+        name = named.name if named else "-"
         layout.label(text=f"{index + 1}  {name}  {extra.bone}", translate=False)
 
 

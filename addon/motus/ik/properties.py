@@ -5,6 +5,7 @@ import math
 import bpy
 
 from ..core import bone_entries
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import chains
 from .checking import results as check_results
@@ -44,8 +45,7 @@ def _angle(name, description, **options):
 
 
 def _object(name, description):
-    return bpy.props.PointerProperty(
-        type=bpy.types.Object, name=name, description=description, update=rewire, override=OVERRIDABLE)
+    return to_object(name=name, description=description, update=rewire, override=OVERRIDABLE)
 
 
 def _bone(description):

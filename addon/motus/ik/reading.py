@@ -7,6 +7,7 @@ the arrays that are there already.
 from typing import Any, NamedTuple
 
 from ..core import copies, native, rigs
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from .goals import places as goal_places
 from .goals import stations
@@ -80,8 +81,8 @@ class _Source:
         every = rig.motus.ik.entries
         self._places = _places(every, wired.names)
         self._entries = entries = list(every) if self._places is None else [every[place] for place in self._places]
-        self._targets = goal_places.Others(wired.targets, [entries[row].target for row in wired.targets.other_rows])
-        self._poles = goal_places.Others(wired.poles, [entries[row].pole for row in wired.poles.other_rows])
+        self._targets = goal_places.Others(wired.targets, [pointed(entries[row], "target") for row in wired.targets.other_rows])
+        self._poles = goal_places.Others(wired.poles, [pointed(entries[row], "pole") for row in wired.poles.other_rows])
         self._further = stations.Further(entries)
         self._still_settings = self._still_bones = None
 

@@ -1,11 +1,12 @@
 """The rows of a chain's settings: in the panels, and for the keywords in the redo panel."""
 
+from ..core.file.pointers import pointed
 from ..core.rows import Row, Rows, is_positive
 from ..core.translations import OWN_SENSE
 
 
 def _has_pole(chain):
-    return bool(chain.pole)
+    return bool(pointed(chain, "pole"))
 
 
 CHAIN = Rows((Row("chain_length", text="Length"), "use_tail"), title="Chain")

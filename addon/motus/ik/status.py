@@ -4,6 +4,7 @@ import math
 from typing import NamedTuple
 
 from ..core import deleted, dependencies, native, wiring
+from ..core.file.pointers import pointed
 from ..core.translations import tr
 from ..core.ui import length
 from . import chains, reasons
@@ -36,7 +37,7 @@ def added(entry):
     """What is reported of a chain that was given its target."""
     if entry.target_bone:
         return tr("IK added: {bone} follows bone {target}").format(bone=entry.name, target=entry.target_bone)
-    return tr("IK added: {bone} follows {target}").format(bone=entry.name, target=entry.target.name)
+    return tr("IK added: {bone} follows {target}").format(bone=entry.name, target=pointed(entry, "target").name)
 
 
 def sentence(context, owner, entry):
@@ -90,9 +91,9 @@ def _unwanted(entry, reason):
     if reason == reasons.NO_TARGET:
         return tr("{bone} has no target: choose one").format(bone=entry.name)
     if reason == reasons.TARGET_DELETED:
-        return tr("{target} is in no collection any more: choose another target").format(target=entry.target.name)
+        return tr("{target} is in no collection any more: choose another target").format(target=pointed(entry, "target").name)
     if reason == reasons.NO_TARGET_BONE:
-        return tr("{object} has no bone {bone}").format(object=entry.target.name, bone=entry.target_bone)
+        return tr("{object} has no bone {bone}").format(object=pointed(entry, "target").name, bone=entry.target_bone)
     return tr("A number of this chain is not finite")
 
 
@@ -102,7 +103,7 @@ def _astray(context, owner, entry):
     now = owner.evaluated_get(depsgraph).motus.ik.entries.get(entry.name)
     if now is None or now.is_muted or not 0.0 < now.target_blend < math.inf or not now.extra_targets:
         return ""
-    goals = [(now.target, now.target_bone), *((extra.object, extra.bone) for extra in now.extra_targets)]
+    goals = [(pointed(now, "target"), now.target_bone), *((pointed(extra, "object"), extra.bone) for extra in now.extra_targets)]
     places = [goal_places.world_matrix(goal, bone) if goal and not deleted.is_deleted(goal) else None for goal, bone in goals]
     missing = [number for number in stations.needed(now.target_blend, places)[0] if places[number] is None]
     return tr("Further target {number} is missing: the one before it counts instead").format(
@@ -111,7 +112,7 @@ def _astray(context, owner, entry):
 
 def _without_pole(entry):
     """Of a pole that is gone."""
-    pole, bone = entry.pole, entry.pole_bone
+    pole, bone = pointed(entry, "pole"), entry.pole_bone
     if pole is None:
         return ""
     if deleted.is_deleted(pole):

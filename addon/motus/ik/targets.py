@@ -1,6 +1,7 @@
 """What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
 from ..core import deleted, libraries
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import chains, setup
@@ -87,9 +88,10 @@ def goal_for(context, object_name, bone_name, rig=None):
 
 def goal_place(context, entry):
     """World matrix of the entry's own target as it is evaluated; None where it has none."""
-    if entry.target is None or deleted.is_deleted(entry.target):
+    target = pointed(entry, "target")
+    if target is None or deleted.is_deleted(target):
         return None
-    return placing.goal_matrix(context, entry.target, entry.target_bone)
+    return placing.goal_matrix(context, target, entry.target_bone)
 
 
 def selected_goal(context, rig):

@@ -1,6 +1,7 @@
 """Where bones under layers are at any times, for systems that need their past: the layers are laid for each time."""
 
 from ..core import entry_keys, read_keys, rigs
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
@@ -36,7 +37,7 @@ class OverTime(SolvedBone):
     @property
     def stamp(self):
         """As Channel.stamp."""
-        playing = [entry.action for entry in self._layers if entry.action]
+        playing = list(filter(None, (pointed(entry, "action") for entry in self._layers)))
         return together((self._bone.name, self._inputs.stamp, *map(read_keys.number_of, playing)))
 
     def applied(self, times, transforms):

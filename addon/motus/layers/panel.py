@@ -4,6 +4,7 @@ import bpy
 
 from ..core import capabilities, panels, ui
 from ..core.entries import active
+from ..core.file.pointers import pointed
 from ..core.system import is_owner
 from ..core.translations import tr
 from . import mask, presets, rows
@@ -18,7 +19,7 @@ def active_entry(rig):
 
 def fault(rig, entry):
     """Why a layer does not act as it should; "" where it does."""
-    if entry.action is None:
+    if pointed(entry, "action") is None:
         return tr("Choose an action for this layer")
     missing = [item.name for item in entry.mask if not mask.is_there(rig, item)]
     if missing:
@@ -48,8 +49,9 @@ def draw_main(layout, context):
         return
     column = ui.split(layout)
     column.prop(entry, "action")
-    if entry.action and capabilities.has_slotted_actions() and len(entry.action.slots) > 1:
-        column.prop_search(entry, "slot", entry.action, "slots")
+    action = pointed(entry, "action")
+    if action and capabilities.has_slotted_actions() and len(action.slots) > 1:
+        column.prop_search(entry, "slot", action, "slots")
     rows.BLENDING.draw(ui.split(layout), entry)
 
 
@@ -95,7 +97,7 @@ class MOTUS_UL_layers_entries(bpy.types.UIList):
     def draw_item(self, _context, layout, _settings, entry, _icon, _active, _name, _index):
         row = layout.row(align=True)
         row.active = not entry.is_muted
-        row.prop(entry, "name", text="", emboss=False, icon='ACTION' if entry.action else 'ERROR')
+        row.prop(entry, "name", text="", emboss=False, icon='ACTION' if pointed(entry, "action") else 'ERROR')
         field = row.row()
         field.scale_x = 0.8
         field.prop(entry, "weight", text="", slider=True)

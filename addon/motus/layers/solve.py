@@ -1,6 +1,7 @@
 """Layers: what a group's solver reads of Blender, and the one call of the native module."""
 
 from ..core import native, rigs, stored
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.system import Problem
 from . import clips, mask
@@ -52,8 +53,8 @@ class Source:
 
     def clips(self):
         """The Clip of each layer; None where it has no action. An action is edited without its users."""
-        return [entry.action and clips.clip_of(entry.action, entry.slot, self.wired.still.names, self.modes)
-                for entry in self.entries]
+        playing = [(pointed(entry, "action"), entry.slot) for entry in self.entries]
+        return [action and clips.clip_of(action, slot, self.wired.still.names, self.modes) for action, slot in playing]
 
 
 def solve(context):

@@ -3,6 +3,7 @@
 import json
 
 from ..core import dependencies, rigs
+from ..core.file.pointers import pointed
 from ..core.system import BonesOwn, Entry, Group, Member, Transform
 from . import anatomy
 
@@ -52,7 +53,7 @@ def bone_renamed(owner, rig, old, new):
         for item in (entry, *entry.eyes):
             if rig == owner and item.name == old:
                 item.name = new
-        if entry.target == rig and entry.target_bone == old:
+        if pointed(entry, "target") == rig and entry.target_bone == old:
             entry.target_bone = new
 
 
@@ -85,9 +86,10 @@ def _reads(owner, entry, bones):
     """(object, bone or "") that a head needs to stand before it can look."""
     lowest = owner.data.bones[bones[0]].parent
     reads = [(owner, lowest.name if lowest else "")]
-    if entry.target:
-        has_bone = entry.target.pose and entry.target_bone in entry.target.pose.bones
-        reads.append((entry.target, entry.target_bone if has_bone else ""))
+    target = pointed(entry, "target")
+    if target:
+        has_bone = target.pose and entry.target_bone in target.pose.bones
+        reads.append((target, entry.target_bone if has_bone else ""))
     return reads
 
 

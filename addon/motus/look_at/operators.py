@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import operators, wiring
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, rows, setup, targets
@@ -72,10 +73,10 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         length = before.body_length if before and not self.is_given("body_length") else targets.spine_for(
             rig, head, self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH)
         target = targets.target_for(context, self, rig)
-        targets.check_target(target or (before and before.target), self.target_bone)
+        targets.check_target(target or (before and pointed(before, "target")), self.target_bone)
         target_bone = self.target_bone
-        if target is None and before and before.target:
-            target = before.target
+        if target is None and before and pointed(before, "target"):
+            target = pointed(before, "target")
             target_bone = self.target_bone if self.is_given("target_bone") else before.target_bone
         present_eyes = [eye.name for eye in before.eyes] if eyes is None else eyes
         driven = [*anatomy.below(rig, head, length), head, *present_eyes]

@@ -1,6 +1,7 @@
 """Where the bones of a head that looks are at any times, for systems that need their past: the solver is asked for each time."""
 
 from ..core import deleted, entry_keys, rigs
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.question import answered
@@ -97,7 +98,7 @@ class _Head:
 
 def _target(entry):
     """(object, bone or "") of what a head looks at; None where it is not there."""
-    target, bone = entry.target, entry.target_bone
+    target, bone = pointed(entry, "target"), entry.target_bone
     if target is None or deleted.is_deleted(target) or target.pose and bone and bone not in target.pose.bones:
         return None
     return target, bone if target.pose else ""

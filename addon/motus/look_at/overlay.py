@@ -2,6 +2,7 @@
 
 from mathutils import Vector
 
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
 from . import anatomy, panel, reasons
@@ -44,7 +45,7 @@ def _batches(rig, entry, point):
 
 def _target_of(entry):
     """World place of the target of an evaluated entry; None without one."""
-    target, bone = entry.target, entry.target_bone
+    target, bone = pointed(entry, "target"), entry.target_bone
     if target is None:
         return None
     if not bone or target.pose is None:

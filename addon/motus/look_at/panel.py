@@ -5,6 +5,7 @@ import math
 import bpy
 
 from ..core import bone_entries, panels, ui, wiring
+from ..core.file.pointers import pointed
 from ..core.translations import OWN_SENSE, tr
 from . import presets, reasons, rows
 from .groups import OUTPUTS, shared_bone
@@ -42,8 +43,9 @@ def draw_main(layout, context):
 def _draw_entry(layout, entry):
     column = ui.split(layout)
     column.prop(entry, "target")
-    if entry.target and entry.target.type == 'ARMATURE':
-        column.prop_search(entry, "target_bone", entry.target.data, "bones")
+    target = pointed(entry, "target")
+    if target and target.type == 'ARMATURE':
+        column.prop_search(entry, "target_bone", target.data, "bones")
     rows.WEIGHTS.draw(ui.split(layout), entry)
 
 

@@ -6,6 +6,7 @@ import bpy
 
 from ..core import bone_entries
 from ..core.axes import AXES
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
 FORWARDS = (
@@ -61,8 +62,7 @@ class MOTUS_PG_look_at_eye(bpy.types.PropertyGroup):
 
 class MOTUS_PG_look_at_entry(LookAtKeywords, bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(name="Head", description="Bone of the head", update=rewire, override=OVERRIDABLE)
-    target: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Target", description="Object to look at", update=rewire, override=OVERRIDABLE)
+    target: to_object(name="Target", description="Object to look at", update=rewire, override=OVERRIDABLE)
     target_bone: bpy.props.StringProperty(
         name="Bone", description="Bone of the target to look at; empty takes its origin", update=rewire,
         override=OVERRIDABLE)

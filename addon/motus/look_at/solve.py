@@ -1,6 +1,7 @@
 """Look At: what a group's solver reads of Blender, and the one call of the native module."""
 
 from ..core import deleted, native, rigs, stored
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.system import Problem
 from . import reasons
@@ -109,7 +110,7 @@ def _targets(entries):
     points = np.zeros((len(entries), 3))
     found = np.full(len(entries), reasons.REACHED)
     for row, entry in enumerate(entries):
-        target = entry.target
+        target = pointed(entry, "target")
         if target is None:
             found[row] = reasons.NO_TARGET
         elif deleted.is_deleted(target):

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import scene_time, wiring
+from ..core.file.pointers import pointed
 from ..core.operators import OBJECT_MODE, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, named
 from ..core.rows import Row, Rows
@@ -87,15 +88,15 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
         wagons = [named(self.wagon)] if self.wagon else [
             found for found in targets.selected_followers(context) if found != obj]
         for wagon in wagons:
-            targets.check_wagon(wagon, settings.curve)
+            targets.check_wagon(wagon, pointed(settings, "curve"))
         if not wagons:
             raise Refused(tr("Select the objects to couple, and the leader last"))
-        train = [(entry.object, entry.gap) for entry in settings.wagons if entry.object]
+        train = [(wagon, entry.gap) for entry in settings.wagons for wagon in (pointed(entry, "object"),) if wagon]
         in_front = train[-1][0] if train else obj
         gaps = [self.gap] * len(wagons) if self.gap else touching_gaps([in_front, *wagons], settings.forward_axis)
         # What stops alone at the ends would have its first wagons in one heap there.
         ends = {"extend": 'LINE_UP'} if settings.extend == 'CLAMP' and not train else {}
-        setup.attach(obj, settings.curve, ends, train + list(zip(wagons, gaps)))
+        setup.attach(obj, pointed(settings, "curve"), ends, train + list(zip(wagons, gaps)))
         settings.active_wagon = len(settings.wagons) - 1
 
 
@@ -145,10 +146,10 @@ class MOTUS_OT_path_wagon_move(WagonOperator, bpy.types.Operator):
         if not 0 <= place < len(settings.wagons):
             raise Refused(tr("The wagon is at the end of the train already"))
         targets.check_uncouplable(obj, min(index, place))
-        train = [(entry.object, entry.gap) for entry in settings.wagons]
+        train = [(pointed(entry, "object"), entry.gap) for entry in settings.wagons]
         (first, first_gap), (second, second_gap) = train[index], train[place]
         train[index], train[place] = (second, first_gap), (first, second_gap)
-        setup.attach(obj, settings.curve, {}, [(wagon, gap) for wagon, gap in train if wagon])
+        setup.attach(obj, pointed(settings, "curve"), {}, [(wagon, gap) for wagon, gap in train if wagon])
         settings.active_wagon = place
 
 
@@ -161,10 +162,10 @@ class MOTUS_OT_path_wagons_touch(Operator, bpy.types.Operator):
 
     def run(self, context):
         obj = follower_for(context, self.object)
-        wagons = [entry for entry in obj.motus.path.wagons if entry.object]
+        wagons = [entry for entry in obj.motus.path.wagons if pointed(entry, "object")]
         if not wagons:
             raise Refused(tr("There is no such wagon"))
-        gaps = touching_gaps([obj, *(entry.object for entry in wagons)], obj.motus.path.forward_axis)
+        gaps = touching_gaps([obj, *(pointed(entry, "object") for entry in wagons)], obj.motus.path.forward_axis)
         for entry, gap in zip(wagons, gaps):
             entry.gap = gap
 
@@ -175,7 +176,7 @@ class MOTUS_OT_path_select_leader(Operator, bpy.types.Operator):
     bl_description = "Select the object whose settings drive this one"
 
     def run(self, context):
-        leader = context.object and context.object.motus.path.leader
+        leader = context.object and pointed(context.object.motus.path, "leader")
         if leader is None:
             raise Refused(tr("Nothing here is a wagon of a train"))
         _select_alone(context, leader)

@@ -1,6 +1,7 @@
 """Who follows: the owner of the settings and its wagons, and what of them is driven."""
 
 from ..core import libraries
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 
 
@@ -11,7 +12,7 @@ def channels(settings):
 
 def members(owner):
     """The owner, then the wagons that exist and have no other leader (the copy of a leader lists the first one's)."""
-    return [owner] + [wagon.object for wagon in _wagons(owner)]
+    return [owner] + [pointed(wagon, "object") for wagon in _wagons(owner)]
 
 
 def offsets(owner):
@@ -21,18 +22,21 @@ def offsets(owner):
 
 
 def _wagons(owner):
-    return [wagon for wagon in owner.motus.path.wagons
-            if wagon.object and libraries.is_free_or_of(wagon.object, wagon.object.motus.path.leader, owner)]
+    return [entry for entry in owner.motus.path.wagons if _is_own(pointed(entry, "object"), owner)]
+
+
+def _is_own(wagon, owner):
+    return wagon is not None and libraries.is_free_or_of(wagon, pointed(wagon.motus.path, "leader"), owner)
 
 
 def index_of(leader, wagon):
     """Index of an object in its leader's list of wagons, or -1."""
-    return next((i for i, entry in enumerate(leader.motus.path.wagons) if entry.object == wagon), -1)
+    return next((i for i, entry in enumerate(leader.motus.path.wagons) if pointed(entry, "object") == wagon), -1)
 
 
 def is_wagon(obj):
     """Whether a train has this object among its wagons. The copy of a wagon names the leader too, but is not."""
-    leader = obj.motus.path.leader
+    leader = pointed(obj.motus.path, "leader")
     return leader is not None and index_of(leader, obj) >= 0
 
 

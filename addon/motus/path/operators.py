@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import scene_time, units, wiring
+from ..core.file.pointers import pointed
 from ..core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
@@ -141,9 +142,9 @@ def _remove(obj):
         return False
     targets.check_editable(obj)
     if members.is_wagon(obj):
-        index = members.index_of(settings.leader, obj)
-        targets.check_uncouplable(settings.leader, index)
-        setup.uncouple(settings.leader, index)
+        index = members.index_of(pointed(settings, "leader"), obj)
+        targets.check_uncouplable(pointed(settings, "leader"), index)
+        setup.uncouple(pointed(settings, "leader"), index)
     elif settings.is_active:
         setup.clear(obj)
     else:

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 from mathutils import Matrix
 
 from ..core import copies, curves, scene_time
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.system import Context
 from ..core.tracks import world_track
@@ -41,7 +42,7 @@ class OverTime:
 
     @functools.cached_property
     def _curve(self):
-        curve = self._settings.curve
+        curve = pointed(self._settings, "curve")
         return world_track(curve, self._scene) if curve and curve.type == 'CURVE' else None
 
     @property
@@ -50,8 +51,8 @@ class OverTime:
         settings, thing = self._settings, self._thing.name
         if not self._channel("influence").is_constant or settings.influence != 1.0:
             return Reason(Reason.INFLUENCE, thing=thing, name=self._owner.name)
-        if self._curve and _changes_shape(settings.curve):
-            return Reason(Reason.GEOMETRY, thing=thing, name=settings.curve.name)
+        if self._curve and _changes_shape(pointed(settings, "curve")):
+            return Reason(Reason.GEOMETRY, thing=thing, name=pointed(settings, "curve").name)
         tracks = [*self._numbers.values(), *([self._curve] if self._curve else [])]
         return next((track.reason for track in tracks if track.reason), None)
 
@@ -70,7 +71,7 @@ class OverTime:
             context = Context(self._settings, self._owner, time, SimpleNamespace(scene=self._scene), *room,
                               outputs=np.zeros(len(solve.OUTPUTS)), member_data=offsets)
             problem = solve.solve(
-                context, None if matrix is None else Matrix(matrix), self._curve and self._settings.curve.data.splines, None,
+                context, None if matrix is None else Matrix(matrix), self._curve and pointed(self._settings, "curve").data.splines, None,
                 **dict(zip(self._numbers, numbers)))
             acts[row] = problem is None or not problem.blocking
             locations[row], rotations[row] = (part[self._index] for part in room)
@@ -102,7 +103,7 @@ class OverTime:
 
     def _shape(self):
         """Something hashable that says how the curve runs."""
-        curve = self._settings.curve
+        curve = pointed(self._settings, "curve")
         try:
             read = curves.read(curve, curve.data.splines, None, self._settings.spline, Matrix())
         except curves.Unreadable as unreadable:

@@ -3,6 +3,7 @@
 import math
 
 from ..core import curves, native, scene_time
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
 from ..core.system import Context, Problem
@@ -28,8 +29,8 @@ RIGHT_COLOR = (0.95, 0.30, 0.35, 0.9)
 def _batches(context, owner):
     """Batches for a follower, a wagon, a curve that is followed or a Motus Bézier curve; none for other objects."""
     depsgraph = context.evaluated_depsgraph_get()
-    leader = owner.motus.path.leader or owner
-    if leader.motus.path.is_active and leader.motus.path.curve:
+    leader = pointed(owner.motus.path, "leader") or owner
+    if leader.motus.path.is_active and pointed(leader.motus.path, "curve"):
         return _of_follower(context.scene, leader.evaluated_get(depsgraph), depsgraph)
     if owner.type == 'CURVE':
         follower = next(iter(targets.followers_of(owner)), None)
@@ -51,7 +52,7 @@ def _of_curve(shown, curve_object, depsgraph):
 def _of_follower(scene, owner, depsgraph):
     settings = owner.motus.path
     try:
-        path = curves.read_evaluated(settings.curve.evaluated_get(depsgraph), depsgraph, settings.spline)
+        path = curves.read_evaluated(pointed(settings, "curve").evaluated_get(depsgraph), depsgraph, settings.spline)
     except curves.Unreadable:
         return []
     numbers = {name: getattr(settings, name) for name in solve.NUMBERS}

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import panels, ui, wiring
+from ..core.file.pointers import pointed
 from ..core.system import Problem
 from ..core.translations import tr
 from . import edit_views, members, presets, rows, targets
@@ -18,9 +19,9 @@ def draw_main(layout, context):
     obj = context.object
     settings = obj.motus.path
     if members.is_wagon(obj):
-        _draw_wagon(layout, obj, settings.leader)
+        _draw_wagon(layout, obj, pointed(settings, "leader"))
     elif is_stray(obj):
-        _draw_stray(layout, obj, settings.leader)
+        _draw_stray(layout, obj, pointed(settings, "leader"))
     else:
         ui.draw_problem(layout, context, system(), obj)
         column = ui.split(layout)

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core.axes import AXES
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
 EASE_TOLERANCE = 1e-6  # single precision: 0.7 + 0.3 is already above 1
@@ -129,10 +130,6 @@ class NewFollowKeywords(FollowKeywords):
         EXTENDS, 'CLAMP', options={'SKIP_SAVE'})
 
 
-def _is_curve(_settings, candidate):
-    return candidate.type == 'CURVE'
-
-
 class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
     frame: bpy.props.FloatProperty(
         name="Frame", description="Frame at which the object is at the pin's place", default=1.0, step=100, options=set(), update=touch,
@@ -146,8 +143,7 @@ class MOTUS_PG_path_pin(bpy.types.PropertyGroup):
 
 
 class MOTUS_PG_path_wagon(bpy.types.PropertyGroup):
-    object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Object that follows behind", update=rewire,
+    object: to_object(name="Object", description="Object that follows behind", update=rewire,
         override=OVERRIDABLE)
     gap: bpy.props.FloatProperty(
         name="Gap", description="Distance along the path to the one in front", default=DEFAULT_GAP, subtype='DISTANCE',
@@ -164,8 +160,7 @@ def _set_gap_of_all(settings, gap):
 
 
 class MOTUS_PG_path(SystemSettings, FollowKeywords, bpy.types.PropertyGroup):
-    curve: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Curve", description="Curve to follow", poll=_is_curve, update=rewire,
+    curve: to_object('CURVE', name="Curve", description="Curve to follow", update=rewire,
         override=OVERRIDABLE)
     pins: bpy.props.CollectionProperty(type=MOTUS_PG_path_pin, name="Pins", override=EXTENDABLE)
     active_pin: bpy.props.IntProperty(name="Active Pin", options=set())

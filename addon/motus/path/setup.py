@@ -1,6 +1,7 @@
 """Setting followers up and taking them back: plain functions behind the operators."""
 
 from ..core import actions, wiring
+from ..core.file.pointers import pointed
 from ..core.forgetting import forget
 from ..core.system import registered
 from . import members
@@ -44,7 +45,7 @@ def is_stray(obj):
     settings = obj.motus.path
     if settings.is_active or members.is_wagon(obj):
         return False
-    return settings.leader is not None or wiring.has_sinks(system(), obj)
+    return pointed(settings, "leader") is not None or wiring.has_sinks(system(), obj)
 
 
 def free(obj):
@@ -60,7 +61,7 @@ def reset(obj):
 
 def uncouple(leader, index):
     """Take a wagon out of the train; those behind keep their places."""
-    wagon = leader.motus.path.wagons[index].object
+    wagon = pointed(leader.motus.path.wagons[index], "object")
     members.take_out(leader, index)
     wiring.refresh(system(), leader)
     if wagon:
@@ -71,8 +72,9 @@ def _replace_wagons(owner, wagons):
     entries = owner.motus.path.wagons
     kept = {wagon for wagon, _ in wagons}
     for entry in entries:
-        if entry.object and entry.object not in kept:
-            reset(entry.object)
+        wagon = pointed(entry, "object")
+        if wagon and wagon not in kept:
+            reset(wagon)
     entries.clear()
     for wagon, gap in wagons:
         entry = entries.add()

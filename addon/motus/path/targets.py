@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import curves, libraries
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_local, check_unbaked, named
 from ..core.translations import tr
 from . import members, solve
@@ -27,8 +28,8 @@ def curve_for(context, name, *owners):
     selected = [found for found in [context.object, *context.selected_objects] if found and found.type == 'CURVE']
     if selected:
         return selected[0]
-    if owners and owners[0].motus.path.curve:
-        return owners[0].motus.path.curve
+    if owners and pointed(owners[0].motus.path, "curve"):
+        return pointed(owners[0].motus.path, "curve")
     raise Refused(tr("Choose a curve to follow"))
 
 
@@ -50,7 +51,7 @@ def ends_for(curve, spline, is_train):
 def followers_of(curve):
     """Objects that follow the curve by settings of their own, by name."""
     users = bpy.data.user_map(subset=[curve], key_types={'OBJECT'}, value_types={'OBJECT'})
-    found = [obj for obj in users.get(curve, ()) if obj.motus.path.is_active and obj.motus.path.curve == curve]
+    found = [obj for obj in users.get(curve, ()) if obj.motus.path.is_active and pointed(obj.motus.path, "curve") == curve]
     return sorted(found, key=lambda obj: obj.name_full)
 
 
@@ -62,7 +63,7 @@ def check_free(obj, curve, leader=None):
     if curve_depends_on(curve, obj):
         raise Refused(tr("{curve} is moved by {object}, so {object} cannot follow it").format(
             curve=curve.name, object=obj.name))
-    other = obj.motus.path.leader
+    other = pointed(obj.motus.path, "leader")
     if other != leader and members.is_wagon(obj):
         raise Refused(tr("{object} is a wagon of {leader}: remove it from the train first").format(
             object=obj.name, leader=other.name))

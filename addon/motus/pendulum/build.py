@@ -8,6 +8,7 @@ import bpy
 from mathutils import Matrix
 
 from ..core import actions, datablocks, libraries, units, wiring
+from ..core.file.pointers import pointed
 from ..core.forgetting import forget
 from ..core.system import registered
 from . import parts, trail
@@ -178,7 +179,8 @@ def _material(name, hue):
 def clear(owner, keeps_objects):
     """Take the pendulum back: wiring, keys of its settings, what was made, and the settings themselves."""
     settings = owner.motus.pendulum
-    entries = [(entry.object, entry.bob, entry.is_placed, parts.matrix(entry.before)) for entry in parts.own_rods(owner)]
+    entries = [(pointed(entry, "object"), pointed(entry, "bob"), entry.is_placed, parts.matrix(entry.before))
+               for entry in parts.own_rods(owner)]
     made_pivot = settings.has_made_pivot
     trail.remove(owner)
     wiring.detach(system(), owner)

@@ -8,6 +8,7 @@ from mathutils import Vector
 
 from ..core import native, scene_time
 from ..core.drag import PointDrag
+from ..core.file.pointers import pointed
 from ..core.operators import OBJECT_MODE, Operator, object_keyword
 from ..core.refusals import Refused, check_evaluated, check_finite, named
 from ..core.rows import Row, Rows, is_given
@@ -111,7 +112,7 @@ def clock_at(context, pivot):
 def end_of(pivot, depsgraph, number, world):
     """Where the rod of a pendulum hangs on the pivot, in its space."""
     settings = pivot.motus.pendulum
-    rod = next((entry.object for entry in parts.own_rods(pivot) if entry.number == number * parts.rods_each(settings)), None)
+    rod = next((pointed(entry, "object") for entry in parts.own_rods(pivot) if entry.number == number * parts.rods_each(settings)), None)
     return world.inverted_safe() @ rod.evaluated_get(depsgraph).matrix_world.translation if rod else Vector()
 
 

@@ -3,6 +3,7 @@
 import functools
 
 from ..core import deleted, scene_time
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.system import Problem
@@ -16,7 +17,7 @@ from . import clock, parts, pivot_motion, solve
 
 def over_time(owner, thing, scene):
     """System.over_time; None for what is no rod of the owner."""
-    numbers = {entry.object: entry.number for entry in parts.own_rods(owner)}
+    numbers = {pointed(entry, "object"): entry.number for entry in parts.own_rods(owner)}
     return OverTime(owner, thing, numbers[thing], tuple(numbers.values()), scene) if thing in numbers else None
 
 

@@ -4,6 +4,7 @@ import bpy
 from mathutils import Matrix
 
 from ..core import libraries, wiring
+from ..core.file.pointers import pointed
 from ..core.system import registered
 
 MADE_KEY = "motus_pendulum"
@@ -19,7 +20,7 @@ def rods_each(settings):
 
 def members(owner):
     """The rods that exist and have no other leader: the copy of a pivot lists the first one's."""
-    return [entry.object for entry in own_rods(owner)]
+    return [pointed(entry, "object") for entry in own_rods(owner)]
 
 
 def numbers(owner):
@@ -29,14 +30,17 @@ def numbers(owner):
 
 def own_rods(owner):
     """The entries of the rods that are members."""
-    return [entry for entry in owner.motus.pendulum.rods
-            if entry.object and libraries.is_free_or_of(entry.object, entry.object.motus.pendulum.leader, owner)]
+    return [entry for entry in owner.motus.pendulum.rods if _is_own(pointed(entry, "object"), owner)]
+
+
+def _is_own(rod, owner):
+    return rod is not None and libraries.is_free_or_of(rod, pointed(rod.motus.pendulum, "leader"), owner)
 
 
 def own_trail(owner):
     """The trail of a pendulum; None without. The copy of a pivot names the first one's."""
-    trail = owner.motus.pendulum.trail
-    is_own = trail and libraries.is_free_or_of(trail, trail.motus.pendulum_trail.pivot, owner)
+    trail = pointed(owner.motus.pendulum, "trail")
+    is_own = trail and libraries.is_free_or_of(trail, pointed(trail.motus.pendulum_trail, "pivot"), owner)
     return trail if is_own else None
 
 
@@ -44,12 +48,13 @@ def pivot_of(obj):
     """The pivot of the pendulum that an object is part of, whether that is active or not; None without."""
     if has_pendulum(obj):
         return obj
-    of_trail = obj.motus.pendulum_trail.pivot if obj.is_property_set("motus") else None
+    of_trail = pointed(obj.motus.pendulum_trail, "pivot") if obj.is_property_set("motus") else None
     rod = obj if _leader(obj) else obj.parent
     leader = of_trail or (_leader(rod) if rod else None)
     if leader is None or not has_pendulum(leader):
         return None
-    listed = obj == own_trail(leader) or any(obj in (entry.object, entry.bob) for entry in leader.motus.pendulum.rods)
+    listed = obj == own_trail(leader) or any(
+        obj in (pointed(entry, "object"), pointed(entry, "bob")) for entry in leader.motus.pendulum.rods)
     return leader if listed else None
 
 
@@ -68,12 +73,12 @@ def is_trail(obj):
 
 def is_stray_trail(obj):
     """Whether an object is a trail whose pivot is gone."""
-    return is_trail(obj) and obj.motus.pendulum_trail.pivot is None
+    return is_trail(obj) and pointed(obj.motus.pendulum_trail, "pivot") is None
 
 
 def stray_rod_of(obj):
     """The rod of no pendulum that an object is, or is the bob or trail of; None without. One rod stands for all of a pendulum."""
-    rod = obj.motus.pendulum_trail.rod if is_stray_trail(obj) else obj.parent if _is_made_bob(obj) else obj
+    rod = pointed(obj.motus.pendulum_trail, "rod") if is_stray_trail(obj) else obj.parent if _is_made_bob(obj) else obj
     if rod is None or not is_stray(rod):
         return None
     return min(wiring.abandoned(registered["pendulum"], rod), key=lambda one: one.name, default=rod)
@@ -83,7 +88,7 @@ def left_with(rods):
     """(made bobs, trails) that are left of a pendulum whose pivot is gone."""
     bobs = [child for rod in rods for child in rod.children if _is_made_bob(child) and not child.library]
     trails = [obj for obj in bpy.data.objects
-              if is_stray_trail(obj) and obj.motus.pendulum_trail.rod in rods and not obj.library]
+              if is_stray_trail(obj) and pointed(obj.motus.pendulum_trail, "rod") in rods and not obj.library]
     return bobs, trails
 
 
@@ -98,7 +103,7 @@ def has_pendulum(obj):
 
 
 def _leader(obj):
-    return obj.motus.pendulum.leader if obj.is_property_set("motus") else None
+    return pointed(obj.motus.pendulum, "leader") if obj.is_property_set("motus") else None
 
 
 def lengths(settings):
@@ -114,13 +119,14 @@ def fit(owner):
         length = lengths(settings)[entry.number % each]
         if not length > 0.0:
             continue
-        rod = entry.object
+        rod = pointed(entry, "object")
         if not rod.library:
             _fit_mesh(rod.data, length)
             if entry.number % each:
                 rod.matrix_parent_inverse = Matrix.Translation((0.0, 0.0, -settings.length1))
-        if entry.bob and entry.bob.parent == rod and not entry.bob.library:
-            entry.bob.matrix_parent_inverse = Matrix.Translation((0.0, 0.0, -length)) @ matrix(entry.rest)
+        bob = pointed(entry, "bob")
+        if bob and bob.parent == rod and not bob.library:
+            bob.matrix_parent_inverse = Matrix.Translation((0.0, 0.0, -length)) @ matrix(entry.rest)
 
 
 def _fit_mesh(mesh, length):

@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import parts
 
@@ -94,10 +95,8 @@ KEYWORDS = tuple(PendulumKeywords.__annotations__)
 
 
 class MOTUS_PG_pendulum_rod(bpy.types.PropertyGroup):
-    object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Rod that the pendulum turns", update=rewire, override=OVERRIDABLE)
-    bob: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Bob", description="What hangs at the end of the rod", override=OVERRIDABLE)
+    object: to_object(name="Object", description="Rod that the pendulum turns", update=rewire, override=OVERRIDABLE)
+    bob: to_object(name="Bob", description="What hangs at the end of the rod", override=OVERRIDABLE)
     is_placed: bpy.props.BoolProperty(
         name="Placed", description="The bob was there before, and is given back", options=set(), override=OVERRIDABLE)
     number: bpy.props.IntProperty(
@@ -117,8 +116,7 @@ class MOTUS_PG_pendulum(SystemSettings, PendulumKeywords, bpy.types.PropertyGrou
         name="Count", description="How many pendulums swing about the pivot", default=1, min=1,
         max=parts.LARGEST_FAN, options=set(), override=OVERRIDABLE)
     rods: bpy.props.CollectionProperty(type=MOTUS_PG_pendulum_rod, name="Rods", override=EXTENDABLE)
-    trail: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE)
+    trail: to_object('MESH', name="Trail", description="Object that shows the ways of the end bobs", override=OVERRIDABLE)
     has_made_pivot: bpy.props.BoolProperty(
         name="Made", description="Motus has made the pivot, and removes it with the pendulum", options=set(),
         override=OVERRIDABLE)
@@ -141,10 +139,8 @@ TRAIL_KEYWORDS = tuple(TrailKeywords.__annotations__)
 
 
 class MOTUS_PG_pendulum_trail(SystemSettings, TrailKeywords, bpy.types.PropertyGroup):
-    pivot: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Pivot", description="Pivot of the pendulum whose way the trail shows", update=rewire, override=OVERRIDABLE)
-    rod: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Rod", description="A rod of the pendulum, by which it is found if the pivot is gone",
+    pivot: to_object(name="Pivot", description="Pivot of the pendulum whose way the trail shows", update=rewire, override=OVERRIDABLE)
+    rod: to_object(name="Rod", description="A rod of the pendulum, by which it is found if the pivot is gone",
         override=OVERRIDABLE)
     influence: _number(
         "Influence", "Whether the trail is shown: 0 hides it", 1.0, ANIMATED, min=0.0, max=1.0, subtype='FACTOR')

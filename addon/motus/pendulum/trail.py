@@ -5,6 +5,7 @@ from dataclasses import dataclass
 import bpy
 
 from ..core import datablocks, wiring
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.system import Matrix, Points, Problem, Setting, Variable, registered
@@ -32,7 +33,8 @@ class PivotInfluence:
 
     @staticmethod
     def variable(_owner, settings):
-        return settings.pivot and Variable('OBJECT', settings.pivot, "motus.pendulum.influence")
+        pivot = pointed(settings, "pivot")
+        return pivot and Variable('OBJECT', pivot, "motus.pendulum.influence")
 
     @staticmethod
     def read(value, _settings):
@@ -103,9 +105,10 @@ def _of_bobs(settings):
     each, colors, offsets = parts.rods_each(settings), {}, {}
     for entry in settings.rods:
         number, rod = divmod(entry.number, each)
-        if rod == 0 and entry.object:
-            offsets[number] = entry.object.location.y
-        slots = entry.bob.material_slots if entry.bob else ()
+        thing, bob = pointed(entry, "object"), pointed(entry, "bob")
+        if rod == 0 and thing:
+            offsets[number] = thing.location.y
+        slots = bob.material_slots if bob else ()
         if rod == each - 1 and len(slots) and slots[0].material:
             colors[number] = tuple(slots[0].material.diffuse_color)[:3]
     return colors, offsets

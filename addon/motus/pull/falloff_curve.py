@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 
 CURVE_SAMPLES = 32
@@ -16,7 +17,7 @@ def ensure(brush):
     found = node(brush)
     if found is not None:
         return found
-    if brush.curve_nodes is None:
+    if pointed(brush, "curve_nodes") is None:
         brush.curve_nodes = bpy.data.node_groups.new(GROUP_NAME, 'ShaderNodeTree')
     made = brush.curve_nodes.nodes.new(NODE_TYPE)
     points = made.mapping.curves[0].points
@@ -28,9 +29,10 @@ def ensure(brush):
 
 def node(brush):
     """The brush's curve node, for template_curve_mapping(node, "mapping"); None where there is none yet."""
-    if brush.curve_nodes is None:
+    nodes = pointed(brush, "curve_nodes")
+    if nodes is None:
         return None
-    return next((found for found in brush.curve_nodes.nodes if found.bl_idname == NODE_TYPE), None)
+    return next((found for found in nodes.nodes if found.bl_idname == NODE_TYPE), None)
 
 
 def samples(brush, count=CURVE_SAMPLES):

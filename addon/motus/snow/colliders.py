@@ -7,10 +7,11 @@ flakes that ever landed would lie elsewhere.
 import bpy
 
 from ..core import datablocks, deleted, gathered, wiring
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.scenery import seen
 from ..core.scenery.meshes import joined, placed
-from ..core.system import Problem, is_owner, pointed, registered
+from ..core.system import Problem, is_owner, registered
 from . import flakes
 
 GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)
@@ -28,7 +29,7 @@ def are_any(settings):
 
 def alone(settings):
     """The objects that are named one by one, as the settings name them."""
-    named = [settings.collider, *(entry.object for entry in settings.more_colliders)]
+    named = [pointed(settings, "collider"), *(pointed(entry, "object") for entry in settings.more_colliders)]
     return list(dict.fromkeys(obj for obj in named if obj is not None))
 
 
@@ -64,7 +65,7 @@ def record(emitter, view_layer):
     what was recorded before stays."""
     settings = emitter.motus.snow
     # Colliders are evaluated for flakes that land on them.
-    before, settings.recorded = settings.recorded, None
+    before, settings.recorded = pointed(settings, "recorded"), None
     view_layer.update()
     found = [(one.objects[0].original, one.placed)
              for one in _found(emitter.evaluated_get(view_layer.depsgraph).motus.snow)[0]]
@@ -116,7 +117,8 @@ def _recorded(kept, left_out):
     # In the file may stand anything.
     if found is None or min(counts, default=-1) < 0 or sum(counts) != len(found.faces.triangles):
         return found
-    stays = [entry.object is None or entry.object.original not in left_out for entry in entries]
+    sources = [pointed(entry, "object") for entry in entries]
+    stays = [one is None or one.original not in left_out for one in sources]
     return found if all(stays) else found.chosen(np.repeat(stays, counts))
 
 

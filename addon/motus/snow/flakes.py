@@ -3,6 +3,7 @@
 import functools
 
 from ..core import native
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.scenery import meshes

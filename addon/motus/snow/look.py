@@ -5,6 +5,7 @@ import math
 import bpy
 
 from ..core import node_groups, wiring
+from ..core.file.pointers import pointed
 from ..core.system import registered
 
 KEY = "motus_flakes"
@@ -33,9 +34,9 @@ def dress(owner):
     if settings.look == 'POINTS':
         wiring.set_points_material(system, owner, _white())
     elif settings.look == 'COLLECTION':
-        wiring.set_points_collection(system, owner, settings.flakes)
+        wiring.set_points_collection(system, owner, pointed(settings, "flakes"))
     else:
-        wiring.set_points_object(system, owner, settings.flake if settings.look == 'OBJECT' else _shape(settings.look))
+        wiring.set_points_object(system, owner, pointed(settings, "flake") if settings.look == 'OBJECT' else _shape(settings.look))
 
 
 def drop(owner):

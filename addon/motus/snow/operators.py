@@ -6,6 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import libraries, scene_time, viewports, wiring
+from ..core.file.pointers import pointed
 from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
 from ..core.rows import Rows
@@ -248,7 +249,7 @@ class MOTUS_OT_snow_colliders_clear(_OnEmitter, bpy.types.Operator):
 
     def run(self, context):
         emitter = self.found(context, self.object)
-        if emitter.motus.snow.recorded is None:
+        if pointed(emitter.motus.snow, "recorded") is None:
             raise Refused(tr("Nothing was recorded"))
         colliders.forget(emitter)
 

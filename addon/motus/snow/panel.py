@@ -1,6 +1,7 @@
 """The panel of snow: in the sidebar's tab and in the object's constraint properties, on the emitter."""
 
 from ..core import panels, tracks, ui
+from ..core.file.pointers import pointed
 from ..core.translations import tr
 from . import births, colliders, flakes, landings, presets, rows, solve
 from .build import is_emitter, system
@@ -64,9 +65,9 @@ def draw_landing(layout, context):
     column = ui.split(layout)
     rows.COLLIDERS.draw(column, settings)
     for entry in settings.more_colliders:
-        if entry.object is not None:
+        if pointed(entry, "object") is not None:
             column.prop(entry, "object")
-    if settings.recorded is not None:
+    if pointed(settings, "recorded") is not None:
         ui.draw_message(layout, tr("As they were on frame {frame}").format(frame=f"{settings.recorded_frame:g}"), 'REC')
         layout.operator("motus.snow_colliders_clear", icon='X').object = emitter.name
     elif colliders.are_any(settings):

@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import look
 
@@ -182,48 +183,51 @@ class MOTUS_PG_snow_stop(bpy.types.PropertyGroup):
         soft_max=1.0, options=set(), update=touch, override=OVERRIDABLE)
 
 
+def _is_other(settings, obj):
+    """Whether an object is not the emitter itself."""
+    return obj != settings.id_data
+
+
+def _is_other_mesh(settings, obj):
+    # An object of another type is read all the same, and the panel says that it has no faces.
+    return obj.type == 'MESH' and _is_other(settings, obj)
+
+
 class MOTUS_PG_snow_recorded(bpy.types.PropertyGroup):
-    object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Collider that was recorded", override=OVERRIDABLE)
+    object: to_object(name="Object", description="Collider that was recorded", override=OVERRIDABLE)
     count: bpy.props.IntProperty(
         name="Count", description="How many of the recorded triangles are the collider's", min=0, options=set(), override=OVERRIDABLE)
 
 
 class MOTUS_PG_snow_collider(bpy.types.PropertyGroup):
-    object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Collider", description="Mesh object that flakes land on", update=rewire,
-        override=OVERRIDABLE, poll=lambda entry, obj: obj.type == 'MESH' and obj != entry.id_data)
+    object: to_object(
+        name="Collider", description="Mesh object that flakes land on", update=rewire, override=OVERRIDABLE, also=_is_other_mesh)
 
 
 class MOTUS_PG_snow(SystemSettings, SnowKeywords, bpy.types.PropertyGroup):
     stops: bpy.props.CollectionProperty(type=MOTUS_PG_snow_stop, name="Gradient", override=EXTENDABLE)
-    surface: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Mesh", description="Mesh that emits the flakes", update=rewire,
-        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
-    collider: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Collider", description="Mesh object that flakes land on", update=rewire,
-        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'MESH' and obj != settings.id_data)
+    surface: to_object(
+        'MESH', name="Mesh", description="Mesh that emits the flakes", update=rewire, override=OVERRIDABLE, also=_is_other)
+    collider: to_object(
+        name="Collider", description="Mesh object that flakes land on", update=rewire, override=OVERRIDABLE, also=_is_other_mesh)
     colliders: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Colliders", description="Collection whose mesh objects flakes land on",
         update=rewire, override=OVERRIDABLE)
     more_colliders: bpy.props.CollectionProperty(
         type=MOTUS_PG_snow_collider, name="More Colliders", description="Further mesh objects that flakes land on",
         override=EXTENDABLE)
-    recorded: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Recorded", description="Recorded mesh that flakes land on", update=rewire,
-        override=OVERRIDABLE)
+    recorded: to_object(
+        'MESH', name="Recorded", description="Recorded mesh that flakes land on", update=rewire, override=OVERRIDABLE)
     recorded_of: bpy.props.CollectionProperty(
         type=MOTUS_PG_snow_recorded, name="Recorded Colliders",
         description="Colliders of the recorded mesh, in the order of its faces", override=EXTENDABLE)
     recorded_frame: bpy.props.FloatProperty(
         name="Recorded Frame", description="Frame on which the colliders were recorded", options=set(),
         override=OVERRIDABLE)
-    camera: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Camera", description="Camera in whose view the flakes are born", update=rewire,
-        override=OVERRIDABLE, poll=lambda settings, obj: obj.type == 'CAMERA')
-    flake: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Flake", description="Object that flakes are instances of", update=_dress,
-        override=OVERRIDABLE)
+    camera: to_object(
+        'CAMERA', name="Camera", description="Camera in whose view the flakes are born", update=rewire, override=OVERRIDABLE)
+    flake: to_object(
+        name="Flake", description="Object that flakes are instances of", update=_dress, override=OVERRIDABLE)
     flakes: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Flakes", description="Collection whose objects flakes are instances of",
         update=_dress, override=OVERRIDABLE)

@@ -1,6 +1,7 @@
 """Snow: what its solver reads, and the one call of the library."""
 
 from ..core import deleted
+from ..core.file.pointers import pointed
 from ..core.scenery import meshes
 from ..core.system import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
 from . import births, colliders, flakes, landings, view
@@ -83,7 +84,7 @@ def solve(context, emitter, placed, surface, seeing, lens, landed_on, influence)
 def source(owner):
     """The object at whose poses flakes are born: the emitter, the mesh whose faces they leave, or the camera."""
     settings = owner.motus.snow
-    return {'SURFACE': settings.surface, 'CAMERA': settings.camera}.get(settings.shape, owner)
+    return {'SURFACE': pointed(settings, "surface"), 'CAMERA': pointed(settings, "camera")}.get(settings.shape, owner)
 
 
 def _poses(context, born_at, present, angles):
@@ -105,6 +106,6 @@ def _faces(context, placed, surface):
 
 
 def _look_problem(settings):
-    is_missing = settings.look == 'OBJECT' and settings.flake is None or (
-        settings.look == 'COLLECTION' and settings.flakes is None)
+    is_missing = settings.look == 'OBJECT' and pointed(settings, "flake") is None or (
+        settings.look == 'COLLECTION' and pointed(settings, "flakes") is None)
     return NO_FLAKES if is_missing else None

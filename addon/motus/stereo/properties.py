@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, OVERRIDABLE, SystemSettings, rewire, touch
 from . import screens
 
@@ -57,8 +58,7 @@ KEYWORDS = tuple(StereoKeywords.__annotations__)
 
 
 class MOTUS_PG_stereo(StereoKeywords, SystemSettings, bpy.types.PropertyGroup):
-    focus: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Focus", description="Object that lies on the screen, if Convergence is Object",
+    focus: to_object(name="Focus", description="Object that lies on the screen, if Convergence is Object",
         update=rewire, override=OVERRIDABLE)
     influence: _number(
         "Influence", "How much the rig sets the camera's eyes; 0 leaves them at the camera's own values", 1.0, min=0.0, max=1.0,

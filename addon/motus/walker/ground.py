@@ -1,9 +1,10 @@
 """What a walker's feet stand on: meshes that stand still, beside the plane."""
 
 from ..core import deleted, gathered, native, tracks, wiring
+from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.scenery import meshes, seen
-from ..core.system import Problem, has_settings, is_owner, leader_of, pointed, registered
+from ..core.system import Problem, has_settings, is_owner, leader_of, registered
 
 GONE = Problem("The ground is gone: choose another one", blocking=False)
 NO_FACES = Problem("The ground has no faces", blocking=False)
@@ -56,7 +57,7 @@ def _members(settings):
 
 def _leaves_out(settings):
     """Says which objects are no ground: parts of this walker, its feet as well where it is being wired, and of others."""
-    feet = {leg.foot.original for leg in settings.legs if leg.foot}
+    feet = {foot.original for foot in (pointed(leg, "foot") for leg in settings.legs) if foot}
     return lambda obj: is_walking(obj, feet)
 
 

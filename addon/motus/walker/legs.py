@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from ..core import deleted, libraries
+from ..core.file.pointers import pointed
 from ..core.system import has_settings, is_owner, leader_of, of_owner, registered
 
 
@@ -26,7 +27,8 @@ class Foot(NamedTuple):
 
 def label(leg):
     """What the interface calls a leg."""
-    return leg.name or (leg.foot.name if leg.foot else "")
+    foot = pointed(leg, "foot")
+    return leg.name or (foot.name if foot else "")
 
 
 def feet(owner):
@@ -43,7 +45,7 @@ def feet(owner):
 def _thing(owner, leg):
     if leg.name:
         return owner.pose.bones.get(leg.name) if owner.pose else None
-    foot = leg.foot
+    foot = pointed(leg, "foot")
     if foot is None or deleted.is_deleted(foot):
         return None
     return foot if libraries.is_free_or_of(foot, leader_of(registered["walker"], foot), owner) else None
@@ -54,14 +56,15 @@ def stretches(owner, leg):
     system = registered["ik"]
     if not (has_settings(system, owner) and is_owner(system, owner)):
         return False
-    foot = owner.original if leg.name else leg.foot and leg.foot.original
-    return any(entry.stretch >= 1.0 and entry.target and entry.target.original == foot and (not leg.name or entry.target_bone == leg.name)
-               for entry in of_owner(system, owner).entries)
+    foot = owner if leg.name else pointed(leg, "foot")
+    found = [(entry, pointed(entry, "target")) for entry in of_owner(system, owner).entries if entry.stretch >= 1.0]
+    return foot is not None and any(
+        target and target.original == foot.original and (not leg.name or entry.target_bone == leg.name) for entry, target in found)
 
 
 def names_body(owner):
     """Whether the settings say what rises and leans, be it there or not."""
-    return bool(owner.motus.walker.body_bone if owner.pose else owner.motus.walker.body)
+    return bool(owner.motus.walker.body_bone if owner.pose else pointed(owner.motus.walker, "body"))
 
 
 def body(owner):
@@ -69,7 +72,7 @@ def body(owner):
     settings = owner.motus.walker
     if owner.pose:
         return owner.pose.bones.get(settings.body_bone)
-    thing = settings.body
+    thing = pointed(settings, "body")
     if thing is None or thing.parent != owner or thing.parent_type != 'OBJECT' or deleted.is_deleted(thing):
         return None
     return thing if libraries.is_free_or_of(thing, leader_of(registered["walker"], thing), owner) else None

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import wiring
+from ..core.file.pointers import pointed
 from ..core.operators import OBJECT_OR_POSE_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import check_finite, named_collection
 from ..core.system import is_owner
@@ -71,7 +72,7 @@ class MOTUS_OT_walker_add(FindsValues, WalkerKeywords, GroundKeywords, bpy.types
 
     def _body(self, owner):
         """What shall rise and lean of a walker that is there, if it was named."""
-        feet = [leg.name or leg.foot for leg in owner.motus.walker.legs]
+        feet = [leg.name or pointed(leg, "foot") for leg in owner.motus.walker.legs]
         return {"body_bone" if owner.pose else "body": targets.body_for(owner, self.body, feet)} if self.body else {}
 
 

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core.axes import AXES
+from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import ground
 
@@ -95,8 +96,7 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
     name: bpy.props.StringProperty(
         name="Bone", description="Bone of the armature that is the foot; empty where it is an object", update=rewire, options=set(),
         override=OVERRIDABLE)
-    foot: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE)
+    foot: to_object(name="Foot", description="Object that is the foot", update=rewire, override=OVERRIDABLE)
     rest: _numbers("Rest", "Position of the foot, in the body's space, if the body stands on level ground")
     hip: _numbers("Hip", "Position where the leg begins, in the body's space")
     length: _length("Length", "Length of the whole leg, before the body's scale; 0 for a leg that reaches everywhere", 0.0)
@@ -105,15 +105,14 @@ class MOTUS_PG_walker_leg(bpy.types.PropertyGroup):
 
 class MOTUS_PG_walker(SystemSettings, WalkerKeywords, bpy.types.PropertyGroup):
     legs: bpy.props.CollectionProperty(type=MOTUS_PG_walker_leg, name="Legs", override=EXTENDABLE)
-    body: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Body", description="Object below the one that is moved, which rises and leans with the feet",
-        update=rewire, override=OVERRIDABLE, poll=lambda settings, obj: obj.parent == settings.id_data)
+    body: to_object(name="Body", description="Object below the one that is moved, which rises and leans with the feet",
+        update=rewire, override=OVERRIDABLE, also=lambda settings, obj: obj.parent == settings.id_data)
     body_bone: bpy.props.StringProperty(
         name="Body", description="Bone of the armature that rises and leans with the feet", update=rewire, options=set(),
         override=OVERRIDABLE)
-    ground: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Ground", description="Mesh object that the feet stand on", update=rewire, override=OVERRIDABLE,
-        poll=lambda _settings, obj: obj.type == 'MESH' and not ground.is_walking(obj))
+    ground: to_object(
+        'MESH', name="Ground", description="Mesh object that the feet stand on", update=rewire, override=OVERRIDABLE,
+        also=lambda _settings, obj: not ground.is_walking(obj))
     grounds: bpy.props.PointerProperty(
         type=bpy.types.Collection, name="Collection", description="Collection whose mesh objects the feet stand on", update=rewire,
         override=OVERRIDABLE)

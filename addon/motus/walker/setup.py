@@ -6,6 +6,7 @@ import bpy
 from mathutils import Vector
 
 from ..core import actions, entries, wiring
+from ..core.file.pointers import pointed
 from ..core.forgetting import forget, says_anything
 from ..core.system import has_settings, of_owner, registered
 from . import legs
@@ -40,7 +41,7 @@ def attach(context, owner, found, body, changes):
     keep their phases.
     """
     was_active = owner.motus.walker.is_active
-    phases = {(leg.name, leg.foot): leg.phase for leg in owner.motus.walker.legs}
+    phases = {(leg.name, pointed(leg, "foot")): leg.phase for leg in owner.motus.walker.legs}
     rests = _own_rests(context, owner, found)
     with entries.unwired(owner.motus.walker) as settings:
         settings.legs.clear()
@@ -106,7 +107,7 @@ def take_rests(context, owner):
     """Let the feet belong where their own transforms have them now; returns how many there are."""
     entries_of = owner.motus.walker.legs
     feet = legs.feet(owner)
-    found = [Leg(entries_of[foot.index].name, entries_of[foot.index].foot, Vector(), 0.0) for foot in feet]
+    found = [Leg(entries_of[foot.index].name, pointed(entries_of[foot.index], "foot"), Vector(), 0.0) for foot in feet]
     for foot, rest in zip(feet, _own_rests(context, owner, found)):
         owner.motus.walker.legs[foot.index].rest = rest
     return len(feet)

@@ -2,6 +2,7 @@
 
 from mathutils import Vector
 
+from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named, named_mesh
 from ..core.system import is_owner, leader_of, of_owner, registered
 from ..core.translations import tr
@@ -68,13 +69,13 @@ def legs_again(context, owner, is_named):
     if not present:
         return legs_for(context, owner, "")
     if not (owner.pose or is_named):
-        chosen = [obj for obj in _selected_feet(context, owner) if obj != settings.body]
+        chosen = [obj for obj in _selected_feet(context, owner) if obj != pointed(settings, "body")]
         if chosen and set(chosen) != {foot.thing for foot in present}:
             return _checked(owner, _legs_of_objects(chosen))
     if len(present) == len(settings.legs):
         return None
     kept = [settings.legs[foot.index] for foot in present]
-    return [setup.Leg(leg.name, leg.foot, leg.hip.copy(), leg.length) for leg in kept]
+    return [setup.Leg(leg.name, pointed(leg, "foot"), leg.hip.copy(), leg.length) for leg in kept]
 
 
 def _legs_of_objects(feet):
@@ -114,12 +115,13 @@ def _chains(owner):
         return found
     for entry in system.entries(owner):
         settings = of_owner(system, owner).entries[entry.name]
-        own = settings.target == owner and settings.target_bone in owner.pose.bones
-        if settings.target is None or settings.is_muted or settings.target.pose and not own:
+        target = pointed(settings, "target")
+        own = target == owner and settings.target_bone in owner.pose.bones
+        if target is None or settings.is_muted or target.pose and not own:
             continue
         bones = _upwards(owner, entry)
         found.append((entry.name, setup.Leg(
-            settings.target_bone if own else "", None if own else settings.target, bones[-1].head_local,
+            settings.target_bone if own else "", None if own else target, bones[-1].head_local,
             sum(bone.length for bone in bones))))
     return found
 
@@ -163,7 +165,7 @@ def _named_body(owner, name):
 def _usual_body(owner):
     if is_owner(setup.system(), owner):
         settings = owner.motus.walker
-        return settings.body_bone if owner.pose else settings.body
+        return settings.body_bone if owner.pose else pointed(settings, "body")
     return _common_bone(owner) if owner.pose else None
 
 

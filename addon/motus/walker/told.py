@@ -5,6 +5,7 @@ import math
 import bpy
 
 from ..core import scene_time
+from ..core.file.pointers import pointed
 from ..core.system import Problem
 from ..core.translations import tr
 from . import ground, legs, plan, solve
@@ -35,8 +36,9 @@ def sentence(context, owner, problem):
     settings = owner.motus.walker
     if problem in {plan.NOT_FINITE, plan.OUT_OF_RANGE}:
         return _about_setting(settings, problem, found(context, owner))
-    if problem == ground.GONE and settings.ground and ground.is_walking(settings.ground):
-        return tr("{object} walks itself, and is no ground").format(object=settings.ground.name)
+    named = pointed(settings, "ground")
+    if problem == ground.GONE and named and ground.is_walking(named):
+        return tr("{object} walks itself, and is no ground").format(object=named.name)
     return tr(problem.sentence)
 
 

@@ -3,6 +3,7 @@
 import bpy
 
 from .. import scene_time, system, wiring
+from ..file.pointers import pointed
 from ..frames import Kept, depsgraph_of, go_to
 from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
@@ -82,7 +83,7 @@ def check_baked(thing, name=""):
 def _baked_owner(thing):
     """The owner with which an object was baked, or properties of what it uses."""
     if thing.motus.bake.is_baked:
-        return thing.motus.bake.owner or thing
+        return pointed(thing.motus.bake, "owner") or thing
     leaders = [system.leader_of(one, thing) for one in system.systems()]
     return next((leader for leader in leaders if leader and any(
         state.is_baked_owner(one, leader) for one in system.systems())), thing)

@@ -70,7 +70,7 @@ def restore(id_data):
     """Undo what write(), mute() and remember() did to an object; False where the file does not say all of it any more."""
     state = states.of(id_data)
     values, constraints, drivers, is_whole = _kept(state.kept)
-    baked, state.action = state.action, None
+    baked, state.action = states.named(state, "action"), None
     own_numbers, has_all = _numbers(state.kept, baked)
     is_whole &= has_all
     # Where the user has chosen yet another action since, it stays.
@@ -92,7 +92,7 @@ def restore(id_data):
 
 def _assign_previous(id_data, state):
     try:
-        actions.assign(id_data, state.previous_action, state.previous_slot)
+        actions.assign(id_data, states.named(state, "previous_action"), state.previous_slot)
     except RuntimeError:  # it animates another type of datablock
         actions.assign(id_data, None)
         return False

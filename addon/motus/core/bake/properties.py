@@ -2,12 +2,13 @@
 
 import bpy
 
+from ..file.pointers import to_object
+
 
 class MOTUS_PG_bake(bpy.types.PropertyGroup):
     is_baked: bpy.props.BoolProperty(
         name="Baked", description="The object moves by baked keyframes", options=set())
-    owner: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Owner", description="Object whose system was baked; empty where it is this one")
+    owner: to_object(name="Owner", description="Object whose system was baked; empty where it is this one")
     action: bpy.props.PointerProperty(
         type=bpy.types.Action, name="Baked Action", description="Action that holds the baked keyframes")
     frame_start: bpy.props.FloatProperty(

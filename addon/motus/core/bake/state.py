@@ -3,6 +3,7 @@
 import bpy
 
 from .. import datablocks
+from ..file.pointers import pointed
 from ..system import System, has_settings, leader_of, of_owner
 
 KEY = "motus_bake"
@@ -38,6 +39,11 @@ def of(id_data):
     return id_data.motus.bake if isinstance(id_data, bpy.types.Object) else _Noted(id_data)
 
 
+def named(remembered, name):
+    """The datablock that what of() gives names; None without."""
+    return getattr(remembered, name) if isinstance(remembered, _Noted) else pointed(remembered, name)
+
+
 def forget(id_data):
     """Let it remember nothing."""
     if isinstance(id_data, bpy.types.Object):
@@ -49,7 +55,7 @@ def forget(id_data):
 def baked_with(owner):
     """All datablocks whose motion by an owner's systems stands in keyframes."""
     found = [one for one in datablocks.everything() if _may_be_baked(one)]
-    return [one for one in found if of(one).is_baked and (of(one).owner or one) == owner]
+    return [one for one in found if of(one).is_baked and (named(of(one), "owner") or one) == owner]
 
 
 def _may_be_baked(one):
@@ -79,13 +85,14 @@ def frames(system, obj):
     owner = owner_of(system, obj)
     # Where the owner drives others only, these have the keyframes.
     baked = [one for one in (obj, owner) if one.is_property_set("motus") and one.motus.bake.is_baked] or [
-        one for one in bpy.data.objects if one.is_property_set("motus") and one.motus.bake.owner == owner]
+        one for one in bpy.data.objects if one.is_property_set("motus") and pointed(one.motus.bake, "owner") == owner]
     # Where nothing but properties of other datablocks is driven, the owner alone tells.
     state = (baked[0] if baked else owner).motus.bake
     return tuple(f"{frame:g}" for frame in _range(state)) if state.frame_end else ("?", "?")
 
 
 def _range(bake):
-    if bake.action and bake.frame_start == bake.frame_end:
-        return bake.action.frame_range
+    action = pointed(bake, "action")
+    if action and bake.frame_start == bake.frame_end:
+        return action.frame_range
     return bake.frame_start, bake.frame_end

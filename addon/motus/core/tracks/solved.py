@@ -11,6 +11,7 @@ What System.over_time gives is None, or has
 import threading
 
 from .. import wiring
+from ..file.pointers import pointed
 from ..lazy import numpy as np
 from ..system import systems
 from . import rotations
@@ -74,7 +75,7 @@ def of(obj, scene):
     acting = [constraint for constraint in obj.constraints if not constraint.mute]
     if not acting or not obj.is_property_set("motus"):
         return None
-    owners = [(system, obj if settings.is_active else settings.leader)
+    owners = [(system, obj if settings.is_active else pointed(settings, "leader"))
               for system in systems() if system.over_time for settings in [getattr(obj.motus, system.name)]]
     for are_sinks in _have_marks, _are_known:
         for system, owner in owners:

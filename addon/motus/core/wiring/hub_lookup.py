@@ -2,6 +2,7 @@
 
 import bpy
 
+from ..file.pointers import pointed
 from ..stored import Damaged
 from ..system import of_owner
 from . import outbox
@@ -15,7 +16,7 @@ def hub_of(system, owner, group=""):
 def hubs(system, owner):
     """(group's key, hub object) of all groups that have one, whether it is the owner's own or not."""
     settings = of_owner(system, owner)
-    pointers = [("", settings.hub), *((entry.name, entry.object) for entry in settings.more_hubs)]
+    pointers = [("", pointed(settings, "hub")), *((entry.name, pointed(entry, "object")) for entry in settings.more_hubs)]
     return [(key, hub) for key, hub in pointers if hub and hub.type == 'MESH']
 
 

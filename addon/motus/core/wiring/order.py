@@ -6,7 +6,8 @@ the transform of the empty that carries it; a driver that declares that transfor
 
 import bpy
 
-from ..system import Deformed, pointed
+from ..file.pointers import pointed
+from ..system import Deformed
 
 _WAITING = {'CURVE': 'FOLLOW_PATH', 'MESH': 'SHRINKWRAP', 'EMPTY': 'COPY_LOCATION'}
 """Type of an object -> of the constraint that waits for its geometry, or, where it has none, for its transform."""

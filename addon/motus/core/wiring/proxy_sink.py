@@ -11,6 +11,7 @@ A constraint does not count as a user of its target, so the owner's settings poi
 
 import bpy
 
+from ..file.pointers import pointed
 from ..system import Variable
 from . import drivers, marks, outbox
 
@@ -56,7 +57,7 @@ def _keep(settings, name, proxy):
 
 def release(settings):
     """Let go of the hidden objects; the last one to do so removes them."""
-    kept = {entry.object for entry in settings.targets if entry.object}
+    kept = {pointed(entry, "object") for entry in settings.targets} - {None}
     settings.targets.clear()
     for one in kept:
         if one.users == int(one.use_fake_user) and one.library is None:

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from .. import copies, stored
+from ..file.pointers import pointed
 from ..lazy import numpy as np
 from ..stored import Damaged
 from ..system import Setting, groups_of, is_owner, of_owner
@@ -143,7 +144,7 @@ def claims(system, obj, mesh):
     """Whether an object points to a row of a hub."""
     if not is_owner(system, obj):
         return False
-    hub = of_owner(system, obj).hub
+    hub = pointed(of_owner(system, obj), "hub")
     return hub is not None and hub.data == mesh
 
 
@@ -157,7 +158,7 @@ def write(system, owner):
     text, settings = pack(system, owner), of_owner(system, owner)
     if text is None or copies.has_animated_settings(owner):
         return False
-    mesh, name = settings.hub.data, key(system, settings.row)
+    mesh, name = pointed(settings, "hub").data, key(system, settings.row)
     if mesh.get(name) != text:
         mesh[name] = text
     return True
@@ -173,7 +174,7 @@ def hub_for(system, owner, uses_attribute, reads):
                 and named == pointers(system, owner) and reads(mesh)):
             found = holders(system, mesh)
             if found:
-                return of_owner(system, next(iter(found.values()))).hub
+                return pointed(of_owner(system, next(iter(found.values()))), "hub")
     return None
 
 
@@ -225,7 +226,7 @@ def prune(system, mesh):
 def pointers(system, owner):
     """What the pointer settings name that a system's inputs are read of."""
     settings = of_owner(system, owner)
-    found = {one.of: getattr(settings, one.of) for one in system.inputs if hasattr(one, "of")}
+    found = {one.of: pointed(settings, one.of) for one in system.inputs if hasattr(one, "of")}
     return {name: target for name, target in found.items() if target}
 
 

@@ -7,6 +7,7 @@ from mathutils import Matrix
 from ...core import deleted
 from ...core.bake.sampling import rotation_path
 from ...core.datablocks import Named
+from ...core.file.pointers import pointed
 from ...core.refusals import Refused, check_no_tweak_mode
 from ...core.translations import tr
 from ..groups import goals
@@ -43,9 +44,9 @@ def goal_at(entry, blend):
         return None
     whole = min(whole, len(entry.extra_targets))
     if whole == 0:
-        return entry.target, entry.target_bone
+        return pointed(entry, "target"), entry.target_bone
     extra = entry.extra_targets[whole - 1]
-    return extra.object, extra.bone
+    return pointed(extra, "object"), extra.bone
 
 
 def station(entry, blend):
@@ -60,9 +61,10 @@ def station(entry, blend):
 
 def pole(entry):
     """The pole's Control; None where there is no pole, or where it is gone, so that the chain bends as without one."""
-    if entry.pole is None or deleted.is_deleted(entry.pole):
+    pole = pointed(entry, "pole")
+    if pole is None or deleted.is_deleted(pole):
         return None
-    control = _control(entry.pole, entry.pole_bone)
+    control = _control(pole, entry.pole_bone)
     return None if _has_lost(control) else control
 
 

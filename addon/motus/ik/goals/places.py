@@ -8,6 +8,7 @@ import math
 from mathutils import Euler, Matrix
 
 from ...core import deleted, rigs
+from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ..reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
 from . import stations
@@ -107,7 +108,7 @@ def mixed(value, places):
 
 def _further_places(entry, are_there):
     """World matrices of an entry's further targets, None for those that are missing, or whose bone is."""
-    return [world_matrix(extra.object, extra.bone) if is_there else None
+    return [world_matrix(pointed(extra, "object"), extra.bone) if is_there else None
             for extra, is_there in zip(entry.extra_targets, are_there)]
 
 

@@ -3,6 +3,7 @@
 import itertools
 
 from ...core import deleted
+from ...core.file.pointers import pointed
 
 STANDS = 1e-4
 """A Blend this near to a whole number stands on one target."""
@@ -27,7 +28,7 @@ class Further:
 
 
 def _there(entries):
-    objects = [(row, extra.object) for row, entry in enumerate(entries) for extra in entry.extra_targets]
+    objects = [(row, pointed(extra, "object")) for row, entry in enumerate(entries) for extra in entry.extra_targets]
     gone = set(deleted.which([one for _, one in objects if one]))
     found, numbers = {}, itertools.count()
     for row, one in objects:

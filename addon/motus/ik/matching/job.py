@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 from mathutils import Matrix, Vector
 
 from ...core import dependencies, rigs, scene_time
+from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ...core.frames import Kept, as_text, go_to
 from ...core.refusals import Refused, check_no_tweak_mode, check_posed
@@ -56,7 +57,7 @@ def match_fk(context, rig, bone, frames, switch, outcome):
     """Key the controls of chains so that the solution is the animated pose. Fills outcome: "error", "chains"."""
     chosen = _chosen(rig, bone)
     for chain in chosen:
-        if chain.found.entry.target is None:
+        if pointed(chain.found.entry, "target") is None:
             raise Refused(tr("{bone} has no target: choose one").format(bone=chain.name))
     if switch:
         weights.check(rig, _entries(rig, chosen))

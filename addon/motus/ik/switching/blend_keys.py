@@ -1,6 +1,7 @@
 """Blend keyed from one target to the next over time: plain functions behind the switching operator."""
 
 from ...core import actions
+from ...core.file.pointers import pointed
 from ...core.refusals import Refused
 from ...core.translations import tr
 from .. import chains, setup
@@ -41,7 +42,7 @@ def check_other(entry, number, goal):
 def place_next(entry, number, goal):
     """Let `goal`, (object, bone), be the target after this number; returns whether it had to be put between others."""
     extras = entry.extra_targets
-    if number < len(extras) and (extras[number].object, extras[number].bone) == goal:
+    if number < len(extras) and (pointed(extras[number], "object"), extras[number].bone) == goal:
         return False
     extra = extras.add()
     extra.object, extra.bone = goal

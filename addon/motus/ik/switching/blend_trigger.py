@@ -7,6 +7,7 @@ import itertools
 import re
 
 from ...core import dependencies, wiring
+from ...core.file.pointers import pointed
 from ...core.refusals import Refused
 from ...core.system import System, of_owner, registered
 from ...core.translations import tr
@@ -33,7 +34,7 @@ def output_source(owner, system_name, output):
     if not of_owner(system, owner).is_active:
         raise Refused(tr("{object} is not driven by {system}").format(object=owner.name, system=tr(system.label)))
     settings = of_owner(system, owner)
-    hubs = {"": settings.hub, **{one.name: one.object for one in settings.more_hubs}}
+    hubs = {"": pointed(settings, "hub"), **{one.name: pointed(one, "object") for one in settings.more_hubs}}
     for level in ("", *map(str, range(1, _entry_count(owner)))):
         try:
             path = wiring.output_path(system, output, owner, level)

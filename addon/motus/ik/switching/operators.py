@@ -5,6 +5,7 @@ import math
 import bpy
 
 from ...core import scene_time
+from ...core.file.pointers import pointed
 from ...core.refusals import Refused, named
 from ...core.rows import Row, Rows
 from ...core.translations import tr
@@ -93,7 +94,9 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
     def run(self, context):
         rig, entry, number = self._switch(context)
         extra = entry.extra_targets[number]
-        name = f"{extra.object.name}: {extra.bone}" if extra.bone else extra.object.name
+        name = pointed(extra, "object").name
+        if extra.bone:
+            name = f"{name}: {extra.bone}"
         self.report({'INFO'}, tr("{bone} of {object} passes on to {target}").format(
             bone=entry.name, object=rig.name, target=name))
 

@@ -3,6 +3,7 @@
 import bpy
 
 from ...core import wiring
+from ...core.file.pointers import pointed
 from ...core.system import registered
 
 KEY = "motus_snow_cover"
@@ -14,7 +15,7 @@ GRAIN, BUMP = 22.0, 0.25
 
 def dress(cover):
     """Give the snow its material: the one that was chosen, or one of ours, which somebody may have changed and so stays."""
-    _set(cover, cover.motus.snow_cover.material or _own() or _new())
+    _set(cover, pointed(cover.motus.snow_cover, "material") or _own() or _new())
 
 
 def drop(cover):

@@ -3,6 +3,7 @@
 import bpy
 
 from ...core import gathered, libraries, wiring
+from ...core.file.pointers import pointed
 from ...core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ...core.over_frames import Job
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
@@ -198,7 +199,7 @@ class MOTUS_OT_snow_cover_entry_add(_InList, bpy.types.Operator):
     def run(self, context):
         cover = self.found(context, self.object)
         entries = self.entries(cover)
-        known = [entry.object for entry in entries]
+        known = [pointed(entry, "object") for entry in entries]
         is_wanted, check = (sources.is_surface, _check_surface) if self.what == 'SURFACES' else (
             sources.is_emitter, _check_emitter)
         if self.objects:

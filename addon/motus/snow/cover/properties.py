@@ -4,6 +4,7 @@ import math
 
 import bpy
 
+from ...core.file.pointers import to_object
 from ...core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import look
 
@@ -47,8 +48,7 @@ KEYWORDS = tuple(SnowCoverKeywords.__annotations__)
 class MOTUS_PG_snow_cover_entry(bpy.types.PropertyGroup):
     """An object in one of the lists."""
 
-    object: bpy.props.PointerProperty(
-        type=bpy.types.Object, name="Object", description="Mesh object that snow lies on, or emitter of snow", update=rewire,
+    object: to_object(name="Object", description="Mesh object that snow lies on, or emitter of snow", update=rewire,
         override=OVERRIDABLE)
 
 

@@ -3,6 +3,7 @@
 import math
 
 from ...core import scene_time, wiring
+from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ...core.refusals import INFINITE
 from ...core.scenery import meshes, seen, stillness
@@ -85,7 +86,7 @@ def _plan(context, settings, scenery):
     surfaces = [one for one in sources.surfaces(settings) if all(obj in scenery for obj in (one.object, *one.instancers))]
     if not surfaces:
         return None, None, NO_SURFACE
-    found = {entry.object.original: entry.object for entry in settings.emitters if entry.object}
+    found = {one.original: one for one in (pointed(entry, "object") for entry in settings.emitters) if one}
     emitters = [found[obj] for obj in sources.emitters(settings)]
     if not emitters:
         return None, None, NO_SNOW

@@ -4,6 +4,7 @@ The settings may be an evaluated object's; what is found are originals.
 """
 
 from ...core import deleted, gathered
+from ...core.file.pointers import pointed
 from ...core.system import is_owner, registered
 from .. import colliders
 from ..solve import source
@@ -30,10 +31,10 @@ def is_emitter(obj):
 
 def surfaces(settings):
     """What snow lies on, Gathered, but for what was deleted."""
-    listed = [entry.object.original for entry in settings.surfaces if entry.object]
+    listed = [one.original for one in (pointed(entry, "object") for entry in settings.surfaces) if one]
     found = [gathered.Gathered(obj, ()) for obj in listed]
-    if settings.collection:
-        found += gathered.meshes(settings.collection, lambda obj: not is_surface(obj))
+    if pointed(settings, "collection"):
+        found += gathered.meshes(pointed(settings, "collection"), lambda obj: not is_surface(obj))
     return [one for one in dict.fromkeys(found) if is_surface(one.object) and not deleted.is_deleted(one.object)]
 
 
@@ -44,7 +45,7 @@ def emitters(settings):
 
 def _emitters(settings):
     """{original: emitter as the settings name it}."""
-    found = {entry.object.original: entry.object for entry in settings.emitters if entry.object}
+    found = {one.original: one for one in (pointed(entry, "object") for entry in settings.emitters) if one}
     return {original: obj for original, obj in found.items() if is_emitter(obj) and not deleted.is_deleted(obj)}
 
 

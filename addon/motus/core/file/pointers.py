@@ -1,0 +1,44 @@
+"""Pointers of settings: which datablocks they may name, and what they name.
+
+Blender gives back whatever datablock a file has in a pointer's place, of any type, and an object may be another type of object
+than it was when it was chosen (*Convert*). So nobody reads a pointer but by pointed().
+"""
+
+import functools
+
+import bpy
+
+
+def to_object(*types, also=lambda _settings, _obj: True, **options):
+    """A PointerProperty to objects, of these types where any are given, for the annotations of settings.
+
+    Pickers offer neither what works for Motus behind the scenes nor objects that were deleted: both stand in no collection.
+    also(settings, obj): what else an object that is offered has to be.
+    """
+    def poll(settings, obj):
+        return (not types or obj.type in types) and bool(obj.users_collection) and also(settings, obj)
+
+    poll.types = frozenset(types)
+    return bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, **options)
+
+
+def pointed(settings, name):
+    """What a pointer of settings names, if that is what the pointer is declared for; else None.
+
+    To ask a pointer that names nothing has the file hold an empty one.
+    """
+    if not settings.is_property_set(name):
+        return None
+    value = getattr(settings, name)
+    if value is None:
+        return None
+    kind, types = _declared(type(settings), name)
+    return value if isinstance(value, kind) and (not types or value.type in types) else None
+
+
+@functools.cache
+def _declared(group, name):
+    """(class of the datablocks, types of objects or none) that a pointer of a class of settings is declared for."""
+    kind = getattr(bpy.types, group.bl_rna.properties[name].fixed_type.identifier)
+    declared = next(base.__annotations__[name] for base in group.__mro__ if name in getattr(base, "__annotations__", ()))
+    return kind, getattr(declared.keywords.get("poll"), "types", frozenset())
