@@ -2,7 +2,7 @@
 
 import threading
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 from . import copies, native, rigs
 from .lazy import numpy as np
@@ -53,11 +53,13 @@ def read(curve_object, splines, depsgraph, index, matrix):
     """The WorldCurve of spline `index` (or ALL_SPLINES) of an evaluated curve object. Raises Unreadable.
 
     splines: of its evaluated data; where the object has modifiers or shape keys, the deformed ones are read instead. Others
-    are read once for each evaluated copy of the data, and brought into the world once for each place of the object.
+    are read once for each evaluated copy of the data, and brought into the world once for each place of the object. In Edit Mode
+    Blender keeps a copy in which the points move, so they are read each time.
     """
     data = curve_object.data
-    is_deformed = bool(curve_object.modifiers or data.shape_keys)
-    copy = None if is_deformed else copies.of(splines.id_data)  # that of a hidden object is its original one
+    is_edited = data.is_editmode  # which shows one shape key alone
+    is_deformed = bool(curve_object.modifiers or data.shape_keys and not is_edited)
+    copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # that of a hidden object is its original one
     if copy is None or copy.has_animated_splines:
         return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)
     local = copy.found.get(index)
@@ -77,15 +79,52 @@ def _in_world(curve, tilt, matrix):
 
 def _read(curve_object, splines, depsgraph, index, is_deformed):
     is_polygon = CONTROL_POLYGON_KEY in curve_object.data
-    if is_deformed:
-        with _temporary_curve:
-            try:
-                with aside():
-                    deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
-                return _read_splines(deformed.splines, index, is_polygon)
-            finally:
-                curve_object.to_curve_clear()
-    return _read_splines(splines, index, is_polygon)
+    if not is_deformed:
+        return _read_splines(splines, index, is_polygon)
+    with _temporary_curve:
+        if curve_object.data.is_editmode:
+            return _read_shown(curve_object, splines, index, is_polygon)
+        try:
+            with aside():
+                deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
+            return _read_splines(deformed.splines, index, is_polygon)
+        finally:
+            curve_object.to_curve_clear()
+
+
+def _read_shown(curve_object, splines, index, is_polygon):
+    """In Edit Mode to_curve() knows neither what is edited nor modifiers: the line that is drawn, or, of a curve with a surface, the
+    points as they are edited."""
+    try:
+        with aside():
+            mesh = curve_object.to_mesh()
+        strips = None if mesh is None or len(mesh.polygons) else _strips(mesh)
+    finally:
+        curve_object.to_mesh_clear()
+    return _read_splines(splines if strips is None else strips, index, is_polygon)
+
+
+class _Strip(NamedTuple):
+    """A line of a mesh, as a spline of points."""
+
+    points: Any  # (n, 3)
+    use_cyclic_u: bool
+    type: str = 'STRIP'
+
+
+def _strips(mesh):
+    """The lines of a mesh without faces, whose edges join vertices in succession."""
+    points = _vectors(mesh.vertices, "co", 3)
+    edges = set(map(tuple, np.sort(_whole_pairs(mesh.edges), axis=1).tolist()))
+    starts = [at for at in range(len(points)) if (at - 1, at) not in edges]
+    ends = [*starts[1:], len(points)]
+    return [_Strip(points[start:end], end - start > 2 and (start, end - 1) in edges) for start, end in zip(starts, ends)]
+
+
+def _whole_pairs(edges):
+    found = np.empty(2 * len(edges), np.int32)
+    edges.foreach_get("vertices", found)
+    return found.reshape(-1, 2)
 
 
 def _read_splines(splines, index, is_polygon):
@@ -143,6 +182,8 @@ def _read_nurbs(spline, points, weights, tilt):
 def _read_points(spline):
     points = spline.points
     _require_points(points)
+    if spline.type == 'STRIP':
+        return points, None, np.zeros(len(points), np.float32)
     homogeneous = _vectors(points, "co", 4)
     return homogeneous[:, :3], homogeneous[:, 3], _vectors(points, "tilt", 1)
 

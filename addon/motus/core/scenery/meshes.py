@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 from .. import copies
 from ..lazy import numpy as np
+from ..per_thread import aside
 
 MOST_BYTES = 256 << 20
 """Of faces that are kept."""
@@ -14,6 +15,8 @@ MOST_BYTES = 256 << 20
 _faces = OrderedDict()
 """Number of an evaluated copy of a mesh -> its Faces, or None."""
 _lock = threading.Lock()
+# A second to_mesh() on an object frees the first one's result, and drivers run in several threads.
+_temporary_mesh = threading.RLock()
 
 
 def is_same(one, other):
@@ -71,13 +74,13 @@ def faces(obj):
         return None
     mesh = obj.data
     if mesh == obj.original.data:  # all its copies would have its number
-        return _read(mesh)
+        return _read_shown(obj)
     number = copies.number_given(mesh)
     with _lock:  # a render's thread may be here at the same time as the viewport's
         if number in _faces:
             _faces.move_to_end(number)
             return _faces[number]
-    found = _read(mesh)
+    found = _read_shown(obj)
     with _lock:
         _faces[number] = found
         while len(_faces) > 1 and sum(one.bytes for one in _faces.values() if one) > MOST_BYTES:
@@ -89,6 +92,18 @@ def forget():
     """Let go of all faces: they are of another file."""
     with _lock:
         _faces.clear()
+
+
+def _read_shown(obj):
+    if not obj.data.is_editmode:
+        return _read(obj.data)
+    with _temporary_mesh:  # in Edit Mode Blender leaves the evaluated mesh empty until somebody asks for one
+        try:
+            with aside():
+                mesh = obj.to_mesh()
+            return _read(mesh)
+        finally:
+            obj.to_mesh_clear()
 
 
 def _read(mesh):
