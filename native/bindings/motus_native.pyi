@@ -329,8 +329,9 @@ class LookAtPlan:
         settings: _Array,  # (C, 9), see SETTINGS
         targets: _Array,  # (C, 3), world space
         head_forward: _Array,  # (C, 3), axes of the bones
-        eyes_forward: _Array,  # (C, 3)
+        eyes_forward: _Array,  # (E, 3), of the eyes of all entries
         rotations: _Array | None = None,  # (rows, 4), C-contiguous, written into
+        up: _Array | None = None,  # (C, 3), what the rig stands along at rest, armature space; None: Z
     ) -> _Array: ...
 
 class LayerClip:

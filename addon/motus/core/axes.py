@@ -4,7 +4,8 @@ AXES = (
     ('POS_X', "X", ""), ('POS_Y', "Y", ""), ('POS_Z', "Z", ""),
     ('NEG_X', "-X", ""), ('NEG_Y', "-Y", ""), ('NEG_Z', "-Z", ""),
 )
-IDENTIFIERS = frozenset(name for name, *_ in AXES)
+LABELS = {name: label for name, label, _ in AXES}
+IDENTIFIERS = frozenset(LABELS)
 
 
 def vector(identifier):

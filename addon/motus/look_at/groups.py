@@ -2,7 +2,7 @@
 
 import json
 
-from ..core import dependencies, rigs
+from ..core import axes, dependencies, rigs
 from ..core.file.pointers import pointed
 from ..core.system import BonesOwn, Entry, Group, Member, Transform
 from . import anatomy
@@ -110,8 +110,9 @@ def plan_of(owner, found):
     """What solve.Wired is made of, as text. found: entries with their bones."""
     heads = [{
         "name": entry.name, "body": bones[:bones.index(entry.name)], "eyes": bones[bones.index(entry.name) + 1:],
-        "head_forward": list(anatomy.head_forward(owner, entry.name, entry.head_forward)),
-        "eyes_forward": list(anatomy.eyes_forward(owner, _eyes(owner, entry), entry.eyes_forward)),
+        "head_forward": list(anatomy.head_forward(owner, entry)),
+        "eyes_forward": [list(axis) for axis in anatomy.eyes_forward(owner, entry, bones[bones.index(entry.name) + 1:])],
+        "up": list(axes.vector(entry.up)),
     } for entry, bones in found]
     return json.dumps({"fingerprint": rigs.fingerprint(owner), "heads": heads})
 

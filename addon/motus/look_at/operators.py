@@ -1,12 +1,15 @@
 """Operators that let heads look, and take it back."""
 
+import functools
+
 import bpy
 
 from ..core import operators, wiring
+from ..core.axes import AXES, LABELS
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
-from . import anatomy, rows, setup, targets
+from . import anatomy, facing, names, rows, setup, targets
 from .properties import ANY_BODY_LENGTH, KEYWORDS, LookAtKeywords
 
 
@@ -47,6 +50,14 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         description="Names of the eye bones with commas between; not given, bones below the head called eye",
         options={'SKIP_SAVE'})
 
+    forward: bpy.props.EnumProperty(
+        name="Forward",
+        description="Axis of the rig that points where the character faces at rest; not given, eyes, face, feet and sides of the skeleton show it",
+        items=AXES, default=facing.FORWARD, options={'SKIP_SAVE'})
+    up: bpy.props.EnumProperty(
+        name="Up", description="Axis of the rig that points from the feet to the head at rest; not given, the skeleton shows it",
+        items=AXES, default=facing.UP, options={'SKIP_SAVE'})
+
     redo = rows.ALL
 
     @classmethod
@@ -69,9 +80,11 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         changes = self.given(KEYWORDS)
         check_finite(self, changes)
         before = rig.motus.look_at.entries.get(head)
+        if before is None:
+            changes.update(facing.find(rig, head, changes))
         eyes = self._eyes(rig, head, before)
         length = before.body_length if before and not self.is_given("body_length") else targets.spine_for(
-            rig, head, self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH)
+            rig, head, self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH, changes.get("up", before and before.up))
         target = targets.target_for(context, self, rig)
         targets.check_target(target or (before and pointed(before, "target")), self.target_bone)
         target_bone = self.target_bone
@@ -82,12 +95,12 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         driven = [*anatomy.below(rig, head, length), head, *present_eyes]
         targets.check_free(rig, head, driven)
         targets.check_loop(rig, head, driven, target, target_bone)
-        if target is None:
-            choice = changes.get("head_forward", before.head_forward if before else 'AUTO')
-            target = setup.new_target(context, rig, head, anatomy.head_forward(rig, head, choice))
         changes.update(target=target, target_bone=target_bone, body_length=length)
-        setup.add(rig, head, changes, eyes)
-        return rig, head, target
+        replaced = before and pointed(before, "target")
+        entry = setup.add(rig, head, changes, eyes, functools.partial(setup.new_target, context))
+        if replaced and replaced != entry.target:
+            setup.remove_unneeded(replaced)
+        return rig, head, entry.target
 
     def _eyes(self, rig, head, before):
         """Names of the eyes; None where the entry keeps those it has."""
@@ -95,14 +108,14 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
             eyes = [name.strip() for name in self.eyes.split(",") if name.strip()]
             targets.check_eyes(rig, head, eyes)
             return eyes
-        return None if before else anatomy.eyes_of(rig, head)
+        return None if before else names.eyes_of(rig.data.bones, head)
 
 
 class MOTUS_OT_look_at_remove(OfAHead, bpy.types.Operator):
     bl_idname = "motus.look_at_remove"
     bl_label = "Remove Look At"
-    bl_description = "Remove Look At, so that the head has its own animation again; a target that was made stays"
-
+    bl_description = (
+        "Remove Look At, so that the head has its own animation again; a target that was made goes along if nothing else needs it")
 
     def run(self, context):
         rig = targets.looking_rig(context, self.object)
@@ -120,11 +133,24 @@ class MOTUS_OT_look_at_refresh(OfARig, bpy.types.Operator):
     bl_label = "Refresh"
     bl_description = "Rebuild after bones or the parents of the target changed"
 
-
     def run(self, context):
         rig = targets.looking_rig(context, self.object)
         check_local(rig)
         wiring.refresh(setup.system(), rig)
+
+
+class MOTUS_OT_look_at_turn(OfAHead, bpy.types.Operator):
+    bl_idname = "motus.look_at_turn"
+    bl_label = "Turn Forward"
+    bl_description = "Turn the direction in which the character faces at rest by a quarter, about Up; a new target goes along"
+
+    def run(self, context):
+        rig = targets.looking_rig(context, self.object)
+        targets.check_editable(rig)
+        entry = rig.motus.look_at.entries[targets.entry_for(context, rig, self.bone)]
+        setup.turn(rig, entry)
+        self.report({'INFO'}, tr("{bone} of {object} faces {axis}").format(
+            bone=entry.name, object=rig.name, axis=LABELS[entry.forward]))
 
 
 class MOTUS_OT_look_at_eye_add(OfAHead, bpy.types.Operator):
@@ -182,6 +208,6 @@ def change_eyes(operator, context, change):
 
 
 classes = (
-    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_refresh, MOTUS_OT_look_at_eye_add,
-    MOTUS_OT_look_at_eye_remove,
+    MOTUS_OT_look_at_add, MOTUS_OT_look_at_remove, MOTUS_OT_look_at_refresh, MOTUS_OT_look_at_turn,
+    MOTUS_OT_look_at_eye_add, MOTUS_OT_look_at_eye_remove,
 )

@@ -83,7 +83,7 @@ class _Head:
         for index, (poses, basis) in enumerate(self.inputs.rows(times, rigs.names_of(owner))):
             wired.plan.solve(
                 still.rest, poses, basis, still.inheritance, worlds[index], settings[index:index + 1],
-                target[index:index + 1, 12:15], wired.head_forward, wired.eyes_forward, rotations=found[index])
+                target[index:index + 1, 12:15], wired.head_forward, wired.eyes_forward, rotations=found[index], up=wired.up)
         return found
 
     def _settings(self, wired, times):

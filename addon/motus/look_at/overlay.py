@@ -2,6 +2,7 @@
 
 from mathutils import Vector
 
+from ..core import axes
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
@@ -14,6 +15,8 @@ TARGET_COLOR = (0.75, 0.75, 0.80, 0.6)
 GAZE_WIDTH, TARGET_WIDTH = 2.5, 1.0  # pixels
 EYES_REACH = 0.6  # of the distance to the target: so that the eyes' lines end before the head's
 POINT_SIZE = 6.0
+FACE_COLOR = (0.35, 0.65, 1.0, 0.9)
+FACE_LENGTH, HEAD_SIZE, FACE_WIDTH = 1.5, 0.25, 2.0  # of the head bone's length, the arrow's head; pixels
 
 
 def _batches_of(context, owner):
@@ -34,13 +37,24 @@ def _batches_of(context, owner):
 
 def _batches(rig, entry, point):
     names = [eye.name for eye in entry.eyes if eye.name in rig.pose.bones] if entry.eyes_weight > 0.0 else []
-    forward = anatomy.eyes_forward(rig, names, entry.eyes_forward)
-    eyes = [_gaze(rig, name, forward, point, EYES_REACH) for name in names]
-    head = _gaze(rig, entry.name, anatomy.head_forward(rig, entry.name, entry.head_forward), point, 1.0)
+    forwards = anatomy.eyes_forward(rig, entry, names)
+    eyes = [_gaze(rig, name, forward, point, EYES_REACH) for name, forward in zip(names, forwards)]
+    head = _gaze(rig, entry.name, anatomy.head_forward(rig, entry), point, 1.0)
     if eyes and head.colors == OFF_COLOR and all(eye.colors == GAZE_COLOR for eye in eyes):
         head = head._replace(colors=ON_THE_WAY_COLOR)
     return [Batch('LINES', _array(_place(rig, entry.name), point), TARGET_COLOR, TARGET_WIDTH),
-            Batch('POINTS', _array(point), TARGET_COLOR, POINT_SIZE), head, *eyes]
+            Batch('POINTS', _array(point), TARGET_COLOR, POINT_SIZE), head, *eyes, _face(rig, entry)]
+
+
+def _face(rig, entry):
+    """An arrow from the head to where the character faces, and its end's way up, as the head carries them from rest."""
+    bone = rig.pose.bones[entry.name]
+    carried = (rig.matrix_world @ bone.matrix).to_3x3() @ bone.bone.matrix_local.to_3x3().inverted_safe()
+    forward, up = (bone.bone.length * (carried @ Vector(axes.vector(axis))) for axis in (entry.forward, entry.up))
+    place, tip = _place(rig, entry.name), _place(rig, entry.name) + FACE_LENGTH * forward
+    side = forward.cross(up).normalized() * up.length
+    ends = [tip - HEAD_SIZE * forward + HEAD_SIZE * across for across in (side, -side)]
+    return Batch('LINES', _array(place, tip, tip, ends[0], tip, ends[1], tip, tip + HEAD_SIZE * up), FACE_COLOR, FACE_WIDTH)
 
 
 def _target_of(entry):

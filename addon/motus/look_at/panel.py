@@ -37,15 +37,19 @@ def draw_main(layout, context):
     if entry:
         bone_entries.draw_shown(layout, system(), entry.name)
         _draw_fault(layout, context, rig, entry)
-        _draw_entry(layout, entry)
+        _draw_entry(layout, rig, entry)
 
 
-def _draw_entry(layout, entry):
+def _draw_entry(layout, rig, entry):
     column = ui.split(layout)
     column.prop(entry, "target")
     target = pointed(entry, "target")
     if target and target.type == 'ARMATURE':
         column.prop_search(entry, "target_bone", target.data, "bones")
+    row = ui.split(layout).row(align=True)
+    row.prop(entry, "forward")
+    _for_entry(row.operator("motus.look_at_turn", text="", icon='FILE_REFRESH'), rig, entry)
+    ui.split(layout).prop(entry, "up")
     rows.WEIGHTS.draw(ui.split(layout), entry)
 
 

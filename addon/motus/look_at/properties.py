@@ -8,10 +8,11 @@ from ..core import bone_entries
 from ..core.axes import AXES
 from ..core.file.pointers import to_object
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
+from . import facing
 
 FORWARDS = (
     ('AUTO', "Automatic",
-     "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone"),
+     "Where the rig faces at rest, by Forward; an eye that points there looks along its bone"),
     *AXES,
 )
 ANY_BODY_LENGTH = -1
@@ -30,10 +31,9 @@ def _limit(name, description, degrees):
         update=touch, options=ANIMATED, override=OVERRIDABLE)
 
 
-def _forward(name, description):
+def _axis(name, description, items, default):
     return bpy.props.EnumProperty(
-        name=name, description=description, items=FORWARDS, default='AUTO', update=rewire, options=set(),
-        override=OVERRIDABLE)
+        name=name, description=description, items=items, default=default, update=rewire, options=set(), override=OVERRIDABLE)
 
 
 class LookAtKeywords:
@@ -48,8 +48,10 @@ class LookAtKeywords:
     body_limit: _limit("Body Limit", "Largest turn of all spine bones together", 60.0)
     head_limit: _limit("Head Limit", "Largest turn of the head against the spine", 80.0)
     eyes_limit: _limit("Eyes Limit", "Largest turn of the eyes against the head", 35.0)
-    head_forward: _forward("Head Forward", "Axis of the head bone that points where the face looks")
-    eyes_forward: _forward("Eyes Forward", "Axis of the eye bones that points where they look")
+    forward: _axis("Forward", "Axis of the rig that points where the character faces at rest", AXES, facing.FORWARD)
+    up: _axis("Up", "Axis of the rig that points from the feet to the head at rest", AXES, facing.UP)
+    head_forward: _axis("Head Forward", "Axis of the head bone that points where the face looks", FORWARDS, 'AUTO')
+    eyes_forward: _axis("Eyes Forward", "Axis of the eye bones that points where they look", FORWARDS, 'AUTO')
 
 
 KEYWORDS = tuple(LookAtKeywords.__annotations__)

@@ -9,5 +9,6 @@ WEIGHTS = Rows((
     Row("eyes_weight", active=lambda head: isinstance(head.eyes, str) or len(head.eyes) > 0)), title="Weights")
 LIMITS = Rows((
     "clamp", Row("body_limit", text="Body"), Row("head_limit", text="Head"), Row("eyes_limit", text="Eyes")), title="Limits")
+FACING = Rows(("forward", "up"), title="Facing")
 AXES = Rows(("head_forward", "eyes_forward"), title="Bones")
-ALL = (WEIGHTS, LIMITS, AXES)
+ALL = (WEIGHTS, FACING, LIMITS, AXES)

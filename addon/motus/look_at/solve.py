@@ -18,8 +18,9 @@ NUMBERS = (
 
 _AXIS = (float, float, float)
 _FORM = {"fingerprint": int, "heads": [
-    {"name": str, "body": [str], "eyes": [str], "head_forward": _AXIS, "eyes_forward": _AXIS}]}
-"""Of what groups.py notes."""
+    {"name": str, "body": [str], "eyes": [str], "head_forward": _AXIS,
+     "eyes_forward": lambda value: stored.fits(value, [_AXIS]) or stored.fits(value, _AXIS), "up?": _AXIS}]}
+"""Of what groups.py notes. Older versions noted one axis for all eyes of a head, and had Z for up."""
 
 
 class Wired:
@@ -30,7 +31,8 @@ class Wired:
         self.still = rigs.still(rig, tuple(rows))
         self.names = [head["name"] for head in heads]
         self.head_forward = np.array([head["head_forward"] for head in heads], dtype=float).reshape(-1, 3)
-        self.eyes_forward = np.array([head["eyes_forward"] for head in heads], dtype=float).reshape(-1, 3)
+        self.eyes_forward = np.array([axis for head in heads for axis in _eye_axes(head)], dtype=float).reshape(-1, 3)
+        self.up = np.array([head.get("up", (0.0, 0.0, 1.0)) for head in heads], dtype=float).reshape(-1, 3)
         self.plan = native.module.LookAtPlan(
             rigs.parents(rig, list(rows)), [[rows[name] for name in head["body"]] for head in heads],
             [rows[head["name"]] for head in heads], [[rows[name] for name in head["eyes"]] for head in heads])
@@ -38,6 +40,15 @@ class Wired:
         self.members = len(self.plan.rows)
         report = native.module.LookAtPlan.REPORT
         self.told = [report.index(name) for name in OUTPUTS]
+
+
+def _eye_axes(head):
+    axes, eyes = head["eyes_forward"], head["eyes"]
+    if stored.fits(axes, _AXIS):
+        return [axes] * len(eyes)
+    if len(axes) != len(eyes):
+        raise stored.Damaged("another number of eyes")
+    return axes
 
 
 class _Source:
@@ -80,7 +91,7 @@ def _solve(context, source):
     arrays = rigs.read(context.owner, wired.still)
     report = wired.plan.solve(
         arrays.rest, arrays.poses, arrays.basis, arrays.inheritance, arrays.world, settings, points, wired.head_forward,
-        wired.eyes_forward, rotations=context.rotations)
+        wired.eyes_forward, rotations=context.rotations, up=wired.up)
     told = context.outputs.reshape(count, len(OUTPUTS))
     told[:] = report[:, wired.told]
     reason = told[:, OUTPUTS.index("reason")]

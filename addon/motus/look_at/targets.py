@@ -1,10 +1,10 @@
 """Which rig, head and target an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-from ..core import dependencies, libraries
+from ..core import dependencies, libraries, wiring
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.system import systems
 from ..core.translations import tr
-from . import anatomy
+from . import anatomy, names
 from .properties import ANY_BODY_LENGTH
 
 
@@ -36,7 +36,7 @@ def head_for(context, rig, name):
     active = context.active_pose_bone
     if active and active.id_data == rig and context.mode == 'POSE':
         return active.name
-    found = anatomy.head_of(rig)
+    found = names.head_of(rig)
     if not found:
         raise Refused(tr("Choose the bone of the head"))
     return found
@@ -91,10 +91,11 @@ def check_eyes(rig, head, eyes):
             raise Refused(tr("{bone} is below another eye").format(bone=eye))
 
 
-def spine_for(rig, head, wanted):
-    """How many bones below the head turn along."""
+def spine_for(rig, head, wanted, up):
+    """How many bones below the head turn along. up: what the rig stands along."""
     if wanted == ANY_BODY_LENGTH:
-        return anatomy.spine_length(rig, head)
+        driven = {bone for _, entry in _entries_beside(rig, head) for bone in entry.drives}
+        return anatomy.spine_length(rig, head, up, lambda bone: bone not in driven and not _is_constrained(rig.pose.bones[bone]))
     present = len(rig.data.bones[head].parent_recursive)
     if wanted > present:
         raise Refused(tr("There are only {count} bones below {head}").format(count=present, head=head))
@@ -103,13 +104,26 @@ def spine_for(rig, head, wanted):
 
 def check_free(rig, head, driven):
     """Refuse bones that Motus drives already, in another entry or by another system."""
+    for system, entry in _entries_beside(rig, head):
+        shared = set(driven) & set(entry.drives)
+        if shared:
+            raise Refused(tr("{bone} is driven by {system} of {other} already").format(
+                bone=min(shared), system=tr(system.label), other=entry.name))
+
+
+def _entries_beside(rig, head):
+    """(system, entry) of all that Motus does to the rig's bones, but for layers, which act beneath, and for this head."""
     for system in systems():
         for entry in system.entries(rig) if system.entries and not system.lays_pose else ():
-            is_own = system.name == "look_at" and entry.name == head
-            shared = set() if is_own else set(driven) & set(entry.drives)
-            if shared:
-                raise Refused(tr("{bone} is driven by {system} of {other} already").format(
-                    bone=min(shared), system=tr(system.label), other=entry.name))
+            if system.name != "look_at" or entry.name != head:
+                yield system, entry
+
+
+def _is_constrained(bone):
+    """Whether a constraint that is not one of Motus's own moves a bone."""
+    return any(
+        not constraint.mute and constraint.influence > 0.0
+        and not any(wiring.is_sink(system, constraint) for system in systems()) for constraint in bone.constraints)
 
 
 def check_loop(rig, head, driven, target, target_bone):

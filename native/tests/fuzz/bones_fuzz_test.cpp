@@ -233,9 +233,13 @@ TEST_CASE("a plan takes the rig that it was made for", "[fuzz]") {
 
     const std::vector<look_at::Bones> heads{{.body = {0, 1}, .head = 3, .eyes = {4}}};
     const look_at::Plan looks(rig.parents, heads);
-    const std::vector<look_at::Input> inputs(1);
+    const std::vector<glm::dvec3> eyes{{0.0, 1.0, 0.0}};
+    std::vector<look_at::Input> inputs(1);
     std::vector<glm::dquat> rows(looks.rows().size());
     std::vector<look_at::Report> reports(1);
+    CHECK(
+        is_refused([&] { looks.solve(rig.view(), glm::dmat4(1.0), inputs, rows, reports); }, "eyes_forward"));
+    inputs[0].eyes_forward = eyes;
     looks.solve(rig.view(), glm::dmat4(1.0), inputs, rows, reports);
     CHECK(is_refused([&] { looks.solve(other, glm::dmat4(1.0), inputs, rows, reports); }, "rig"));
 
@@ -272,7 +276,9 @@ TEST_CASE("rigs of any numbers are solved to finite turns", "[fuzz]") {
                               dice.number(0.0, 4.0), dice.number(0.0, 4.0)};
             input.target = dice.place();
             input.head_forward = dice.place();
-            input.eyes_forward = dice.place();
+            const std::vector<glm::dvec3> eyes = dice.places(1);
+            input.eyes_forward = eyes;
+            input.up = dice.place();
             const std::vector<look_at::Input> inputs(1, input);
             std::vector<glm::dquat> rows(looks.rows().size());
             std::vector<look_at::Report> reports(1);

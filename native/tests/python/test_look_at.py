@@ -181,17 +181,18 @@ class Plan(unittest.TestCase):
         figure = Figure(2)
         plan = native.LookAtPlan(Figure.parents, [[1, 2], []], [3, 3], [[], [4]])
         rotations = np.empty((5, 4))
-        report = plan.solve(**figure.arguments(rotations=rotations))
+        eyes_forward = figure.forward[:1]  # a row an eye, not an entry
+        report = plan.solve(**figure.arguments(rotations=rotations, eyes_forward=eyes_forward))
         self.assertEqual(report.shape, (2, 4))
         self.assertLess(report[:, 0].max(), 1e-12)
-        np.testing.assert_array_equal(plan.solve(**figure.arguments()), report)
+        np.testing.assert_array_equal(plan.solve(**figure.arguments(eyes_forward=eyes_forward)), report)
 
     def test_errors_name_the_argument(self):
         wrong = {
             "rest": self.figure.rest[:4], "poses": self.figure.rest.astype(float), "basis": self.figure.basis.tolist(),
             "inheritance": self.figure.inheritance.astype(np.int64), "world": np.eye(4), "settings": np.zeros((1, 8)),
             "targets": np.zeros(3), "head_forward": np.zeros((1, 4)), "eyes_forward": np.zeros((2, 3)),
-            "rotations": np.zeros((3, 4))}
+            "rotations": np.zeros((3, 4)), "up": np.zeros(3)}
         for name, value in wrong.items():
             with self.subTest(name=name), self.assertRaises((TypeError, ValueError)) as caught:
                 self.plan.solve(**self.figure.arguments(**{name: value}))

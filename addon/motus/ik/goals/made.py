@@ -4,15 +4,11 @@ import itertools
 
 import bpy
 
-from ...core import wiring
+from ...core import needed, wiring
 from ...core.system import systems
 from ..groups import goals
 from . import control_bones
 from .placing import CONTROL_KEY
-
-HOLDERS = (
-    bpy.types.Collection, bpy.types.Scene, bpy.types.Action, bpy.types.Screen, bpy.types.WindowManager, bpy.types.WorkSpace)
-"""Types of datablocks for which an object does nothing. ID.id_type, which would name them, is not there in 3.4."""
 
 
 def of_entries(rig, indices):
@@ -31,12 +27,12 @@ def label(obj, bone):
 
 def remove_unneeded(context, rig, controls):
     """Delete controls that no entry has any more, but for what something else needs; gives the labels of those that stay."""
-    needed = [pair for pair in controls if (_is_bone_needed if pair[1] else _is_object_needed)(*pair)]
-    kept = [label(*pair) for pair in needed]
-    bones = [bone for obj, bone in controls if bone and (obj, bone) not in needed]
+    in_use = [(obj, bone) for obj, bone in controls if (_is_bone_needed(obj, bone) if bone else needed.is_needed(obj))]
+    kept = [label(*pair) for pair in in_use]
+    bones = [bone for obj, bone in controls if bone and (obj, bone) not in in_use]
     if bones:
         control_bones.remove(context, rig, bones)
-    for obj in [obj for obj, bone in controls if not bone and (obj, bone) not in needed]:
+    for obj in [obj for obj, bone in controls if not bone and (obj, bone) not in in_use]:
         bpy.data.objects.remove(obj)
     return kept
 
@@ -50,11 +46,6 @@ def _is_made(rig, obj, bone):
 def _rigs():
     # To ask an object for its settings gives it some.
     return [found for found in bpy.data.objects if found.type == 'ARMATURE' and found.is_property_set("motus")]
-
-
-def _is_object_needed(obj, _bone):
-    users = bpy.data.user_map(subset=[obj])[obj]
-    return any(not isinstance(user, HOLDERS) and user != obj for user in users)
 
 
 def _is_bone_needed(rig, bone):

@@ -12,8 +12,20 @@ INTERFACE = {
     "The whole body turns along": "Gira con todo el cuerpo",
     "Look At Presets": "Preajustes de mirar a",
     "Automatic": "Automático",
-    "Where the character faces at rest: -Y of the rig; an eye that points there looks along its bone":
-        "Hacia donde mira el personaje en reposo: -Y del rig; un ojo que apunta hacia allí mira a lo largo de su hueso",
+    "Where the rig faces at rest, by Forward; an eye that points there looks along its bone":
+        "Hacia donde mira el rig en reposo, según Adelante; un ojo que apunta hacia allí mira a lo largo de su hueso",
+    "Axis of the rig that points where the character faces at rest":
+        "Eje del rig que apunta hacia donde mira el personaje en reposo",
+    "Axis of the rig that points where the character faces at rest; not given, eyes, face, feet and sides of the skeleton show it":
+        "Eje del rig que apunta hacia donde mira el personaje en reposo; si no se indica, lo muestran los ojos, la cara, los pies y los lados del esqueleto",
+    "Axis of the rig that points from the feet to the head at rest":
+        "Eje del rig que apunta de los pies a la cabeza en reposo",
+    "Axis of the rig that points from the feet to the head at rest; not given, the skeleton shows it":
+        "Eje del rig que apunta de los pies a la cabeza en reposo; si no se indica, lo muestra el esqueleto",
+    "Turn the direction in which the character faces at rest by a quarter, about Up; a new target goes along":
+        "Girar un cuarto de vuelta, en torno a Arriba, la dirección hacia la que mira el personaje en reposo; un objetivo nuevo va con ella",
+    "{bone} of {object} faces {axis}": "{bone} de {object} mira hacia {axis}",
+    "Facing": "Orientación",
     "Weight": "Peso",
     "How much eyes, head and body turn to the target; 0 leaves the animation as it is":
         "Cuánto giran ojos, cabeza y cuerpo hacia el objetivo; 0 deja la animación como está",
@@ -59,8 +71,8 @@ INTERFACE = {
     "Target Down": "Por debajo",
     "Still to Turn": "Falta girar",
     "Let head, spine and eyes turn to a target": "Hacer que cabeza, columna y ojos se vuelvan hacia un objetivo",
-    "Remove Look At, so that the head has its own animation again; a target that was made stays":
-        "Quitar Mirar a, de modo que la cabeza vuelve a su propia animación; un objetivo que se creó se queda",
+    "Remove Look At, so that the head has its own animation again; a target that was made goes along if nothing else needs it":
+        "Quitar Mirar a, de modo que la cabeza vuelve a su propia animación; un objetivo que se creó se va con él si nada más lo necesita",
     "Rebuild after bones or the parents of the target changed":
         "Reconstruir después de cambiar huesos o los padres del objetivo",
     "Let another bone below the head turn as an eye": "Hacer que otro hueso bajo la cabeza gire como un ojo",
@@ -113,6 +125,7 @@ OPERATORS = {
     "Add Look At Preset": "Agregar preajuste de mirar a",
     "Look At": "Mirar a",
     "Remove Look At": "Quitar mirar a",
+    "Turn Forward": "Girar Adelante",
     "Add Eye": "Agregar ojo",
     "Remove Eye": "Quitar ojo",
 }

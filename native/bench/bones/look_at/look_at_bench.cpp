@@ -1,9 +1,11 @@
 // Look-at: what one head costs.
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <glm/mat4x4.hpp>
 #include <glm/trigonometric.hpp>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "motus/bones/look_at/plan.hpp"
@@ -23,6 +25,7 @@ struct Crowd {
     std::vector<float> matrices, basis;
     std::vector<Bones> bones;
     std::vector<Input> inputs;
+    std::array<glm::dvec3, 2> eyes_forward{glm::dvec3(0, 0, 1), glm::dvec3(0, 0, 1)};
 
     Crowd(int spine_bones, bool eyes) {
         for (int i = 0; i < head_count; ++i) {
@@ -39,7 +42,7 @@ struct Crowd {
             bones.push_back(figure);
             Input input;
             input.target = place + glm::dvec3(3 * std::cos(i), -2, 2 + std::sin(i));
-            input.eyes_forward = input.head_forward;
+            input.eyes_forward = std::span(eyes_forward).first(figure.eyes.size());
             input.settings.eyes_weight = eyes ? 1.0 : 0.0;
             input.settings.head_limit = 1.2;
             inputs.push_back(input);

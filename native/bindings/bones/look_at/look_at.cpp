@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -161,7 +162,7 @@ constexpr std::size_t report_count = 4;
 
 [[nodiscard]] look_at::Input input_at(std::size_t entry, std::span<const double> settings,
                                       std::span<const double> targets, std::span<const double> head_forward,
-                                      std::span<const double> eyes_forward) {
+                                      std::span<const double> up) {
     const std::span<const double> row = settings.subspan(entry * column_count, column_count);
     const auto vector_at = [entry](std::span<const double> rows) {
         return glm::dvec3(rows[3 * entry], rows[3 * entry + 1], rows[3 * entry + 2]);
@@ -171,7 +172,7 @@ constexpr std::size_t report_count = 4;
                       row[clamp_column], row[body_limit],  row[head_limit],  row[eyes_limit]};
     input.target = vector_at(targets);
     input.head_forward = vector_at(head_forward);
-    input.eyes_forward = vector_at(eyes_forward);
+    if (!up.empty()) input.up = vector_at(up);
     input.is_on = row[is_on] != 0.0;
     return input;
 }
@@ -179,7 +180,7 @@ constexpr std::size_t report_count = 4;
 DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const py::object& poses,
                        const py::object& basis, const py::object& inheritance, const py::object& world,
                        const py::object& settings, const py::object& targets, const py::object& head_forward,
-                       const py::object& eyes_forward, const py::object& rotations) {
+                       const py::object& eyes_forward, const py::object& rotations, const py::object& up) {
     const std::size_t count = plan.size();
     const CopiedRig rig(plan.parents(), rest, poses, basis, inheritance);
     const glm::dmat4 to_world = matrix_of_columns(world, "world");
@@ -187,7 +188,11 @@ DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const 
         elements<double>(settings, "settings", {count, column_count});
     const std::span<const double> target_rows = elements<double>(targets, "targets", {count, 3});
     const std::span<const double> head_axes = elements<double>(head_forward, "head_forward", {count, 3});
-    const std::span<const double> eyes_axes = elements<double>(eyes_forward, "eyes_forward", {count, 3});
+    const std::size_t eye_count =
+        std::accumulate(plan.eye_counts().begin(), plan.eye_counts().end(), std::size_t{0});
+    const std::span<const double> eyes_axes = elements<double>(eyes_forward, "eyes_forward", {eye_count, 3});
+    const std::span<const double> ups =
+        up.is_none() ? std::span<const double>() : elements<double>(up, "up", {count, 3});
     const std::size_t row_count = plan.rows().size();
     auto rows = output<double>(rotations, "rotations", {static_cast<py::ssize_t>(row_count), 4});
     const std::span<double> row_values = values_of(rows);
@@ -195,14 +200,22 @@ DoubleArray solve_plan(const look_at::Plan& plan, const py::object& rest, const 
     require_apart(target_rows, "targets", row_values, "rotations");
     require_apart(head_axes, "head_forward", row_values, "rotations");
     require_apart(eyes_axes, "eyes_forward", row_values, "rotations");
+    require_apart(ups, "up", row_values, "rotations");
 
     DoubleArray report = new_array({count, report_count});
     const std::span<double> report_values = values_of(report);
     const std::span<glm::dquat> out = quaternions_in(rows.mutable_data(), row_count);
+    std::vector<glm::dvec3> eyes;
+    for (std::size_t i = 0; i < eye_count; ++i)
+        eyes.emplace_back(eyes_axes[3 * i], eyes_axes[3 * i + 1], eyes_axes[3 * i + 2]);
     std::vector<look_at::Input> inputs;
     inputs.reserve(count);
-    for (std::size_t i = 0; i < count; ++i)
-        inputs.push_back(input_at(i, setting_rows, target_rows, head_axes, eyes_axes));
+    std::span<const glm::dvec3> further = eyes;
+    for (std::size_t i = 0; i < count; ++i) {
+        inputs.push_back(input_at(i, setting_rows, target_rows, head_axes, ups));
+        inputs.back().eyes_forward = further.first(plan.eye_counts()[i]);
+        further = further.subspan(plan.eye_counts()[i]);
+    }
     {
         const ReleaseGil released(count, entry_cost);
         std::vector<look_at::Report> reports(count);
@@ -283,14 +296,16 @@ Raises ValueError or TypeError that names the argument.)");
     plan.attr("SETTINGS") = setting_names();
     plan.attr("REPORT") = report_names();
     plan.def("solve", &solve_plan, "rest"_a, "poses"_a, "basis"_a, "inheritance"_a, "world"_a, "settings"_a,
-             "targets"_a, "head_forward"_a, "eyes_forward"_a, "rotations"_a = py::none(), R"(
+             "targets"_a, "head_forward"_a, "eyes_forward"_a, "rotations"_a = py::none(), "up"_a = py::none(),
+             R"(
 Rotations that turn body, head and eyes of each entry to its target.
 
 rest, poses, basis: (B, 16) float32: Bone.matrix_local, PoseBone.matrix, PoseBone.matrix_basis, column by column; of poses
 only the parent of each entry's first bone is read.  inheritance: (B,) int32: Bone.inherit_scale | 8 use_inherit_rotation
 | 16 use_local_location.  world: (16,), the rig's matrix_world, column by column.
-settings: (C, 9), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward, eyes_forward: (C, 3), axes of
-the bones that point where head and eyes look, of any length but 0.
+settings: (C, 9), see SETTINGS and look_at().  targets: (C, 3), world space.  head_forward: (C, 3), eyes_forward: (E, 3) of
+the eyes of all entries, axes of the bones that point where they look, of any length but 0.  up: (C, 3), what the rig stands
+along at rest, in armature space, of any length but 0; None: Z.
 rotations: a C-contiguous float64 array (rows, 4) to write into, which shares no memory with other arguments; None: only the
 report.  Its rows are w, x, y, z and come on top of each bone's own rotation; the identity where nothing turns.
 Returns (C, 4), see REPORT: angle between gaze and target, rad; reason (a Reason: REACHED or LIMIT; -1 where an input is not

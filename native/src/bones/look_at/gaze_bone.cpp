@@ -71,9 +71,8 @@ std::optional<glm::dvec3> GazeBone::gaze_at_rest(const glm::dvec3& axis) const {
     return direction_of(space_ * (scale * post_scale_ * axis));
 }
 
-glm::dvec3 GazeBone::up_at_rest(const glm::dvec3& axis) const {
-    const glm::dvec3 vertical(rest_[0].z, rest_[1].z,
-                              rest_[2].z);  // the armature's Z, seen from the bone at rest
+glm::dvec3 GazeBone::up_at_rest(const glm::dvec3& axis, const glm::dvec3& up) const {
+    const glm::dvec3 vertical = glm::transpose(rest_) * up;  // seen from the bone at rest
     if (glm::length(glm::cross(axis, vertical)) > nearly_vertical) return space_ * vertical;
     const bool is_along_y = std::abs(axis.y) > std::abs(axis.z);
     return is_along_y ? space_[2] : space_[1];

@@ -27,9 +27,9 @@ class GazeBone {
     /// The same with the bone's own rotation left out; none where a scale is zero.
     [[nodiscard]] std::optional<glm::dvec3> gaze_at_rest(const glm::dvec3& axis) const;
 
-    /// The armature's Z at rest, as what the bone stands in has carried it; where `axis` at rest lies nearly
-    /// along Z, the bone's own Y or Z without its own rotation. Not unit.
-    [[nodiscard]] glm::dvec3 up_at_rest(const glm::dvec3& axis) const;
+    /// `up`, a unit vector of the armature at rest, as what the bone stands in has carried it; where `axis`
+    /// at rest lies nearly along it, the bone's own Y or Z without its own rotation. Not unit.
+    [[nodiscard]] glm::dvec3 up_at_rest(const glm::dvec3& axis, const glm::dvec3& up) const;
 
     /// Turns the bone about its place by a rotation of the rig's space. What its own `axis` points at turns
     /// by exactly that; the rest of the bone too where no parent shears it, else as nearly as its rotation

@@ -41,7 +41,7 @@ bool has_finite_numbers(const Settings& s) {
 /// One entry at one moment.
 class Plan::Solver {
   public:
-    /// input: its axes are unit, its target is in the rig's space.
+    /// input: its head_forward and up are unit, its target is in the rig's space.
     Solver(const RigView& rig, const Entry& entry, const Input& input, std::span<glm::dquat> rotations)
         : rig_(rig), entry_(entry), input_(input), settings_(input.settings), rotations_(rotations) {}
 
@@ -72,7 +72,7 @@ class Plan::Solver {
 
     [[nodiscard]] bool set_chart(const GazeBone& head) {
         const std::optional<glm::dvec3> forward = head.gaze_at_rest(input_.head_forward);
-        const std::optional<glm::dvec3> up = direction_of(head.up_at_rest(input_.head_forward));
+        const std::optional<glm::dvec3> up = direction_of(head.up_at_rest(input_.head_forward, input_.up));
         if (!forward || !up || glm::length(glm::cross(*up, *forward)) < least_sine) return false;
         chart_.emplace(*forward, *up, level_for(settings_));
         return true;
@@ -131,16 +131,19 @@ class Plan::Solver {
     /// Each from its own place. An eye of no size stays as it is.
     [[nodiscard]] bool turn_eyes(const GazeBone& animated_head, const GazeBone& head) {
         std::optional<double> worst;
-        for (const std::vector<Link>& links : entry_.eyes) {
+        for (std::size_t i = 0; i < entry_.eyes.size(); ++i) {
+            const std::vector<Link>& links = entry_.eyes[i];
+            const std::optional<glm::dvec3> forward = direction_of(input_.eyes_forward[i]);
+            if (!forward) return false;
             const Link& last = links.back();
             const std::span<const Link> between(links.data(), links.size() - 1);
             const GazeBone animated(rig_, last.bone, carried(between, animated_head.pose()));
             GazeBone eye(rig_, last.bone, carried(between, head.pose()));
             if (!animated.is_finite() || !eye.is_finite()) return false;
-            const std::optional<glm::dvec3> from = animated.gaze(input_.eyes_forward);
+            const std::optional<glm::dvec3> from = animated.gaze(*forward);
             const std::optional<glm::dvec3> direction = towards(eye.place(), input_.target);
-            if (!from || !eye.gaze(input_.eyes_forward) || !direction) continue;
-            const double angle = turn(eye, last, input_.eyes_forward, *direction, chart_->place(*from),
+            if (!from || !eye.gaze(*forward) || !direction) continue;
+            const double angle = turn(eye, last, *forward, *direction, chart_->place(*from),
                                       {settings_.eyes_weight, settings_.eyes_limit});
             worst = std::max(worst.value_or(0.0), angle);
         }
@@ -219,6 +222,7 @@ void Plan::add(const Bones& bones) {
         give_row(entry.eyes.back().back());
     }
     entry.row_count = rows_.size() - entry.first_row;
+    eye_counts_.push_back(bones.eyes.size());
     entries_.push_back(std::move(entry));
 }
 
@@ -248,6 +252,10 @@ void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const In
     const glm::dmat4 to_rig = glm::inverse(world);
     const Report meaningless{0.0, std::nullopt, 0.0, 0.0};
     for (std::size_t i = 0; i < size(); ++i) {
+        if (inputs[i].eyes_forward.size() != entries_[i].eyes.size())
+            throw std::invalid_argument("eyes_forward: one per eye is needed");
+    }
+    for (std::size_t i = 0; i < size(); ++i) {
         const Entry& entry = entries_[i];
         const std::span<glm::dquat> rows = rotations.subspan(entry.first_row, entry.row_count);
         std::fill(rows.begin(), rows.end(), no_turn);
@@ -256,12 +264,11 @@ void Plan::solve(const RigView& rig, const glm::dmat4& world, std::span<const In
 
         Input input = inputs[i];
         const std::optional<glm::dvec3> head_forward = direction_of(input.head_forward);
-        const std::optional<glm::dvec3> eyes_forward = direction_of(input.eyes_forward);
+        const std::optional<glm::dvec3> up = direction_of(input.up);
         input.target = glm::dvec3(to_rig * glm::dvec4(input.target, 1.0));
-        if (!has_finite_numbers(input.settings) || !is_finite(input.target) || !head_forward || !eyes_forward)
-            continue;
+        if (!has_finite_numbers(input.settings) || !is_finite(input.target) || !head_forward || !up) continue;
         input.head_forward = *head_forward;
-        input.eyes_forward = *eyes_forward;
+        input.up = *up;
         if (const std::optional<Report> report = Solver(rig, entry, input, rows).run())
             reports[i] = *report;
         else

@@ -29,7 +29,8 @@ struct Figure {
     std::vector<float> rest, poses, basis;
     Bones bones;
     glm::dmat4 world{1.0};
-    Input input;
+    Input input;                           ///< without its eyes_forward
+    std::vector<glm::dvec3> eyes_forward;  ///< of each eye
 
     explicit Figure(int spine_bones, bool eyes = true) {
         // local Y up, local Z forward (-Y), local X to the figure's left
@@ -46,7 +47,7 @@ struct Figure {
             bones.eyes.push_back(add(bones.head, eye, head + left_eye_place * glm::dvec3(-1, 1, 1)));
         }
         input.head_forward = {0, 0, 1};
-        input.eyes_forward = {0, 1, 0};
+        eyes_forward.assign(bones.eyes.size(), {0, 1, 0});
         input.settings.clamp = 0.0;
     }
 
@@ -79,7 +80,9 @@ inline Result solve(const Figure& figure) {
     const Plan plan(figure.parents, {&figure.bones, 1});
     Result result;
     result.rotations.assign(plan.rows().size(), glm::dquat(9, 9, 9, 9));
-    plan.solve(figure.view(), figure.world, {&figure.input, 1}, result.rotations, {&result.report, 1});
+    Input input = figure.input;
+    input.eyes_forward = figure.eyes_forward;
+    plan.solve(figure.view(), figure.world, {&input, 1}, result.rotations, {&result.report, 1});
     return result;
 }
 

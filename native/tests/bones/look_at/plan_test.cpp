@@ -72,14 +72,37 @@ TEST_CASE("scales, shears and modes of inheritance don't keep gazes off their ta
         }
         if (i % 3 == 0) {
             figure.input.head_forward = random.around_origin(1.0);
-            figure.input.eyes_forward = random.around_origin(1.0);
+            for (glm::dvec3& forward : figure.eyes_forward) forward = random.around_origin(1.0);
+            figure.input.up = random.around_origin(1.0);
         }
         const Result result = solve(figure);
         CHECK(miss(figure, result, figure.bones.head, figure.input.head_forward) < 1e-9);
-        for (const int eye : figure.bones.eyes)
-            CHECK(miss(figure, result, eye, figure.input.eyes_forward) < 1e-9);
+        for (std::size_t eye = 0; eye < figure.bones.eyes.size(); ++eye)
+            CHECK(miss(figure, result, figure.bones.eyes[eye], figure.eyes_forward[eye]) < 1e-9);
         CHECK(result.report.angle < 1e-9);
     }
+}
+
+TEST_CASE("a figure that is built on other axes turns as the upright one does", "[rig_look_at]") {
+    // Y up and Z ahead, as in other programs: the same bones, seen in axes turned by a quarter about X.
+    Figure upright(3);
+    upright.input.settings.eyes_weight = 0.5;
+    upright.input.settings.head_limit = 1.0;
+    upright.input.target = {0.7, -1.1, 2.3};
+    Figure turned = upright;
+    const glm::dmat4 axes = glm::mat4_cast(glm::angleAxis(-0.5 * pi, glm::dvec3(1, 0, 0)));
+    for (int bone = 0; bone < static_cast<int>(turned.parents.size()); ++bone) {
+        const auto index = static_cast<std::size_t>(bone);
+        turned.set(turned.rest, bone, axes * matrix_at(upright.rest, index));
+        turned.set(turned.poses, bone, axes * matrix_at(upright.poses, index));
+    }
+    turned.world = upright.world * glm::inverse(axes);
+    turned.input.up = {0, 1, 0};
+    const Result wanted = solve(upright), found = solve(turned);
+    for (std::size_t i = 0; i < wanted.rotations.size(); ++i)
+        CHECK(angle_between(found.rotations[i], wanted.rotations[i]) < 1e-6);  // rest is single precision
+    CHECK(found.report.pitch == Approx(wanted.report.pitch).margin(1e-6));
+    CHECK(found.report.yaw == Approx(wanted.report.yaw).margin(1e-6));
 }
 
 TEST_CASE("eyes take what the head leaves, each from its own place", "[rig_look_at]") {
@@ -214,6 +237,7 @@ TEST_CASE("numbers that are not finite leave their entry alone, others are solve
 
     const Plan plan(good.parents, std::vector<Bones>(2, good.bones));
     std::vector<Input> inputs(2, good.input);
+    for (Input& input : inputs) input.eyes_forward = good.eyes_forward;
     inputs[0].target.x = nan;
     std::vector<glm::dquat> rotations(plan.rows().size());
     std::vector<Report> reports(2);
@@ -273,7 +297,14 @@ TEST_CASE("plans refuse bones that are not above each other", "[rig_look_at]") {
     const Figure figure(1);
     Report report;
     std::vector<glm::dquat> rows(9);
-    CHECK_THROWS_AS(good.solve(figure.view(), figure.world, {&figure.input, 1}, rows, {&report, 1}),
+    Input input = figure.input;
+    input.eyes_forward = figure.eyes_forward;
+    CHECK_THROWS_AS(good.solve(figure.view(), figure.world, {&input, 1}, rows, {&report, 1}),
+                    std::invalid_argument);
+    const Plan eyed(figure.parents, {&figure.bones, 1});
+    rows.resize(eyed.rows().size());
+    input.eyes_forward = input.eyes_forward.first(1);
+    CHECK_THROWS_AS(eyed.solve(figure.view(), figure.world, {&input, 1}, rows, {&report, 1}),
                     std::invalid_argument);
     // Another rig of as many bones.
     Figure same(2);

@@ -27,7 +27,8 @@ struct Input {
     glm::dvec3 target{0.0};  ///< world space
     glm::dvec3 head_forward{0.0, 0.0,
                             1.0};  ///< axis of the head bone that points where the face does; not zero
-    glm::dvec3 eyes_forward{0.0, 1.0, 0.0};  ///< the same of each eye
+    std::span<const glm::dvec3> eyes_forward;  ///< the same of each eye, in the order of Bones::eyes
+    glm::dvec3 up{0.0, 0.0, 1.0};  ///< what the rig stands along at rest, armature space; not zero
     bool is_on = true;
 };
 
@@ -45,7 +46,7 @@ struct Report {
 /// Bones of a rig that look at targets, checked once.
 ///
 /// The chest is what the head stands in: its forward is the head's where the head has no rotation of its own,
-/// its up is the rig's Z as the animated chest has carried it from rest (where the face looks along Z at
+/// its up is Input::up as the animated chest has carried it from rest (where the face looks along up at
 /// rest: the head bone's own Y or Z). Every gaze starts at its bone's own place; no bone moves the place it
 /// turns about, so that what the head has to turn is known once the body stands, and what the eyes have to
 /// once the head does. A head (or eye) of weight 1 and no limit therefore meets its target exactly, near ones
@@ -62,12 +63,15 @@ class Plan {
     [[nodiscard]] std::span<const int> rows() const noexcept { return rows_; }
     [[nodiscard]] std::span<const int> parents() const noexcept { return parents_; }
     [[nodiscard]] std::size_t size() const noexcept { return entries_.size(); }
+    /// How many eyes each entry has.
+    [[nodiscard]] std::span<const std::size_t> eye_counts() const noexcept { return eye_counts_; }
 
     /// One input, and one report, an entry; one rotation a row: of the bone's own rotation, on top of the
     /// animated one (rotation of PoseBone.matrix_basis * result), w >= 0. Without a turn (weight 0, off,
     /// target at the head itself, input not finite) exactly the identity. world: the rig's matrix_world.
     /// RigView::lengths is not read. Allocates nothing; every result is finite. Throws std::invalid_argument
-    /// where a span has another size, or the rig's parents are not the plan's.
+    /// where a span has another size, one of Input::eyes_forward included, or the rig's parents are not the
+    /// plan's.
     void solve(const RigView& rig, const glm::dmat4& world, std::span<const Input> inputs,
                std::span<glm::dquat> rotations, std::span<Report> reports) const;
 
@@ -92,6 +96,7 @@ class Plan {
 
     std::vector<int> parents_;
     std::vector<int> rows_;
+    std::vector<std::size_t> eye_counts_;
     std::vector<Entry> entries_;
 };
 
