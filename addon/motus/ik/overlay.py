@@ -14,6 +14,7 @@ from .goals import places as goal_places
 
 STEPS = 64  # of a circle
 LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn
+PLAIN_BEND = math.radians(0.5)  # joints that bend by less show no plane
 
 REACH_COLOR = (0.98, 0.80, 0.25, 0.7)
 NEAR_COLOR = (0.98, 0.80, 0.25, 0.35)
@@ -77,7 +78,7 @@ def _circles(rig, chain, entry, joints, reach):
 
     reach: as it was reported; 0 where nothing was.
     """
-    normal = placing.bend_normal(joints) or placing.hinge_normal(rig, chain, entry.hinge_angle)
+    normal = placing.bend_normal(joints, PLAIN_BEND) or placing.hinge_normal(rig, chain, entry.hinge_angle)
     links = [(end - start).length for start, end in zip(joints, joints[1:])]
     total = sum(links)
     if total == 0.0:  # a rig that is scaled to nothing

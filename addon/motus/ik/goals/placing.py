@@ -13,7 +13,7 @@ from .orientation import frame_of
 CONTROL_KEY = "motus_ik_control"
 """Custom property of the empties that are made along with an entry."""
 
-BENT = math.radians(0.5)  # a rest pose that is bent by less counts as straight
+BENT = 1e-4  # rad: of less, rounding of the bones' places leaves no plane
 ROUNDS = 20  # of turning a pole back
 STILL = 1e-7  # half an angle, rad
 ALIGNED = 1e-6  # rad: what rounding leaves between orientations that are the same
@@ -31,10 +31,14 @@ def rest_joints(rig, chain):
 
 def posed_joints(rig, chain):
     """The same as the evaluated rig stands, in world space."""
+    return [rig.matrix_world @ place for place in _joints_in_rig(rig, chain)]
+
+
+def _joints_in_rig(rig, chain):
+    """The same in armature space."""
     bones = rig.pose.bones
     last = bones[chain.effector]
-    places = [bones[name].head for name in chain.bones] + [last.tail if chain.use_tail else last.head]
-    return [rig.matrix_world @ place for place in places]
+    return [bones[name].head for name in chain.bones] + [last.tail if chain.use_tail else last.head]
 
 
 def length(joints):
@@ -57,10 +61,13 @@ def bend_normal(joints, least=BENT):
 
 
 def hinge_angle(rig, evaluated, chain, pole=None):
-    """Bend Axis of a new entry: the joint's own at rest; else such that the pole (a place) turns nothing; else 0."""
+    """Bend Axis of a new entry: the joint's own at rest, else as posed; else such that the pole (a place) turns nothing; else 0."""
     normal = bend_normal(rest_joints(rig, chain))
     if normal:
         return _about(rig.data.bones[chain.bones[0]].matrix_local, normal)
+    normal = bend_normal(_joints_in_rig(evaluated, chain))
+    if normal:
+        return _about(evaluated.pose.bones[chain.bones[0]].matrix, normal)
     if pole is not None:
         joints = posed_joints(evaluated, chain)
         normal = (joints[-1] - joints[0]).cross(pole - joints[0])
@@ -70,9 +77,10 @@ def hinge_angle(rig, evaluated, chain, pole=None):
 
 
 def _about(matrix, normal):
-    """Angle about a bone's Y from its X axis to the direction of the normal."""
+    """Angle about a bone's Y from its X axis to the normal of a bend; in a mirrored matrix to its opposite, which bends the same way."""
     local = matrix.to_3x3().inverted_safe() @ normal
-    return math.atan2(-local.z, local.x)
+    side = math.copysign(1.0, matrix.determinant())
+    return math.atan2(-side * local.z, side * local.x)
 
 
 def hinge_normal(evaluated, chain, angle):
