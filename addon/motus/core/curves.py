@@ -132,7 +132,7 @@ def _read_splines(splines, index, is_polygon):
     if count == 0:
         raise Unreadable(NO_SPLINES)
     if index != ALL_SPLINES:
-        if index >= count:
+        if not 0 <= index < count:
             raise Unreadable(NO_SUCH_SPLINE)
         return _read_spline(splines[index], is_polygon)
     long = long_splines(splines) or splines[:1]

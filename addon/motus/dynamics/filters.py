@@ -18,6 +18,18 @@ def numbers(entry):
     return tuple(getattr(entry, name) for name in NUMBERS)
 
 
+FORGOTTEN = 20.0
+"""Time constants of its slowest part after which a filter has forgotten how it swung: less is left than single precision tells."""
+
+
+def memory(found):
+    """Seconds after which the filter of (frequency, damping, response) has forgotten what was; infinite without damping."""
+    frequency, damping, _ = found
+    slowest = damping if damping <= 1.0 else 1.0 / (damping + math.sqrt(damping * damping - 1.0))
+    rate = math.tau * frequency * slowest
+    return FORGOTTEN / rate if rate > 0.0 else math.inf
+
+
 def second_order(found):
     """The native filter of (frequency, damping, response). Raises ValueError."""
     return native.module.SecondOrder(*found)

@@ -7,7 +7,7 @@ from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.system import registered
 from ..core.tracks import keys, rotations, transforms
-from . import sampling
+from . import filters, sampling
 from .sampling import Samples
 
 
@@ -70,9 +70,9 @@ class _Input:
         """As Track.extent."""
         return extent_of(self.tracks)
 
-    def times(self, frame):
-        """Frames at which it is looked at, as far as they are needed for one."""
-        return times_of(self._entry, self.tracks, self._scene, frame)
+    def times(self, reach):
+        """Frames at which it is looked at for a sampling.Reach."""
+        return times_of(self._entry, self.tracks, self._scene, reach)
 
 
 def has_loop(entry):
@@ -85,23 +85,30 @@ def extent_of(found):
     return keys.united(track.extent for track in found)
 
 
-def times_of(entry, found, scene, frame):
-    """Frames at which the tracks of an entry are looked at."""
+def times_of(entry, found, scene, reach):
+    """Frames at which the tracks of an entry are looked at for a sampling.Reach."""
     if has_loop(entry):
         return np.array(sampling.between(found, float(entry.loop_start), float(entry.loop_end), scene))
-    return sampling.times(found, sampling.span_of(extent_of(found), scene, frame), scene)
+    return sampling.times(found, _span_of(entry, found, scene, reach), scene)
 
 
-FAR = 40.0  # s: how much farther than a frame inputs are read, at first; then twice as far, and so on
+def is_cut(entry, found, scene, reach):
+    """Whether more of the tracks of an entry would count than may be looked at for a sampling.Reach."""
+    return not has_loop(entry) and extent_of(found) is not None and _span_of(entry, found, scene, reach).is_cut
 
 
-def reach(scene, frame):
-    """Up to which frame inputs are read for one: the same for many."""
-    first = scene_time.first(scene)
-    found = first + FAR * scene_time.fps(scene)
-    while found < frame:
-        found = first + 2.0 * (found - first)
-    return found
+def _span_of(entry, found, scene, reach):
+    return sampling.span_of(extent_of(found), scene, reach, past_of(entry) * scene_time.fps(scene))
+
+
+def price_of(source):
+    """What a piece of an input costs; see core/bounds.py."""
+    return sampling.RATE * sampling.PIECE * sum(track.price for track in source.tracks)
+
+
+def past_of(entry):
+    """Seconds of its input that count for an entry at a time."""
+    return filters.memory(filters.numbers(entry)) + entry.delay
 
 
 def seconds_of(frames, scene):

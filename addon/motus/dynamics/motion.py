@@ -104,14 +104,14 @@ def _shares(turns, weight):
     return mixed / np.sqrt((mixed * mixed).sum(axis=-1, keepdims=True))
 
 
-def part_of(thing, entry, row, place, scene, frame):
+def part_of(thing, entry, row, place, scene, reach):
     """The Part of an entry and its member; None where nothing moves. Raises OpenLoop, and ValueError for bad numbers."""
     is_object = thing == thing.id_data
     source = inputs.of_object(thing, entry, scene) if is_object else inputs.OwnInput(thing, entry, scene)
     extent = source.extent
     if extent is None:
         return None
-    samples = source.samples(source.times(frame))
+    samples = source.samples(source.times(reach))
     # An object that is moved has its filter for each channel that it has.
     follower = filters.second_order(filters.numbers(entry))
     is_loop = inputs.has_loop(entry)
@@ -126,11 +126,11 @@ def part_of(thing, entry, row, place, scene, frame):
         module.Track(follower, samples.seconds, samples.scales, resets, is_loop) if 'SCALE' in channels else None)
 
 
-def values_of(source, entry, outputs, place, scene, frame):
+def values_of(source, entry, outputs, place, scene, reach):
     """The Values of an entry, and its property by its ValueInput; None where nothing moves. Raises ValueError for bad numbers."""
     if source.extent is None:
         return None
-    frames = source.times(frame)
+    frames = source.times(reach)
     numbers = source.values(frames)
     is_loop, jumps = inputs.has_loop(entry), inputs.sampling.resets(frames, numbers, entry.jump)
     track = native.module.Track(
@@ -148,7 +148,7 @@ def _closed(turns):
     return turns
 
 
-def tails_of(bones, entries, rows, places, scene, frame):
+def tails_of(bones, entries, rows, places, scene, reach):
     """Tails of the bones whose entries go the same way; [] where nothing moves. Raises ValueError for bad numbers."""
     ways = {}
     for index, entry in enumerate(entries):
@@ -160,10 +160,11 @@ def tails_of(bones, entries, rows, places, scene, frame):
     if source.extent is None:
         return []
     for (numbers, delay, loop, jump), members in ways.items():
-        if loop not in known:
-            frames = inputs.times_of(entries[members[0]], source.tracks, scene, frame)
-            known[loop] = frames, source.tails(frames)
-        frames, tails = known[loop]
+        frames = inputs.times_of(entries[members[0]], source.tracks, scene, reach)
+        place = frames.tobytes()
+        if place not in known:
+            known[place] = source.tails(frames)
+        tails = known[place]
         names = [bones[index].name for index in members]
         jumps = inputs.sampling.resets(frames, tails[bones[0].name], jump)
         track = native.module.Track(

@@ -2,7 +2,7 @@
 
 import functools
 
-from ..core import entry_keys, native, rigs, scene_time, tracks
+from ..core import bounds, entry_keys, native, rigs, scene_time, tracks
 from ..core.lazy import numpy as np
 from ..core.tracks import rotations
 from ..core.tracks.animation import Channel
@@ -11,7 +11,7 @@ from ..core.tracks.reason import Reason
 from ..core.tracks.rig_inputs import RigInputs, kept, once, stamp_of
 from ..core.tracks.solved import turned
 from ..core.tracks.strips import together
-from . import groups, inputs, motion, setup
+from . import groups, inputs, motion, sampling, setup
 from .properties import KEYWORDS
 
 
@@ -67,8 +67,13 @@ class _OverTime:
         weight = self._weight(self._entry)
         if weight <= 0.0 or len(times) == 0:
             return None, 0.0
-        reach = inputs.reach(self._scene, float(np.max(times)))
+        reach = self._reach(times)
         return answered((hash(thing), hash(self._scene), "dynamics", reach), lambda: self._made(thing, reach)), weight
+
+    def _reach(self, times):
+        """The sampling.Reach of times (n,), one or more."""
+        most = bounds.times(inputs.price_of(self._input))
+        return sampling.reach_of(self._scene, float(np.min(times)), float(np.max(times)), max(sampling.FEW, most))
 
     def _made(self, thing, reach):
         try:
@@ -187,8 +192,7 @@ class _Tail(_OverTime):
         count, places = len(times), [setup.find(self._owner.motus.dynamics, name) for name in names]
         try:
             tails = motion.tails_of(
-                self._unit.things, self._unit.entries, range(len(names)), places, self._scene,
-                inputs.reach(self._scene, float(np.max(times)) if count else 0.0))
+                self._unit.things, self._unit.entries, range(len(names)), places, self._scene, self._reach(times)) if count else []
         except ValueError:
             return None
         if not tails:

@@ -10,37 +10,59 @@ from ..core.tracks.keys import union
 RATE = 192.0
 """Samples in a second, about: between them an input is taken for linear, by which it is 3e-5 of its amplitude off at 2 Hz."""
 PIECE = 40.0  # s
-PIECES = 64
-"""Pieces of equal length; each further one is twice as long as the one before, with as many samples."""
-MOST_PIECES = 80
+FEW = 4
+"""Pieces that are looked at whatever they cost: for what is read in a moment, what most filters remember of the one before."""
+
+
+class Reach(NamedTuple):
+    """Frames `low` to `high` for which inputs are looked at, by at most so many pieces."""
+
+    low: float
+    high: float
+    most: int = FEW
 
 
 class Span(NamedTuple):
-    """Which samples are there: from `first` on for a number of pieces, or to `last`. Frames."""
+    """Which samples there are: those of the pieces `begin` up to `end`, which follow each other from frame `first` on, up to frame `last`.
+
+    is_cut: whether more would be needed.
+    """
 
     first: float
     last: float
-    pieces: int
+    begin: int
+    end: int
+    is_cut: bool
 
 
-def span_of(extent, scene, frame):
-    """The Span of an input that changes within `extent`, as far as it is needed for a frame.
+def reach_of(scene, low, high, most=FEW):
+    """The Reach for some frames: the same for many, so that inputs are not looked at too often."""
+    first, length = scene_time.first(scene), _length(scene)
+    blocks = math.floor((low - first) / length), math.floor((high - first) / length)
+    start = first + length * blocks[0] if blocks[0] > 0 else -math.inf
+    return Reach(start, first + length * (max(blocks[1], 0) + 1), most)
 
-    What has no first key is taken to rest before the scene's first frame.
+
+def span_of(extent, scene, reach, past):
+    """The Span of an input that changes within `extent`, as far as it matters within a Reach, of which the last `past` frames count.
+
+    What has no first key is taken to rest before the scene's first frame. Where too many pieces would count, the first ones do.
     """
     first = min(scene_time.first(scene), extent[1]) if math.isinf(extent[0]) else extent[0]
-    reach = min(extent[1], max(frame, first))
-    pieces = 1
-    while pieces < MOST_PIECES and _edge(first, pieces, scene) < reach:
-        pieces *= 2  # so that it is not made anew too often
-    return Span(first, extent[1], min(pieces, MOST_PIECES))
+    length = _length(scene)
+    end = max(1, math.ceil((min(extent[1], reach.high) - first) / length - 1e-9))
+    begin = max(0.0, (min(extent[1], reach.low) - past - first) / length)
+    begin = 0 if end <= FEW else min(math.floor(begin), end - 1)
+    is_cut = end - begin > reach.most
+    return Span(first, extent[1], 0, reach.most, True) if is_cut else Span(first, extent[1], begin, end, False)
 
 
 def times(tracks, span, scene):
     """Rising frames over a Span: what the tracks bend at, and enough between."""
-    found = [span.first]
-    for piece in range(span.pieces):
-        start, end = _edge(span.first, piece, scene), min(_edge(span.first, piece + 1, scene), span.last)
+    length = _length(scene)
+    found = [span.first + length * span.begin]
+    for piece in range(span.begin, span.end):
+        start, end = span.first + length * piece, min(span.first + length * (piece + 1), span.last)
         if end > start:
             found += between(tracks, start, end, scene)[1:]
     return np.array(found)
@@ -58,12 +80,9 @@ def between(tracks, start, end, scene):
     return found
 
 
-def _edge(first, piece, scene):
-    """Where a piece begins."""
-    length = max(1.0, round(PIECE * scene_time.fps(scene)))
-    if piece <= PIECES:
-        return first + length * piece
-    return first + length * (PIECES - 1 + 2.0 ** (piece - PIECES))
+def _length(scene):
+    """Frames of a piece."""
+    return max(1.0, round(PIECE * scene_time.fps(scene)))
 
 
 class Samples(NamedTuple):

@@ -6,11 +6,11 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ..core import copies, native, rigs, scene_time, stored, wiring
+from ..core import bounds, copies, native, rigs, scene_time, stored, wiring
 from ..core.lazy import numpy as np
 from ..core.system import Problem, registered, systems
 from ..core.tracks import strips, transforms, world_track
-from . import inputs, motion
+from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
 NEEDS_RECORDING = Problem("Some of the followed motion cannot be read from keys: record it", blocking=False)
@@ -24,15 +24,18 @@ EMPTY_LOOP = Problem("A loop ends before it begins, and is none: set its end beh
 MISSING_BONES = Problem("Some bones that follow are not there any more: remove them from the list", blocking=False)
 LOOPED_BONES = Problem("Some bones move with what they follow, and are left out", blocking=False)
 BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
+TOO_LONG = Problem(
+    "What is followed goes on for too long, and only its beginning counts: raise Damping or Frequency, shorten Delay, or have fewer dynamics",
+    blocking=False)
 PROBLEMS = (NEEDS_RECORDING, LOOP_IS_OPEN, BAD_NUMBERS, JUMPS_LOOPED, CONSTRAINED, LOOPED_BONES, BONES_CHANGED, EMPTY_LOOP,
-            MISSING_BONES, NOT_KNOWN)
+            MISSING_BONES, NOT_KNOWN, TOO_LONG)
 
 _FORM = {"fingerprint": int, "units": [(str, [str])], "properties?": [(str, lambda index: type(index) is int, int)]}
 """Of what groups.py notes."""
 
 
 class Made(NamedTuple):
-    """What was made of inputs, for frames up to `reach`. stamp: of them, which says what is Asked as well.
+    """What was made of inputs, for frames of a sampling.Reach. stamp: of them, which says what is Asked as well.
 
     parts: motion.Part of members. tails: [motion.Tails], each with its bones' native plan. values: [motion.Values].
     weights: of all entries where nothing animates them.
@@ -40,7 +43,7 @@ class Made(NamedTuple):
 
     stamp: Any
     asked: Any
-    reach: float
+    reach: Any
     parts: list
     tails: list
     values: list
@@ -106,7 +109,7 @@ def _made(context):
     copy = copies.of(owner)
     place = "dynamics", context.group
     found = copy.found.get(place) if copy else None
-    if (found is None or found.stamp is None or context.frame > found.reach
+    if (found is None or found.stamp is None or not found.reach.low <= context.frame < found.reach.high
             or found.stamp != _stamp(owner, copy, scene, found.asked)):
         found = _make(context, copy, scene)
         if copy:
@@ -158,9 +161,9 @@ def _animation_of(owner, path):
 class _Making:
     """Makes what the units and properties of a group become, and notes what is wrong with them."""
 
-    def __init__(self, owner, settings, scene, frame):
+    def __init__(self, owner, settings, scene):
         self._owner, self._settings, self._scene = owner, settings, scene
-        self.reach = inputs.reach(scene, frame)
+        self._ready, self.reach = [], None
         self.parts, self.tails, self.values, self.members, self.problems, self.carriers = [], [], [], [], [], []
         self._places = {(entry.name, entry.data_path, entry.index if entry.data_path else -1): place
                         for place, entry in enumerate(settings.entries)}
@@ -176,7 +179,7 @@ class _Making:
         self.carriers += source.carriers
         if self._is_ready(source, entries):
             make = self._make_tails if kind == 'TAILS' else self._make_part
-            self._try(make, things, entries, rows, places)
+            self._ready.append((source, entries, functools.partial(make, things, entries, rows, places)))
 
     def _make_tails(self, things, entries, rows, places):
         first = len(self.members)
@@ -197,7 +200,7 @@ class _Making:
         entry = self._settings.entries[place]
         source = inputs.ValueInput(self._owner, entry, self._scene)
         if len(source.tracks) == outputs.stop - outputs.start and self._is_ready(source, [entry]):
-            self._try(self._make_values, source, entry, outputs, place)
+            self._ready.append((source, [entry], functools.partial(self._make_values, source, entry, outputs, place)))
 
     def _make_values(self, source, entry, outputs, place):
         made = motion.values_of(source, entry, outputs, place, self._scene, self.reach)
@@ -214,9 +217,18 @@ class _Making:
             return False
         return source.is_known
 
-    def _try(self, make, *arguments):
+    def make(self, frame):
+        """Make all that was taken in, for a frame and many beside it."""
+        most = bounds.times(sum(inputs.price_of(source) for source, _, _ in self._ready))
+        self.reach = sampling.reach_of(self._scene, frame, frame, max(sampling.FEW, most))
+        for source, entries, make in self._ready:
+            if any(inputs.is_cut(entry, source.tracks, self._scene, self.reach) for entry in entries):
+                self.problems.append(TOO_LONG)
+            self._try(make)
+
+    def _try(self, make):
         try:
-            if any(one.swings_through for one in make(*arguments)):
+            if any(one.swings_through for one in make()):
                 self.problems.append(JUMPS_LOOPED)
         except motion.OpenLoop:
             self.problems.append(LOOP_IS_OPEN)
@@ -227,7 +239,7 @@ class _Making:
 def _make(context, copy, scene):
     owner, settings = context.owner, context.settings
     plan = stored.parse(context.data.get(PLAN), _FORM)
-    making = _Making(owner, settings, scene, context.frame)
+    making = _Making(owner, settings, scene)
     row = slot = 0
     for kind, names in plan["units"]:
         making.unit(kind, names, range(row, row + len(names)))
@@ -238,6 +250,7 @@ def _make(context, copy, scene):
         slot += count
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
+    making.make(context.frame)
     asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties))
     is_still = copy is not None and not copy.has_animated_settings
     return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,

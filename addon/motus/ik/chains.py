@@ -53,7 +53,7 @@ def of_bone(rig, name, chain_length, use_tail):
     if bone is None:
         return None
     bones = [bone, *bone.parent_recursive]
-    if chain_length:
+    if chain_length > 0:
         bones = bones[:chain_length]
     return Chain(tuple(found.name for found in reversed(bones)), name, use_tail)
 

@@ -24,6 +24,9 @@ _asked = set()
 class Solved:
     """What a system makes of an Object or PoseBone, as a part of a chain of parents. label: of the system."""
 
+    price = 30
+    """As Track.price: about what a transform of a system's takes, beside what it reads."""
+
     def __init__(self, system, thing, source):
         self.label, self._thing, self._source = system.label, thing, source
         self.bounds, self.applied = source.bounds, source.applied

@@ -145,6 +145,11 @@ class Track:
         return (self.recording.start, self.recording.end) if self.recording else None
 
     @property
+    def price(self):
+        """What values() costs for each time; see core/bounds.py."""
+        return getattr(self._source, "price", 1) if self.reason is None else self.width
+
+    @property
     def stamp(self):
         """Of an evaluated thing: something hashable that changes whenever values() may; None where that is not known."""
         if self.reason is None:

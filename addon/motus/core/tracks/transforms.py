@@ -57,6 +57,9 @@ class Own:
         self._prefix = "" if thing == self._id else f"{thing.path_from_id()}."
         self._mode = thing.rotation_mode
 
+    price = 10
+    """As Track.price: of location, rotation and scale."""
+
     @functools.cached_property
     def channels(self):
         """{property: its Channels}, of those that count in the rotation mode."""
@@ -273,6 +276,11 @@ class World:
             self._of(link, "extent", lambda link=link: link.extent) for link in self._links]))
 
     @property
+    def price(self):
+        """As Track.price."""
+        return sum(link.price for link in self._links)
+
+    @property
     def stamp(self):
         """As Channel.stamp."""
         return answered((self, "stamp"), lambda: strips.together([
@@ -364,6 +372,10 @@ class _Link:
 
     def bounds(self, first, last):
         return keys.union([part.bounds(first, last) for part in self._parts])
+
+    @property
+    def price(self):
+        return sum(part.price for part in self._parts)
 
     @property
     def extent(self):

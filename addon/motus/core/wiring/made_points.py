@@ -11,7 +11,7 @@ from .. import capabilities, native, node_groups
 from ..lazy import numpy as np
 from ..scratch import scratch
 from ..stored import Damaged
-from . import attributes
+from . import attributes, finite
 
 IS_FIRST = False
 """The modifier is added behind those that the owner has: these shape what the owner has by itself."""
@@ -68,6 +68,11 @@ class Room:
         rotations = scratch(f"rotations {name}", (count, 4), np.float32)
         self._staged.append(lambda: np.copyto(angles, native.module.euler_xyz(rotations.astype(float))))
         return rotations
+
+    def is_finite(self):
+        """Whether where the points are, how large, and how they are turned may reach Blender."""
+        placing = (name for name, kind in (("position", 'VECTOR'), *self._made.attributes) if name == "position" or name == RADIUS or kind == 'QUATERNION')
+        return self._found is None or all(finite.is_finite(self._found[name]) for name in placing if name in self._found)
 
     def write(self, weight):
         """Let the evaluated hub have the points, or none where the weight is 0 or the solver has asked for none."""

@@ -4,7 +4,7 @@ from .. import node_groups
 from ..lazy import numpy as np
 from ..scratch import scratch
 from ..system import Vertices
-from . import attributes
+from . import attributes, finite
 
 ATTRIBUTE = "motus_offset"
 IS_FIRST = True
@@ -23,6 +23,13 @@ class Room:
         count = len(mesh.vertices) if mesh else 0
         self._carrier, self._offsets = carrier, _zeros(carrier, count)
         context.offsets = self._offsets[:count]
+
+    def is_finite(self):
+        """Whether the vectors may reach the owner's points; else these stay where they are."""
+        if finite.is_finite(self._offsets):
+            return True
+        self._offsets.fill(0.0)
+        return False
 
     def write(self, weight):
         """Let the evaluated hub hold the vectors, times the weight."""

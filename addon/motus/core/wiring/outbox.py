@@ -39,7 +39,7 @@ SHARED_KEY = "motus_shared"
 """Custom property of the mesh of a hub that owners share (see rows): [1], or [0] where the members sample no attribute."""
 MEMBER_DATA_KEY = "motus_member_data"
 """Custom property of a hub's mesh: what System.member_data said when the settings last changed."""
-INTERNAL, SILENT, DAMAGED, NEWER, FULL = -1, -2, -3, -4, -5
+INTERNAL, SILENT, DAMAGED, NEWER, FULL, NOT_FINITE = -1, -2, -3, -4, -5, -6
 VERSION = 1
 """Of what lies in an outbox and beside it; to be raised where an add-on of today could not read it."""
 OTHER = "\n"

@@ -15,9 +15,10 @@ _PROPERTY_PROBLEM = Problem(
     "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven", blocking=False)
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
 _FULL_PROBLEM = Problem("There are more points than there is room for: only the first ones are shown", blocking=False)
+_NOT_FINITE_PROBLEM = Problem("A setting, or what comes of it, is no number, or too large: look through the settings")
 _OWN_PROBLEMS = {
     outbox.INTERNAL: _INTERNAL_PROBLEM, outbox.SILENT: _SILENT_PROBLEM, outbox.DAMAGED: _DAMAGED_PROBLEM,
-    outbox.NEWER: _NEWER_PROBLEM, outbox.FULL: _FULL_PROBLEM}
+    outbox.NEWER: _NEWER_PROBLEM, outbox.FULL: _FULL_PROBLEM, outbox.NOT_FINITE: _NOT_FINITE_PROBLEM}
 
 
 def problem(system, owner, depsgraph):

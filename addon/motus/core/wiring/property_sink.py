@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import bpy
 
 from .. import copies, datablocks, stored
-from ..refusals import Refused, check_local
+from ..refusals import INFINITE, Refused, check_local
 from ..system import Variable
 from ..tracks import animation
 from ..translations import tr
@@ -221,7 +221,7 @@ def blend(mesh, owner, box, frame, weight):
     """Lay what the solver has found over the properties' own values. owner: evaluated."""
     for order, note in enumerate(_checked(mesh, box)):
         value = box[note.slot]
-        is_set = weight != 0.0 and math.isfinite(value)
+        is_set = weight != 0.0 and abs(value) < INFINITE
         if weight == 1.0 and is_set:
             continue
         own = _own(mesh.get(_object_key(order), owner), note, frame)

@@ -8,8 +8,8 @@ from bpy.app.handlers import persistent
 from .. import copies, handlers
 from ..lazy import numpy as np
 from ..per_thread import keep_state
-from ..stored import Damaged, Newer
-from ..system import groups_of
+from ..stored import Damaged
+from ..system import groups_of, of_owner
 from . import attribute_sink, geometry_sink, healing, outbox, property_sink, revival, solving
 
 
@@ -40,14 +40,14 @@ class _Points:
 
 def _fail(error, carrier=None, name="", frame=0.0):
     """The status of a carrier that was not solved, whose members are left at their own transforms, as far as can be."""
-    solving.log_error(carrier, name, error)
+    settings = None
     with suppress(Exception):
         system, key = solving.called(name)
+        with suppress(Damaged):
+            settings = of_owner(system, outbox.owner_of(system, carrier))
         if outbox.is_in_place(system, carrier, key):
             _rest(system, key, carrier, frame)
-    if isinstance(error, Damaged):
-        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
-    return float(outbox.INTERNAL)
+    return solving.status_of(error, carrier, name, settings)
 
 
 def _rest(system, key, carrier, frame):

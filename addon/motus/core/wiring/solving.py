@@ -9,9 +9,9 @@ import logging
 
 from .. import copies, native, read_keys, stored
 from ..lazy import numpy as np
-from ..stored import Damaged
+from ..stored import Damaged, Newer
 from ..system import Context, Setting, System, groups_of, of_owner, registered
-from . import attribute_sink, geometry_sink, healing, outbox, outputs, property_sink, rows
+from . import attribute_sink, finite, geometry_sink, healing, outbox, outputs, property_sink, rows
 
 log = logging.getLogger(__name__)
 
@@ -97,9 +97,10 @@ class Solver:
         if self._drives_properties:
             property_sink.clear(carrier, self._box)
         problem = system.solve(context, **inputs)
-        is_blocked = problem is not None and problem.blocking
-        box[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
-        influence = context.settings.influence
+        is_finite = self._is_finite(room)
+        is_blocked = not is_finite or problem is not None and problem.blocking
+        box[outbox.STATUS] = outbox.NOT_FINITE if not is_finite else 0.0 if problem is None else system.problems.index(problem) + 1.0
+        influence = finite.share(context.settings.influence)
         if self._drives_properties:
             property_sink.blend(carrier, owner, self._box, frame, 0.0 if is_blocked else influence)
         # Where members are relative the solver applies the influence, and then to the absolute ones among them too.
@@ -119,6 +120,14 @@ class Solver:
             self._outlet[:] = box[:len(self._outlet)]
         self._tell_healing(moves)
         return box[outbox.STATUS]
+
+    def _is_finite(self, room):
+        """Whether what was found may reach the sinks. Outputs that may not are 0; those of properties that are left alone are NaN."""
+        outputs = self._context.outputs
+        if len(outputs) and not self._drives_properties and not finite.is_finite(outputs):
+            outputs[~(np.abs(outputs) < finite.INFINITE)] = 0.0
+            return False
+        return finite.is_finite(self._poses.block) if room is None else room.is_finite()
 
     def _read(self, values):
         """The arguments of solve by their names."""
@@ -224,12 +233,14 @@ class RowsSolver:
         try:
             problem = system.solve(context, **inputs)
         except Exception as error:
-            log_error(self._mesh, system.name, error)
-            slots[outbox.STATUS] = outbox.DAMAGED if isinstance(error, Damaged) else outbox.INTERNAL
+            slots[outbox.STATUS] = status_of(error, self._mesh, system.name, None)
         else:
             slots[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
-            if problem is None or not problem.blocking:
-                slots[outbox.WEIGHT] = context.settings.influence
+            if not (finite.is_finite(context.locations) and finite.is_finite(context.rotations) and finite.is_finite(context.outputs)):
+                slots[outbox.STATUS] = outbox.NOT_FINITE
+                context.outputs[:] = 0.0
+            elif problem is None or not problem.blocking:
+                slots[outbox.WEIGHT] = finite.share(context.settings.influence)
                 return
         context.locations[:] = 0.0
         context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
@@ -248,11 +259,11 @@ def _arguments(inputs, values, settings):
 
 
 class _Poses:
-    """Room for what a solver finds: locations (n, 3), rotations (n, 4), scales (n, 3) in one block of memory."""
+    """Room for what a solver finds: locations (n, 3), rotations (n, 4), scales (n, 3) in one `block` of memory."""
 
     def __init__(self, count):
-        self._block, self._neutral = np.empty(10 * count), np.zeros(10 * count)
-        self.locations, self.rotations, self.scales = self._parts(self._block)
+        self.block, self._neutral = np.empty(10 * count), np.zeros(10 * count)
+        self.locations, self.rotations, self.scales = self._parts(self.block)
         _, rotations, scales = self._parts(self._neutral)
         rotations[:, 0] = 1.0
         scales.fill(1.0)
@@ -264,7 +275,7 @@ class _Poses:
 
     def reset(self):
         """Let nothing turn or move."""
-        self._block[:] = self._neutral
+        self.block[:] = self._neutral
 
 
 def do_nothing(box, layout):
@@ -289,8 +300,12 @@ def _member_data(system, carrier, owner, count):
     return data
 
 
-def log_error(carrier, name, error):
-    """Write down that something could not be computed."""
+def status_of(error, carrier, name, settings):
+    """The status of what could not be computed, which is written down unless the file is damaged. settings: the owner's, or None."""
     # What is damaged in a file is said in the panel; here it would be said at every frame.
-    if not isinstance(error, Damaged):
-        log.error("Motus: %s could not be computed on %s", name, getattr(carrier, "name", carrier), exc_info=error)
+    if isinstance(error, Damaged):
+        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
+    if settings is not None and finite.has_bad_settings(settings):
+        return float(outbox.NOT_FINITE)
+    log.error("Motus: %s could not be computed on %s", name, getattr(carrier, "name", carrier), exc_info=error)
+    return float(outbox.INTERNAL)

@@ -155,6 +155,8 @@ INTERFACE = {
     "{name} does not go with a single property": "{name} no va con una sola propiedad",
     "Some numbers are outside of what a motion can be computed from":
         "Algunos números están fuera de lo que permite calcular un movimiento",
+    "What is followed goes on for too long, and only its beginning counts: raise Damping or Frequency, shorten Delay, or have fewer dynamics":
+        "Lo que se sigue dura demasiado y solo cuenta su principio: sube Amortiguación o Frecuencia, acorta Retraso, o usa menos dinámica",
     "Where the motion loops, jumps of what it follows are swung through":
         "Donde el movimiento se repite, los saltos de lo que sigue se recorren oscilando",
     "Constraints of its own are not followed, and may undo it: let an empty have them, and a child of that the dynamics":

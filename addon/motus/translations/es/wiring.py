@@ -16,6 +16,8 @@ INTERFACE = {
     "{path} of {object} has a driver already: remove it first": "{path} de {object} ya tiene un controlador: quítalo antes",
     "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven":
         "Una propiedad que se ha de controlar ya no está, tiene otro controlador o es de otro archivo; las demás se controlan",
+    "A setting, or what comes of it, is no number, or too large: look through the settings":
+        "Un ajuste, o lo que resulta de él, no es un número, o es demasiado grande: revisa los ajustes",
     "Wired": "Conectado",
     "What was wired, to notice where it has changed since":
         "Lo que se conectó, para notar dónde ha cambiado desde entonces",

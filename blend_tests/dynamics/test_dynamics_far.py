@@ -1,0 +1,105 @@
+"""Motions without an end: a frame far away takes no longer than one nearby, and is as exact."""
+
+from unittest import mock
+
+import bpy
+import numpy as np
+import support
+from dynamics.dynamics_cases import add, go_to, link, matrix, moved, place, problem
+
+PERIOD = 40
+FAR = 1_000_000
+MOST = 50_000
+"""Samples for a frame. Of two and a half hours there would be 8 million."""
+
+
+def repeated(name="Ball"):
+    """An empty whose keys are repeated for ever."""
+    ball = moved(name, {1: (0.0, 0.0, 0.0), 11: (3.0, 1.0, 0.0), 1 + PERIOD: (0.0, 0.0, 0.0)})
+    for curve in support.addon("core.actions").fcurves(ball):
+        curve.modifiers.new('CYCLES')
+        curve.update()
+    return ball
+
+
+class FarTest(support.SceneTestCase):
+    def samples(self, frame, *objects):
+        """(places of objects on a frame, how many samples of inputs they were made of)."""
+        motion = support.addon("dynamics.motion")
+        counted = []
+
+        def times_of(*arguments):
+            found = inputs_times(*arguments)
+            counted.append(len(found))
+            return found
+
+        inputs_times = motion.inputs.times_of
+        with mock.patch.object(motion.inputs, "times_of", times_of):
+            found = [place(obj, frame) for obj in objects]
+        return np.array(found), sum(counted)
+
+    def test_a_repeated_motion_repeats(self):
+        """By its definition: once its start is forgotten the output of what has a period has that period."""
+        ball = repeated()
+        add(ball, frequency=1.5, damping=0.3)
+        near = 15 + 20 * PERIOD
+        expected, _ = self.samples(near, ball)
+        self.assertGreater(np.abs(expected - place(repeated("Free"), near)).max(), 0.05)
+        for laps in (200, 5000, FAR // PERIOD - 21):
+            found, count = self.samples(near + laps * PERIOD, ball)
+            # A key far away lies on a number of single precision.
+            np.testing.assert_allclose(found, expected, atol=2e-3)
+            self.assertLess(count, MOST)
+        self.assertIsNone(problem(ball))
+        np.testing.assert_allclose(place(ball, near), expected[0], atol=1e-6)
+
+    def test_where_one_window_goes_over_into_the_next(self):
+        ball = repeated()
+        add(ball, frequency=1.0, damping=0.2)
+        window = round(40 * bpy.context.scene.render.fps)
+        edge = 1 + 7 * window
+        steps = np.array([place(ball, edge + offset) for offset in (-0.02, -0.01, 0.0, 0.01, 0.02)])
+        ways = np.diff(steps, axis=0)
+        np.testing.assert_allclose(ways, ways[:1].repeat(4, axis=0), atol=2e-4)
+
+    def test_in_any_order(self):
+        ball = repeated()
+        child = link("Child", parent=ball)
+        child.location.z = 1.0
+        add(ball)
+        add(child, follow='WORLD')
+        frames = (30, 12_345, 40_000.5, FAR)
+        found = {frame: matrix(child, frame) for frame in frames}
+        for frame in reversed(frames):
+            bpy.data.objects["Ball"].update_tag()
+            np.testing.assert_array_equal(matrix(child, frame), found[frame])
+
+    def test_a_child_of_what_swings_is_bounded(self):
+        ball = moved()
+        children = [link(f"Child {index}", parent=ball) for index in range(3)]
+        add(ball)
+        for child in children:
+            add(child, follow='WORLD')
+        _, count = self.samples(FAR, ball, *children)
+        self.assertLess(count, 4 * MOST)
+
+    def test_what_is_never_forgotten_is_said(self):
+        ball = repeated()
+        entry, = add(ball, damping=0.0)
+        self.assertIsNone(problem(ball))
+        _, count = self.samples(FAR, ball)
+        self.assertIn("raise Damping", problem(ball).sentence)
+        self.assertLess(count, 200_000)
+        self.assertTrue(np.isfinite(matrix(ball, FAR)).all())
+        entry.damping = 0.5
+        go_to(FAR)
+        self.assertIsNone(problem(ball))
+
+    def test_many_that_never_forget_share_the_bound(self):
+        balls = [repeated(f"Ball {index}") for index in range(2)]
+        holder = link("Holder")
+        for index, ball in enumerate(balls):
+            ball.parent = holder
+            add(ball, damping=0.0, channels={'LOCATION', 'ROTATION', 'SCALE'})
+        _, count = self.samples(FAR, *balls)
+        self.assertLess(count, 400_000)
