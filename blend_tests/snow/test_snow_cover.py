@@ -113,10 +113,10 @@ class Cover(CoverTestCase):
                 bpy.context.view_layer.update()
                 _, plan = next(reversed(work._done))
                 _, triangles = native().refine(*placing.joined(plan.lain_on), plan.resolution)
-                found = work.seconds(plan._replace(falls=())) / work.TRIANGLE
+                found = work.price(plan._replace(falls=())) / work.TRIANGLE
                 self.assertTrue(0.7 < found / len(triangles) < 1.5, (found, len(triangles)))
         # More than there can be takes no longer.
-        self.assertAlmostEqual(work.seconds(plan._replace(falls=(), resolution=1e-6)) / work.TRIANGLE, 4 * ground.MOST, delta=10)
+        self.assertAlmostEqual(work.price(plan._replace(falls=(), resolution=1e-6)) / work.TRIANGLE, 4 * ground.MOST, delta=10)
 
     def test_the_layer_is_fine_and_the_surface_stays(self):
         meadow = self.square()

@@ -49,6 +49,7 @@ def test_work_is_asked_for():
     cover, _ = build()
     work = support.addon("snow.cover.work")
     with mock.patch.object(work, "LONG", 0.0):
+        work._done.clear()
         cover.motus.snow_cover.lump = 0.2
         bpy.context.scene.frame_set(100)
         yield

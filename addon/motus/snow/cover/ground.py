@@ -14,10 +14,11 @@ KEPT = 3
 
 class Ground(NamedTuple):
     """collider: the native SnowCollider of the surfaces and what shelters them. layer: the SnowLayer of the surfaces alone,
-    whose vertices come first in the collider."""
+    whose vertices come first among the vertex_count ones of the collider."""
 
     collider: Any
     layer: Any
+    vertex_count: int
 
 
 @functools.lru_cache(maxsize=KEPT)
@@ -33,4 +34,4 @@ def made(lain_on, shelters, resolution, up):
     if shelters:
         more = meshes.joined(shelters)
         joined.append((more[0], more[1] + np.int32(len(positions))))
-    return Ground(native.module.SnowCollider(*map(np.concatenate, zip(*joined))), layer)
+    return Ground(native.module.SnowCollider(*map(np.concatenate, zip(*joined))), layer, sum(len(one) for one, _ in joined))

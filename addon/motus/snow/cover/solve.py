@@ -15,14 +15,14 @@ NO_SURFACE = Problem("Add a mesh that snow is to lie on")
 NO_FACES = Problem("None of the surfaces has faces")
 NO_SNOW = Problem("Add an emitter of snow that falls on the surfaces")
 NOT_FINITE = Problem("A setting of the cover is not a finite number")
-TOO_MANY = Problem("More than 10 million flakes fall until the end: let fewer flakes fall, and raise Snow per Flake")
-WAITING = Problem("So many flakes, or faces, take some time: press Calculate Snow")
+TOO_MANY = Problem("More than 10 million flakes fall until the end: let fewer flakes fall, and raise Snow per Flake", False)
+WAITING = Problem("So many flakes, or faces, take some time: press Calculate Snow", False)
 UNKNOWN = Problem(
     "An emitter's motion, or the wind, is not known ahead, and counts as it is now: record it, or key it", False)
 MOVES = Problem("A surface moves: flakes have landed where it is on the present frame", False)
 SOME_WITHOUT = Problem("A surface has no faces, or an emitter no mesh: they are left out", False)
 UNBAKEABLE = Problem("Lying snow is computed on each frame: there is nothing to bake")
-PROBLEMS = (*colliders.PROBLEMS, *view.PROBLEMS, NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT, work.TOO_FINE,
+PROBLEMS = (*colliders.PROBLEMS, *view.PROBLEMS, NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT, work.TOO_FINE, work.LESS_SMOOTH,
             flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
 
 POINTS = Points(attributes=(("depth", 'FLOAT'),), shape='FACES', capacity=4 * ground.MOST)
@@ -48,25 +48,34 @@ def solve(context, scenery, influence):
         return NOT_FINITE
     if influence <= 0.0:
         return None
-    plan, times, fault = _plan(context, settings, wiring.waited_for(settings) if scenery else {})
-    if plan is None:
-        return fault
+    plan, fault = _plan(context, settings, wiring.waited_for(settings) if scenery else {})
     name = context.owner.name
+    found = fault if plan is None else _work(context, name, plan)
+    if isinstance(found, Problem):
+        # What was worked out before stays until the problem is mended.
+        before = None if found.blocking else work.latest(name)
+        if before:
+            _fill(context, *before, influence)
+        return found
+    _fill(context, plan, found, influence)
+    return fault or found.fault
+
+
+def _work(context, name, plan):
+    """The Work of a plan, or what keeps it from being done now."""
+    if work.is_too_fine(plan):
+        return work.TOO_FINE
     found = work.known(name, plan)
-    if found is None and work.seconds(plan) > work.LONG and work.may_wait(context.depsgraph, context.owner):
+    if found is None and work.price(plan) > work.LONG and work.may_wait(context.depsgraph, context.owner):
         work.ask(name, plan)
         return WAITING
-    found = found or work.do(name, plan)
-    if isinstance(found, Problem):
-        return found
-    _fill(context, found, times, influence)
-    return fault
+    return found or work.do(name, plan)
 
 
-def _fill(context, found, times, influence):
-    depths = np.zeros(found.covers[0].vertex_count, np.float32)
-    for cover, time in zip(found.covers, times):
-        depths += cover.heights(time)
+def _fill(context, plan, found, influence):
+    depths = np.zeros(found.ground.vertex_count, np.float32)
+    for cover, fall in zip(found.covers, plan.falls):
+        depths += cover.heights((context.frame - fall.start_frame) / context.fps)
     shown = slice(found.ground.layer.vertex_count)
     depths = depths[shown] * np.float32(influence)
     mesh = found.ground.layer.mesh(
@@ -80,43 +89,42 @@ def _fill(context, found, times, influence):
 
 
 def _plan(context, settings, scenery):
-    """(Plan, seconds of each emitter's time, Problem or None); (None, None, Problem) where there is none."""
+    """(Plan, Problem or None); (None, Problem) where there is none."""
     scene = context.depsgraph.scene
     # What has come into the collection since the cover was wired may not be evaluated.
     surfaces = [one for one in sources.surfaces(settings) if all(obj in scenery for obj in (one.object, *one.instancers))]
     if not surfaces:
-        return None, None, NO_SURFACE
+        return None, NO_SURFACE
     found = {one.original: one for one in (pointed(entry, "object") for entry in settings.emitters) if one}
     emitters = [found[obj] for obj in sources.emitters(settings)]
     if not emitters:
-        return None, None, NO_SNOW
+        return None, NO_SNOW
     lain_on = [meshes.placed(scenery[one.object], seen.matrix(one, scenery)) for one in surfaces]
     fault = SOME_WITHOUT if any(one is None for one in lain_on) else None
     lain_on = tuple(one for one in lain_on if one is not None)
     if not lain_on:
-        return None, None, NO_FACES
+        return None, NO_FACES
     if any(stillness.moves(scenery[obj], scene) for one in surfaces for obj in (one.object, *one.instancers)):
         fault = fault or MOVES
     pull = tuple(scene.gravity) if scene.use_gravity and any(scene.gravity) else DOWN
-    falls, times, shelters = [], [], {}
+    falls, shelters = [], {}
     for emitter in emitters:
         fall, problem = _fall(context, emitter, pull, scenery)
         if problem is SOME_WITHOUT:
             fault = fault or problem
             continue
         if fall is None:
-            return None, None, problem
+            return None, problem
         sheltering, unsure = colliders.parts(emitter.motus.snow, scene, {one.object for one in surfaces})
         shelters |= dict.fromkeys(sheltering)
         fault = problem or unsure or fault
         falls.append(fall)
-        times.append((context.frame - emitter.motus.snow.start_frame) / context.fps)
     if not falls:
-        return None, None, NO_SNOW
+        return None, NO_SNOW
     plan = work.Plan(
         lain_on, tuple(shelters), settings.resolution, tuple(-part for part in pull), tuple(falls), settings.lump ** 3,
         settings.repose, work.rounds(settings.smoothing, settings.resolution))
-    return plan, times, fault
+    return plan, fault
 
 
 def _fall(context, emitter, pull, scenery):
@@ -150,7 +158,7 @@ def _fall(context, emitter, pull, scenery):
     if poses is None or wind is None:
         return None, flakes.NOT_FINITE
     unseen = view.lens_problem(source.data) if angles is not None else None
-    return work.Fall(tuple(given.items()), pull, poses, wind, faces, angles, count, end), (
+    return work.Fall(tuple(given.items()), pull, poses, wind, faces, angles, count, end, snow.start_frame), (
         unseen if is_known and is_sure else UNKNOWN)
 
 

@@ -1,15 +1,14 @@
 """The work that is done once: where all flakes land, and how snow lies by that at any time.
 
-In the viewport what takes long is left to an operator with progress; renders and scripts do it at once.
+On frames that are shown what takes long is left to an operator with progress, and what was worked out before stays meanwhile; frames
+that are rendered have it done at once.
 """
 
 import threading
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
-import bpy
-
-from ...core import native
+from ...core import bounds, native
 from ...core.system import Problem
 from .. import flakes
 from . import ground
@@ -20,19 +19,22 @@ MOST_FLAKES = 10_000_000
 """That fall until the end."""
 MOST_FLAKES_KEPT = 3 * MOST_FLAKES
 """Of all works: some 40 bytes each."""
-FLAKE, FLIGHT, TRIANGLE = 4e-5, 4e-6, 2e-6
-"""Seconds, about, that one takes: a flake, each second that it flies, and a triangle."""
-LONG = 2.0
-"""Seconds of work from which on the viewport waits for the artist to ask for it."""
+FLAKE, FLIGHT, TRIANGLE, ROUND = 40.0, 4.0, 2.0, 0.01
+"""Prices (core/bounds.py) of a flake, each second that it flies, a triangle, and a vertex in a round of smoothing."""
+LONG = bounds.AT_ONCE
+"""The price of work from which on the viewport waits for the artist to ask for it."""
 PARTS = 24
 MOST_ROUNDS = 400
 
-TOO_FINE = Problem("The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces")
+TOO_FINE = Problem(
+    "The layer would have more than 2 million vertices: choose a coarser resolution, or fewer surfaces", blocking=False)
+LESS_SMOOTH = Problem(
+    "Snow spreads less far than Smoothing says, as the layer has so many vertices: choose a coarser resolution", blocking=False)
 
 
 class Fall(NamedTuple):
-    """What falls from one emitter. keywords: of flakes.made(). count: of flakes, about. end: seconds of its time up to which
-    flakes count."""
+    """What falls from one emitter. keywords: of flakes.made(). count: of flakes, about. end: seconds of its time, which starts at a
+    frame, up to which flakes count."""
 
     keywords: tuple
     acceleration: tuple
@@ -42,6 +44,7 @@ class Fall(NamedTuple):
     angles: Any
     count: float
     end: float
+    start_frame: float
 
 
 class Plan(NamedTuple):
@@ -58,10 +61,11 @@ class Plan(NamedTuple):
 
 
 class Work(NamedTuple):
-    """ground: what snow lies on. covers: the native SnowCover of each fall."""
+    """ground: what snow lies on. covers: the native SnowCover of each fall. fault: Problem or None."""
 
     ground: Any
     covers: tuple
+    fault: Any
 
 
 _done = OrderedDict()
@@ -72,19 +76,25 @@ _lock = threading.Lock()
 
 
 def may_wait(depsgraph, owner):
-    """Whether somebody is there who can ask for the work on a cover, evaluated."""
-    return depsgraph.mode == 'VIEWPORT' and not bpy.app.background and owner.library is None
+    """Whether a cover, evaluated, is shown on the way to what it will be, and somebody can ask for the work."""
+    return depsgraph.mode == 'VIEWPORT' and owner.library is None
 
 
-def seconds(plan):
-    """How long the work takes, about."""
+def is_too_fine(plan):
+    """Whether the layer is sure to have too many vertices, which can be told without making it."""
+    # Each vertex has two triangles, which are no larger than those whose sides are all of that length.
+    return sum(one.area for one in plan.lain_on) > ground.MOST * plan.resolution ** 2
+
+
+def price(plan):
+    """What the work costs, about."""
     triangles = sum(len(one.faces.triangles) for one in (*plan.lain_on, *plan.shelters))
     # Edges are halved: on the average they end up 0.6 times as long as the longest.
     refined = 2.0 * sum(one.area for one in plan.lain_on) / (0.6 * plan.resolution) ** 2
-    return sum(map(_seconds, plan.falls)) + TRIANGLE * (triangles + min(4 * ground.MOST, refined))
+    return sum(map(_price, plan.falls)) + TRIANGLE * (triangles + min(4 * ground.MOST, refined))
 
 
-def _seconds(fall):
+def _price(fall):
     return fall.count * (FLAKE + FLIGHT * min(dict(fall.keywords)["lifetime"], max(0.0, fall.end)))
 
 
@@ -95,6 +105,13 @@ def known(name, plan):
         if found is not None:
             _done.move_to_end((name, plan))
         return found
+
+
+def latest(name):
+    """(Plan, Work) of what was done last for the cover of a name; None without."""
+    with _lock:
+        return next(((plan, found) for (whose, plan), found in reversed(_done.items())
+                     if whose == name and isinstance(found, Work)), None)
 
 
 def rounds(smoothing, resolution):
@@ -152,6 +169,8 @@ def _steps(plan):
     if place is None:
         return TOO_FINE
     done, covers = 1, []
+    # On each frame every fall's snow is smoothed anew.
+    smoothing = min(plan.smoothing, bounds.times(ROUND * place.vertex_count * len(plan.falls)))
     yield done
     for fall in plan.falls:
         snow = flakes.made(
@@ -162,18 +181,18 @@ def _steps(plan):
             for part in _landed(snow, fall):
                 yield done + part
             covers.append(native.module.SnowCover(
-                snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=plan.smoothing))
+                snow, end=fall.end, flake_volume=plan.volume, repose=plan.repose, smoothing=smoothing))
         except ValueError:
             return flakes.OUT_OF_RANGE
         done += PARTS + 1
         yield done
-    return Work(place, tuple(covers))
+    return Work(place, tuple(covers), LESS_SMOOTH if smoothing < plan.smoothing else None)
 
 
 def _landed(snow, fall):
     """Have the snow find where its flakes land, which it keeps; yields after each of PARTS, where that takes long."""
     start = dict(fall.keywords)["delay"]
-    for part in range(PARTS if _seconds(fall) > LONG else 0):
+    for part in range(PARTS if _price(fall) > LONG else 0):
         snow.landings(start + (fall.end - start) * (part + 1) / PARTS)
         yield part + 1
 
