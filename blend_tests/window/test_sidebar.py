@@ -7,7 +7,7 @@ from window import window_support
 SENTENCES = (
     "Landscape has a Multiresolution modifier: apply it or remove it first",
     "Some chains have no target that they could reach for: the list says why",
-    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale")
+    "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven")
 AROUND = 80.0
 """Pixels of the sidebar that its tabs, margins and a message's icon take."""
 

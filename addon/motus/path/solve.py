@@ -1,9 +1,10 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
 from ..core import curves, deleted, native
+from ..core.handedness import is_mirrored
 from ..core.lazy import numpy as np
 from ..core.system import Deformed, Matrix, Problem, Setting, Splines
-from . import motion
+from . import members, motion
 
 NO_CURVE = Problem("Choose a curve to follow")
 CURVE_DELETED = Problem("The curve is in no collection any more: choose another one")
@@ -18,6 +19,7 @@ SHARED = ("influence", "timing", "extend", "orientation", "forward_axis", "up_ax
 INPUTS = (Matrix("matrix", of="curve"), Splines("splines", of="curve"), Deformed("deformed", of="curve"),
           *(Setting(name) for name in NUMBERS))
 
+HALF_TURNS = {"X": (1.0, 0.0, 0.0), "Y": (0.0, 1.0, 0.0), "Z": (0.0, 0.0, 1.0)}
 OUTPUTS = ("parameter", "fraction", "distance", "speed", "length")
 
 
@@ -30,15 +32,18 @@ def solve(context, matrix, splines, deformed, **numbers):
     if isinstance(path, Problem):
         return path
     length, fps = path.curve.length(), context.fps
-    still = context.kept("still", (length, fps), lambda: _still(context, numbers, length))
+    key = length, fps, context.owner is not None and is_mirrored(context.owner)
+    still = context.kept("still", key, lambda: _still(context, numbers, length))
     if isinstance(still, Problem):
         return still
-    moving, options, offsets = still
+    moving, options, offsets, mirrored = still
     time = moving.clock(context, numbers) if moving.clock else moving.time
     if "tilt" in options:
         options = options | {"tilt": path.tilt}
     native.module.follow(
         path.curve, moving.timing, time, offsets, locations=context.locations, rotations=context.rotations, **options)
+    if len(mirrored):
+        _turn_mirrored(context.rotations, mirrored, context.settings)
     extend = 'clamp' if options["line_up"] else options["extend"]  # the first one's
     _write_outputs(context.outputs, path.curve, length, moving, time, numbers["offset"], extend)
     return moving.problem
@@ -58,7 +63,7 @@ def _path(context, matrix, splines, index):
 
 
 def _still(context, numbers, length):
-    """What stays as long as the settings do: the Motion, keywords of follow(), the members' offsets; or a Problem."""
+    """What stays as long as the settings do: the Motion, keywords of follow(), the members' offsets, which are mirrored; or a Problem."""
     settings = context.settings
     if settings.forward_axis[-1] == settings.up_axis[-1]:
         return AXES_NOT_ACROSS
@@ -68,7 +73,26 @@ def _still(context, numbers, length):
     moving = motion.motion(context, numbers, length, past)
     if isinstance(moving, Problem):
         return moving
-    return moving, follow_options(settings, numbers, None), context.member_data + (numbers["offset"] + moving.offset)
+    offsets = context.member_data + (numbers["offset"] + moving.offset)
+    return moving, follow_options(settings, numbers, None), offsets, _mirrored(context)
+
+
+def _mirrored(context):
+    """Indices of the members that their scales mirror. Who shares a solver is not mirrored."""
+    if context.owner is None or context.settings.orientation == 'NONE':
+        return ()
+    every = members.members(context.owner)[:len(context.rotations)]
+    return [index for index, member in enumerate(every) if is_mirrored(member)]
+
+
+def _turn_mirrored(rotations, which, settings):
+    """Of a mirrored object Blender's constraints take the rotation for that of a matrix whose axes all point the opposite way: half a
+    turn about the axis across brings forward and up to where they belong."""
+    across = ({"X", "Y", "Z"} - {settings.forward_axis[-1], settings.up_axis[-1]}).pop()
+    half_turn = np.array(HALF_TURNS[across])
+    for index in which:
+        w, x, y, z = rotations[index]
+        rotations[index] = np.array(((-x, -y, -z), (w, -z, y), (z, w, -x), (-y, x, w))) @ half_turn
 
 
 def follow_options(settings, numbers, tilt):

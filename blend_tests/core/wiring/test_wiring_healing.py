@@ -3,6 +3,7 @@
 import random
 
 import bpy
+import numpy as np
 import support
 from path.path_cases import PathTestCase
 
@@ -241,11 +242,20 @@ class RefreshTest(PathTestCase):
         self.assertEqual(car.constraints[sinks].name, "Mine")
         self.assertEqual([constraint.mute for constraint in car.constraints], [True] + [False] * sinks)
 
-    def test_mirrored_object_is_told(self):
+    def test_scale_that_comes_to_mirror(self):
+        """Of the follower, and of its parent: forward stays along the path, alone and with another follower on the same curve."""
         self.line(10.0)
-        car = self.follow()
-        self.assertIsNone(self.wiring.problem(self.system, car, bpy.context.evaluated_depsgraph_get()))
-        car.scale.x = -1.0
-        told = self.wiring.problem(self.system, car, bpy.context.evaluated_depsgraph_get())
-        self.assertIn("negative scale", told.sentence)
-        self.assertFalse(told.blocking)
+        for count in (1, 2):
+            car, parent = self.follow(f"Car {count}"), self.link(f"Parent {count}")
+            car.parent = parent
+            self.at(car)
+            for thing, scale in ((car, -1.0), (parent, -2.0), (car, 1.0), (parent, 1.0)):
+                thing.scale.x = scale
+                bpy.context.view_layer.update()
+                self.at(car, 5)
+                world = self.at(car, 6)
+                with self.subTest(count=count, thing=thing.name, scale=scale):
+                    self.assertIsNone(self.wiring.problem(self.system, car, bpy.context.evaluated_depsgraph_get()))
+                    np.testing.assert_allclose(world.to_3x3().col[1].normalized(), (1.0, 0.0, 0.0), atol=1e-5)
+                    np.testing.assert_allclose(world.to_3x3().col[2].normalized(), (0.0, 0.0, 1.0), atol=1e-5)
+                    self.assertEqual(world.is_negative, (car.scale.x < 0.0) != (parent.scale.x < 0.0))

@@ -5,10 +5,11 @@ import bpy
 from .. import scene_time, system, wiring
 from ..file.pointers import pointed
 from ..frames import Kept, depsgraph_of, go_to
+from ..handedness import scale_is_mirrored
 from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
 from . import keys, state
-from .sampling import NumberTrack, Track, is_mirrored
+from .sampling import NumberTrack, Track
 
 
 def owner_and_systems(thing, name=""):
@@ -121,7 +122,7 @@ def _tracks(owner, systems):
                 bone=thing.name))
         # The user's constraints act on top of the result or below it: all of it is baked, and they are switched off.
         # A mirrored thing loses its negative scale in the sinks.
-        if keys.others(thing, sinks) or is_mirrored(thing.scale):
+        if keys.others(thing, sinks) or scale_is_mirrored(thing.scale):
             names.update(("location", "rotation", "scale"))
     return [Track(thing, frozenset(names)) for thing, names in channels.items()] + [
         NumberTrack(*one) for owned in systems for one in wiring.driven_properties(owned, owner)]

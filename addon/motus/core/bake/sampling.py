@@ -6,6 +6,7 @@ import bpy
 from mathutils import Euler, Matrix, Quaternion, Vector
 
 from ..datablocks import Named
+from ..handedness import scale_is_mirrored
 
 ROTATION_PATHS = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}
 
@@ -113,15 +114,10 @@ def _deltas(thing):
     return deltas
 
 
-def is_mirrored(scale):
-    """Whether a scale turns right hands into left ones."""
-    return scale[0] * scale[1] * scale[2] < 0.0
-
-
 def _signs(thing, deltas, matrix):
     """Signs of the scale in a matrix: the thing's own, where the matrix can have them."""
     signs = [math.copysign(1.0, factor * delta) for factor, delta in zip(thing.scale, deltas.scale)]
-    if is_mirrored(signs) != matrix.is_negative:
+    if scale_is_mirrored(signs) != matrix.is_negative:
         return [-1.0 if matrix.is_negative else 1.0] * 3
     return signs
 

@@ -20,6 +20,7 @@ import bpy
 from bpy.app.handlers import persistent
 
 from .. import copies, deleted, handlers, native, read_keys
+from ..handedness import is_mirrored
 from ..system import has_settings, is_owner, leader_of, of_owner, registered, systems
 from . import attaching, carriers, geometry_sink, hub_lookup, order, outbox, overrides, property_sink, proxy_sink, relations, rows
 from .sinks import has_sinks, makers, release
@@ -126,7 +127,7 @@ def _heal_all(depsgraph, is_edit):
     while _resting:
         _wake(_mesh(_resting.pop()))
     if depsgraph is not None:
-        _check_rows(depsgraph)
+        _check_rows(depsgraph, is_edit)
     _heal_asked()
     # To count the objects takes 0.1 ms where there are 5000. What is new stands in a collection, or it is not evaluated.
     if is_edit or depsgraph is None or _object_count[0] < 0 or deleted.have_collections_changed(depsgraph):
@@ -146,8 +147,9 @@ def _try(heal):
         log.exception("Motus: something that was copied, edited or loaded could not be wired again")
 
 
-def _check_rows(depsgraph):
-    """Look whether settings of owners that share a hub, whose solver does not read them, have become animated."""
+def _check_rows(depsgraph, is_edit):
+    """Look whether owners that share a hub may go on to: whether settings, which its solver does not read, have become animated, and
+    after an edit whether scales have come to mirror an owner."""
     for place, found in list(_rows.items()):
         name, _ = place
         for owner_name in [row.name for row in found if isinstance(row, rows.Row)]:
@@ -156,6 +158,8 @@ def _check_rows(depsgraph):
                 _rows.pop(place, None)
                 _object_count[0] = -1
                 continue
+            if is_edit and is_mirrored(owner):
+                _asked.add((name, owner_name))
             animation, seen = owner.animation_data, _seen.get((name, owner_name))
             if animation and (
                     animation.action or animation.nla_tracks or seen is None or seen[0] != len(animation.drivers)):

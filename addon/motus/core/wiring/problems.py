@@ -9,8 +9,6 @@ _DAMAGED_PROBLEM = Problem("The data of this system in the file is damaged: pres
 _NEWER_PROBLEM = Problem(
     "Made by a newer version of Motus, whose data this one cannot read: update Motus, or press Refresh")
 _INTERNAL_PROBLEM = Problem("Motus could not compute this: see the system console")
-_MIRRORED_PROBLEM = Problem(
-    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale", blocking=False)
 _PROPERTY_PROBLEM = Problem(
     "A property that is to be driven is gone, has another driver, or is another file's; what is left is driven", blocking=False)
 _SILENT_PROBLEM = Problem("Not evaluated: the add-on's driver functions are not available in this file yet")
@@ -36,9 +34,7 @@ def problem(system, owner, depsgraph):
         are_driven = of_owner(system, owner).is_baked or all(
             property_sink.are_driven(system, owner, carrier) for _, carrier in carried)
         return None if are_driven else _PROPERTY_PROBLEM
-    if system.has_modifier or system.is_relative or not owner.matrix_basis.is_negative:
-        return None
-    return _MIRRORED_PROBLEM if "rotation" in system.channels(of_owner(system, owner)) else None
+    return None
 
 
 def report_problems(operator, context, system, owners):

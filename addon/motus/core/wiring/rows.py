@@ -14,6 +14,7 @@ import bpy
 
 from .. import copies, stored
 from ..file.pointers import pointed
+from ..handedness import is_mirrored
 from ..lazy import numpy as np
 from ..stored import Damaged
 from ..system import Setting, groups_of, is_owner, of_owner
@@ -40,8 +41,9 @@ def key(system, row):
 
 
 def can_share(system, owner):
-    """Whether an owner may share a hub: nothing but itself is driven, by settings that do not change in time."""
-    if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner):
+    """Whether an owner may share a hub: nothing but itself is driven, by settings that do not change in time. Of who shares one
+    solve() does not see the owner, by which it knows what is mirrored."""
+    if not system.shared or owner.library or owner.override_library or copies.has_animated_settings(owner) or is_mirrored(owner):
         return False
     group, = groups_of(system, owner)
     return [member.thing for member in group.members] == [owner] and pack(system, owner) is not None

@@ -289,7 +289,8 @@ class Session:
     def is_last_like_a_pin(self):
         """Whether a pin of the same numbers does what the last stroke did: it knows one root, and no masks."""
         last = self.last
-        return last.is_alone and self.mesh.follows_whole() and not self._puller.is_clamped_in_world(last.brush)
+        is_held = self._puller.has_planes or self._puller.is_clamped_in_world(last.brush)
+        return last.is_alone and self.mesh.follows_whole() and not is_held
 
     @property
     def dabs(self):

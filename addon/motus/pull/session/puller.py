@@ -2,6 +2,7 @@
 
 from ...core import native
 from ...core.lazy import numpy as np
+from ..mesh import clipping
 
 LARGE = 0.12
 """Of the mesh's size: a straight reach from there on takes less time without the tree."""
@@ -20,6 +21,7 @@ class Puller:
     def reopen(self, mesh, space):
         """The same mesh, opened anew: what is hidden and masked is read again, vertex groups are not."""
         self._mesh, self._space = mesh, space
+        self._planes = clipping.planes(mesh.obj)
         self._weights = {}
         self.forget()
 
@@ -38,6 +40,7 @@ class Puller:
         before = current[moved]
         self._native_pull(current, vertex, displacement, brush, radius, current, reach=reaches)
         self._clamp(current, moved, before, brush)
+        self._clip(current, moved, start)
         return moved
 
     def pull_from(self, base, current, last_moved, vertex, displacement, brush, radius):
@@ -70,6 +73,7 @@ class Puller:
         share = np.minimum(strength * forces, 1.0)[:, None]
         current[moved] += (share * (target - before)).astype(np.float32)
         self._clamp(current, moved, before, brush, always=True)
+        self._clip(current, moved, start)
         return moved
 
     def forces(self, vertex, brush, radius, start):
@@ -100,7 +104,7 @@ class Puller:
 
     def may_sweep(self, brush, radius, start):
         """Whether sweep() does it, and takes less time than the tree that pull() asks."""
-        if brush.distance != 'STRAIGHT' or self.is_clamped_in_world(brush):
+        if brush.distance != 'STRAIGHT' or self._planes or self.is_clamped_in_world(brush):
             return False
         if brush.mirror and self._space.is_skewed_by_mirrors(brush.unit):
             return False
@@ -111,6 +115,11 @@ class Puller:
                 self._extent = np.nan_to_num(np.ptp(start, axis=0))
         sides = np.linalg.norm(self._space.metric(brush.unit) * self._extent, axis=0)
         return brush.reach_of(radius) > LARGE * sides.max()
+
+    @property
+    def has_planes(self):
+        """Whether mirror planes of the object hold its vertices."""
+        return bool(self._planes)
 
     def is_clamped_in_world(self, brush):
         """Whether the brush's limits are along none of the object's axes."""
@@ -164,6 +173,10 @@ class Puller:
             return
         changed = moved[(current[moved] != before).any(axis=1)]
         current[changed] = self._space.clamp(current[changed], brush)
+
+    def _clip(self, current, moved, start):
+        if self._planes:
+            current[moved] = clipping.clip(current[moved], start[moved], self._planes)
 
 
 def _together(reaches):

@@ -52,8 +52,6 @@ INTERFACE = {
     "Object whose settings drive this one": "Objeto cuyos ajustes mueven este",
     "Copy the message to the clipboard": "Copiar el mensaje al portapapeles",
     "Nothing is selected": "No hay nada seleccionado",
-    "Mirrored by a negative scale, which constraints on the rotation do not keep: apply the scale":
-        "Reflejado por una escala negativa, que las restricciones de rotación no conservan: aplica la escala",
     "Motus could not compute this: see the system console": "Motus no pudo calcular esto: consulta la consola del sistema",
     "The data of this system in the file is damaged: press Refresh, or set it up again":
         "Los datos de este sistema en el archivo están dañados: pulsa Actualizar, o configúralo de nuevo",

@@ -1,0 +1,17 @@
+"""Whether a thing is a mirror image: its matrix turns right hands into left ones (Matrix.is_negative)."""
+
+
+def scale_is_mirrored(scale):
+    """Whether a scale along three axes mirrors."""
+    return scale[0] * scale[1] * scale[2] < 0.0
+
+
+def is_mirrored(obj):
+    """Whether an object's own scale and those of its parents, bones left aside, mirror it, by properties that need no evaluation."""
+    found = False
+    while obj is not None:
+        found ^= scale_is_mirrored(obj.scale) ^ scale_is_mirrored(obj.delta_scale)
+        if obj.parent is not None:
+            found ^= obj.matrix_parent_inverse.is_negative
+        obj = obj.parent
+    return found

@@ -1,0 +1,45 @@
+"""The Mirror modifier's Clipping, as Blender's own tools keep it: what is on a mirror plane stays on it, and nothing crosses it."""
+
+from typing import Any, NamedTuple, Optional
+
+from ...core.lazy import numpy as np
+
+
+class Planes(NamedTuple):
+    """Of one modifier: planes across these axes. within: how near to them counts as on them. space: 4x4, from the object's space to
+    that of the planes; None where these are alike."""
+
+    axes: tuple
+    within: float
+    space: Optional[Any]
+
+
+def planes(obj):
+    """The Planes of the modifiers of an object that clip."""
+    found = []
+    for modifier in obj.modifiers:
+        if modifier.type == 'MIRROR' and modifier.use_clip and modifier.show_viewport:
+            axes, other = tuple(axis for axis in range(3) if modifier.use_axis[axis]), modifier.mirror_object
+            space = None if other is None else np.array(other.matrix_world.inverted_safe() @ obj.matrix_world, float)
+            found.append(Planes(axes, modifier.merge_threshold, space))
+    return found
+
+
+def clip(places, before, every):
+    """Bring places (m, 3) of vertices that stood at `before` back to the planes, where these hold them; gives the places."""
+    for one in every:
+        now, was = _moved(places, one.space), _moved(before, one.space)
+        is_held = np.zeros(len(places), bool)
+        for axis in one.axes:
+            held = (np.abs(was[:, axis]) <= one.within) | (now[:, axis] * was[:, axis] < 0.0)
+            now[held, axis] = 0.0
+            is_held |= held
+        if is_held.any():
+            back = None if one.space is None else np.linalg.inv(one.space)
+            places = np.where(is_held[:, None], _moved(now, back), places)
+    return places.astype(np.float32)
+
+
+def _moved(places, matrix):
+    places = np.array(places, float)
+    return places if matrix is None else places @ matrix[:3, :3].T + matrix[:3, 3]
