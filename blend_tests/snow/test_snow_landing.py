@@ -40,6 +40,27 @@ class LandingCase(SnowTestCase):
 
 
 class Landing(LandingCase):
+    @support.in_one_blender
+    def test_a_frame_without_a_window_looks_at_as_many_as_it_has_time_for(self):
+        self.board("Meadow", (0.0, 0.0, 0.0))
+        emitter = self.add(collider="Meadow", rate=600.0)
+        go_to(100)
+        every = flakes(emitter)["position"]
+        bounds, landings = support.addon("core.bounds"), support.addon("snow.landings")
+        support.addon("snow.flakes").made.cache_clear()
+        emitter.motus.snow.seed += 1
+        emitter.motus.snow.seed -= 1
+        with mock.patch.object(bounds, "AT_ONCE", 3 * landings.BLOCK):
+            counts = []
+            while len(counts) < 5:
+                emitter.update_tag()
+                go_to(100)
+                counts.append(len(flakes(emitter)["position"]))
+        self.assertLess(0, counts[0])
+        self.assertLessEqual(counts[0], 3 * 256)
+        self.assertEqual(counts, sorted(counts))
+        np.testing.assert_array_equal(flakes(emitter)["position"], every)
+
     def test_the_ground(self):
         emitter = self.add(use_ground=True, ground=1.0)
         go_to(121)

@@ -1,19 +1,22 @@
 """Where flakes land, found bit by bit in the viewport, so that Blender goes on answering.
 
 It takes some 10 microseconds a flake, once. A solver finds a part of it at each evaluation; a timer goes on with the rest, and has
-Blender evaluate again. Renders, and Blenders without a window, find all at once.
+Blender evaluate again. Without a window there is no timer: an evaluation finds as much as a frame has time for, and the next one more.
+Renders find all at once.
 """
 
 import time
 
 import bpy
 
-from ..core import viewports, wiring
+from ..core import bounds, viewports, wiring
 from ..core.system import is_owner, registered
 from . import flakes
 
 AT_ONCE = 48
 """Blocks of 256 flakes that an evaluation, or a call of the timer, looks at."""
+BLOCK = 2560
+"""The price (core/bounds.py) of looking at a block."""
 PAUSE = 0.01
 """Seconds that Blender has to itself between calls of the timer."""
 SHOWN = 0.3
@@ -54,8 +57,12 @@ class Search:
 
 def are_left(context, snow, seconds):
     """Whether there are flakes of which it is not known where they land. If so, they are looked for after the evaluation."""
-    if bpy.app.background or context.owner.library:  # of what is linked no local object can be evaluated again
+    if context.owner.library:  # of which no local object can be evaluated again
         return False
+    if bpy.app.background:
+        before = snow.find_landings(seconds, 0)
+        # Where there is no room to keep more, nothing goes on.
+        return 0 < snow.find_landings(seconds, bounds.times(BLOCK)) < before
     name = context.owner.name
     search = _searches.get(name)
     if search is not None and search.has_no_room and search.is_for(snow, seconds):
