@@ -132,7 +132,7 @@ class _Graph:
                     yield from _read_by(driver)
         # To Blender all plain settings of an object are one thing.
         yield DRIVERS, owner, "motus."
-        if not registered[system].lays_pose:
+        if not registered[system].lays_pose and any(isinstance(thing, str) for thing in entry.drives):
             yield from (place for place in self._entries if place[1] == owner and registered[place[2]].lays_pose)
 
     def _of_transform(self, obj):

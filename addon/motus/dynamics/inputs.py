@@ -6,7 +6,7 @@ from ..core import scene_time, tracks, wiring
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.system import registered
-from ..core.tracks import keys, rotations, transforms
+from ..core.tracks import keys, laid, rotations, transforms
 from . import filters, sampling
 from .sampling import Samples
 
@@ -41,6 +41,16 @@ class _Input:
     """
 
     carriers = ()
+
+    @property
+    def laid(self):
+        """Names of bones whose own transforms count for it, and other systems lay poses over."""
+        names = [keywords["bone"] for _, keywords in self.listed if keywords and keywords["transform"] == 'OWN' and "bone" in keywords]
+        return [name for name in names if laid.is_laid(self._rig.pose.bones[name])]
+
+    @property
+    def _rig(self):
+        return self._thing.id_data
 
     def __init__(self, thing, entry, scene):
         self._thing, self._entry, self._scene = thing, entry, scene
@@ -224,7 +234,10 @@ class TailInput(_Input):
 
     def __init__(self, bones, entry, scene):
         super().__init__(bones, entry, scene)
-        self._rig = bones[0].id_data
+
+    @property
+    def _rig(self):
+        return self._thing[0].id_data
 
     @functools.cached_property
     def listed(self):

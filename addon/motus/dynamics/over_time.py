@@ -154,7 +154,7 @@ class _OwnBone(_OverTime):
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return together((*self._time, self._index, stamp_of(self._owner)))
+        return together((*self._time, self._index, stamp_of(self._owner), *(track.stamp for track in self._input.tracks)))
 
 
 class _Tail(_OverTime):

@@ -9,7 +9,7 @@ from mathutils import Matrix, Vector
 from ..core import bounds, copies, native, rigs, scene_time, stored, wiring
 from ..core.lazy import numpy as np
 from ..core.system import Problem, registered, systems
-from ..core.tracks import strips, transforms, world_track
+from ..core.tracks import own_track, strips, transforms, world_track
 from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
@@ -118,10 +118,12 @@ def _made(context):
 
 
 class Asked(NamedTuple):
-    """Whose stamps tell changes beyond those of the owner itself: names of what carries it, as those of inputs; paths of properties."""
+    """Whose stamps tell changes beyond those of the owner itself: names of what carries it, as those of inputs; paths of properties;
+    names of bones that other systems lay poses over."""
 
     carriers: tuple
     paths: tuple
+    laid: tuple
 
 
 def _stamp(owner, copy, scene, asked):
@@ -133,6 +135,7 @@ def _stamp(owner, copy, scene, asked):
         found.append(copies.stamp_of_data(owner))
     found += [_stamp_of_carrier(owner, name, scene) for name in asked.carriers]
     found += [strips.stamp_of(_animation_of(owner, path)) for path in asked.paths]
+    found += [_stamp_of_known(own_track(owner.pose.bones[name])) for name in asked.laid]
     return strips.together(found)
 
 
@@ -164,7 +167,7 @@ class _Making:
     def __init__(self, owner, settings, scene):
         self._owner, self._settings, self._scene = owner, settings, scene
         self._ready, self.reach = [], None
-        self.parts, self.tails, self.values, self.members, self.problems, self.carriers = [], [], [], [], [], []
+        self.parts, self.tails, self.values, self.members, self.problems, self.carriers, self.laid = [], [], [], [], [], [], []
         self._places = {(entry.name, entry.data_path, entry.index if entry.data_path else -1): place
                         for place, entry in enumerate(settings.entries)}
 
@@ -177,6 +180,7 @@ class _Making:
             self.problems.append(CONSTRAINED)
         source = Unit("", kind, entries, things).input(self._scene)
         self.carriers += source.carriers
+        self.laid += source.laid
         if self._is_ready(source, entries):
             make = self._make_tails if kind == 'TAILS' else self._make_part
             self._ready.append((source, entries, functools.partial(make, things, entries, rows, places)))
@@ -251,7 +255,7 @@ def _make(context, copy, scene):
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
     making.make(context.frame)
-    asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties))
+    asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties), tuple(dict.fromkeys(making.laid)))
     is_still = copy is not None and not copy.has_animated_settings
     return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,
                 tuple(making.members), next(iter(making.problems), None), _weights(settings) if is_still else None)

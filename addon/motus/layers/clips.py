@@ -18,10 +18,10 @@ _NEAR = 0.011  # frames: of keys that are nearer Blender does not go by the curv
 
 
 class Clip:
-    """An action on a rig's bones. native: a LayerClip. first, last: its frames."""
+    """An action on a rig's bones. native: a LayerClip. frames: the first and last one."""
 
     def __init__(self, action, slot, names, modes):
-        self.first, self.last = map(float, action.frame_range)
+        self.frames = tuple(map(float, action.frame_range))
         self._given, keys, kinds, curves = [], [], [], []
         found = _curves_of_bones(action, slot, names)
         used = [_mode(mode, found.get(name, {})) for name, mode in zip(names, modes)]

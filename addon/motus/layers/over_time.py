@@ -1,9 +1,11 @@
 """Where bones under layers are at any times, for systems that need their past: the layers are laid for each time."""
 
+import math
+
 from ..core import entry_keys, read_keys, rigs
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.tracks import rotations
+from ..core.tracks import keys, rotations
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
 from ..core.tracks.strips import together
 from ..core.wiring import driven_bones
@@ -26,13 +28,34 @@ class OverTime(SolvedBone):
         self._layers = list(owner.motus.layers.entries)
         is_steady = any(entry.in_armature for entry in self._layers)
         above = [one.name for one in bone.bone.parent_recursive] if is_steady else []
-        super().__init__(RigInputs(owner, scene, ("layers", bone.name, is_steady), [bone.name, *above], "", [], self._paths))
+        super().__init__(RigInputs(
+            owner, scene, ("layers", bone.name, is_steady), [bone.name, *above], "", [], self._paths, lays_pose=True))
+        self.bounds = self._bounds
 
     def _paths(self):
         prefixes = [entry_keys.animated_prefix(self._owner, "motus.layers.entries", self._owner.motus.layers.entries, index)
                     for index in range(len(self._layers))]
         found = {(index, name): (prefix + name, -1) for index, prefix in enumerate(prefixes) for name in _KEYED}
         return found | {"influence": ("motus.layers.influence", -1)}
+
+    @property
+    def _spans(self):
+        """(first, last) frame of the scene on which each layer changes something."""
+        for entry in self._layers:
+            if entry.action:
+                first, last = solve.span(entry, entry.action.frame_range)
+                length = (last - first) / abs(entry.speed) if entry.speed else 0.0
+                yield entry.start, math.inf if entry.after == 'REPEAT' and length else entry.start + length
+
+    def _bounds(self, first, last):
+        """As Channel.bounds(): a layer may begin and end between frames."""
+        ends = {end for span in self._spans for end in span if first < end < last}
+        return keys.union([[first, *sorted(ends), last], self._inputs.bounds(first, last)])
+
+    @property
+    def extent(self):
+        """As Channel.extent."""
+        return keys.united([self._inputs.extent, *self._spans])
 
     @property
     def stamp(self):

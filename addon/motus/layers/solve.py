@@ -106,19 +106,19 @@ def _reference_frame(entry, clip):
     """Frame of the action that an additive layer starts from; None for the rest pose."""
     if entry.mode != 'ADDITIVE' or entry.reference == 'REST':
         return None
-    return entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip)[0]
+    return entry.reference_frame if entry.reference == 'FRAME' else span(entry, clip.frames)[0]
 
 
 def _laps(entry, clip, reference):
     """Clip.laps() of a layer."""
-    begin, end = span(entry, clip)
+    begin, end = span(entry, clip.frames)
     return clip.laps(end, begin, reference) if entry.speed < 0.0 else clip.laps(begin, end, reference)
 
 
-def span(entry, clip):
-    """(first, last) frame of the action that a layer plays."""
+def span(entry, frames):
+    """(first, last) frame of an action that a layer plays. frames: the same of the whole action."""
     if not entry.use_range:
-        return clip.first, clip.last
+        return frames
     return entry.first_frame, max(entry.first_frame, entry.last_frame)
 
 
@@ -136,7 +136,7 @@ def still_settings(entries, found):
 
 
 def _numbers(entry, clip):
-    first, last = span(entry, clip) if clip else (1.0, 1.0)
+    first, last = span(entry, clip.frames) if clip else (1.0, 1.0)
     return (entry.start, first, last, entry.speed, _AFTERS[entry.after], entry.blend_in, entry.blend_out,
             0.0 if entry.is_muted else entry.weight, entry.mode == 'ADDITIVE', entry.in_armature)
 

@@ -4,7 +4,7 @@ import functools
 
 from .. import copies
 from ..lazy import numpy as np
-from . import keys, strips
+from . import keys, laid, strips
 from .animation import Channel
 from .question import answered
 from .strips import together
@@ -16,19 +16,22 @@ class RigInputs:
 
     bones: names of those whose own transforms are read. above: name of the bone that they hang on, "" for none. goals:
     (object, bone or "") whose world matrices are read, None where there is none. settings(): data paths of numbers of the
-    rig, by any names, with an index for a number of an array: (path, index).
+    rig, by any names, with an index for a number of an array: (path, index). lays_pose: what is solved lies beneath all that is laid
+    over the bones, and reads nothing but their own channels and the settings; above, goals and scene count for nothing then.
     """
 
-    def __init__(self, rig, scene, name, bones, above, goals, settings):
+    def __init__(self, rig, scene, name, bones, above, goals, settings, lays_pose=False):
         self._rig, self._name, self._bones, self._above, self._paths = rig, name, bones, above, settings
+        self._lays_pose = lays_pose
         self._hung = World(rig.pose.bones[above] if above else rig, scene)
         self._world = World(rig, scene)
         self._goals = [goal and World(goal[0].pose.bones[goal[1]] if goal[1] else goal[0], scene) for goal in goals]
 
     @functools.cached_property
     def own(self):
-        """{name: Own} of the bones."""
-        return {name: Own(self._rig.pose.bones[name]) for name in self._bones}
+        """{name: Own or Laid} of the bones."""
+        bones = {name: self._rig.pose.bones[name] for name in self._bones}
+        return {name: Own(bone) if self._lays_pose else laid.over(Own(bone), bone) for name, bone in bones.items()}
 
     @functools.cached_property
     def settings(self):
@@ -37,7 +40,7 @@ class RigInputs:
 
     @property
     def _others(self):
-        return [self._hung, *filter(None, self._goals)]
+        return [] if self._lays_pose else [self._hung, *filter(None, self._goals)]
 
     @property
     def _parts(self):
@@ -61,7 +64,8 @@ class RigInputs:
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return together((stamp_of(self._rig), *(part.stamp for part in self._others)))
+        lying = [own for own in self.own.values() if isinstance(own, laid.Laid)]
+        return together((stamp_of(self._rig), *(part.stamp for part in (*lying, *self._others))))
 
     def numbers(self, times):
         """{name: (n,)} of the settings."""

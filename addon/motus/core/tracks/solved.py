@@ -18,7 +18,7 @@ from . import rotations
 from .reason import Reason
 
 _asked = set()
-"""(thread, object or bone) of all that is being asked for its reason."""
+"""(thread, object or bone, label of the system) of all that is being asked for its reason."""
 
 
 class Solved:
@@ -34,7 +34,7 @@ class Solved:
     @property
     def reason(self):
         """As Channel.reason."""
-        place = threading.get_ident(), hash(self._thing)
+        place = threading.get_ident(), hash(self._thing), self.label
         if place in _asked:  # such as a curve that hangs on what follows it
             return Reason(Reason.LOOP, thing=self._thing.name)
         _asked.add(place)
@@ -99,13 +99,24 @@ def _are_known(system, obj, constraints):
 
 
 def of_bone(bone, scene, beneath=None):
-    """The same of a PoseBone; its owner is the rig. beneath: a System whose sinks do not count."""
+    """The same of a PoseBone, on top of what is laid over it; its owner is the rig. beneath: a System whose sinks do not count."""
+    acting = acting_on(bone, beneath)
+    found = acting and next((system for system in systems() if all(wiring.is_sink(system, one) for one in acting)), None)
+    return of_bone_by(found, bone, scene) if found else None
+
+
+def of_bone_by(system, bone, scene):
+    """What one system makes of a PoseBone; None where it does nothing to it, or cannot be asked."""
     rig = bone.id_data
-    acting = [one for one in bone.constraints if not one.mute and not (beneath and wiring.is_sink(beneath, one))]
-    if not acting or not rig.is_property_set("motus"):
+    if not system.over_time or not rig.is_property_set("motus") or not getattr(rig.motus, system.name).is_active:
         return None
-    for system in systems():
-        if system.over_time and getattr(rig.motus, system.name).is_active and all(wiring.is_sink(system, one) for one in acting):
-            source = system.over_time(rig, bone, scene)
-            return Solved(system, bone, source) if source else None
-    return None
+    if not any(not one.mute and wiring.is_sink(system, one) for one in bone.constraints):
+        return None
+    source = system.over_time(rig, bone, scene)
+    return Solved(system, bone, source) if source else None
+
+
+def acting_on(thing, beneath=None):
+    """The constraints that act on top of the own transform of an Object or PoseBone: none that lays a pose. beneath: as of of_bone()."""
+    skipped = [system for system in systems() if system.lays_pose or system == beneath]
+    return [one for one in thing.constraints if not one.mute and not any(wiring.is_sink(system, one) for system in skipped)]

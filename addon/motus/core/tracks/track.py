@@ -8,7 +8,7 @@ from collections import OrderedDict
 from .. import stored
 from ..lazy import numpy as np
 from ..translations import tr
-from . import animation, recordings
+from . import animation, laid, recordings
 from .animation import Channel
 from .strips import keys_stamp
 from .transforms import PARTS, Own, Transforms, World
@@ -194,11 +194,11 @@ def _keyed_ranges(id_data, names):
 
 
 def own_track(thing, parts=PARTS):
-    """The Track of what the channels of an Object or PoseBone make, delta transforms included, as Transforms.
+    """The Track of what the channels of an Object or PoseBone make, delta transforms and layers included, as Transforms.
 
     parts: those that count, of "location", "rotation" and "scale"; for the others the present value may stand at all times.
     """
-    return Track(Own(thing, parts), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
+    return Track(laid.over(Own(thing, parts), thing), thing.id_data, _what(thing, "own"), recordings.WIDTHS["own"])
 
 
 def world_track(thing, scene, beneath=None):

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Matrix
 
-from .. import actions, copies, wiring
+from .. import actions, copies
 from ..lazy import numpy as np
-from . import keys, rotations, solved, strips
+from . import keys, laid, rotations, solved, strips
 from .animation import Channel, is_driven
 from .question import answered
 from .reason import Reason
@@ -302,7 +302,7 @@ class _Link:
         self.key = hash(obj), bone and bone.name, hash(scene), beneath and beneath.name
         self._own = Own(obj)
         self._bones = _chain(bone) if bone else []
-        self._posed = [Own(one) for one in self._bones]
+        self._posed = [laid.over(Own(one), one) for one in self._bones]
 
     @functools.cached_property
     def reason(self):
@@ -320,7 +320,7 @@ class _Link:
         return solved.of(self._object, self._scene) if len(self._object.constraints) else None
 
     def _of_bones(self):
-        if self._bone is None or self._object.data.pose_position == 'REST':
+        if not self._is_posed:
             return None
         for bone in self._bones:
             turning = self._turning.get(bone.name)
@@ -341,10 +341,19 @@ class _Link:
         return {name: one for name, one in found.items() if one}
 
     @property
+    def _is_posed(self):
+        return self._bone is not None and self._object.data.pose_position != 'REST'
+
+    @property
+    def _driving(self):
+        """What systems make of the object and the bones, on top of what is laid over these."""
+        return [*([self.solved] if self.solved else []), *(self._turning.values() if self._is_posed else ())]
+
+    @property
     def all_solved(self):
         """What systems make of the object and the bones."""
-        is_posed = self._bone is not None and self._object.data.pose_position != 'REST'
-        return [*([self.solved] if self.solved else []), *(self._turning.values() if is_posed else ())]
+        laying = [one for own in self._posed for one in getattr(own, "solved", ())] if self._is_posed else []
+        return [*laying, *self._driving]
 
     def matrices(self, times, parent):
         """World matrices of the bone or object; parent: of what it hangs on, or None."""
@@ -368,7 +377,7 @@ class _Link:
 
     @property
     def _parts(self):
-        return [self._own, *self._posed, *self.all_solved]
+        return [self._own, *self._posed, *self._driving]
 
     def bounds(self, first, last):
         return keys.union([part.bounds(first, last) for part in self._parts])
@@ -389,8 +398,7 @@ class _Link:
                       for bone in self._bones)
         pose = obj.data.pose_position if bones else ""
         return strips.together((
-            self._own.stamp, *(own.stamp for own in self._posed), *(one.stamp for one in self.all_solved), obj.parent_type, _numbers(obj.matrix_parent_inverse),
-            bones, pose))
+            *(part.stamp for part in self._parts), obj.parent_type, _numbers(obj.matrix_parent_inverse), bones, pose))
 
 
 def _array(matrix):
@@ -404,10 +412,8 @@ def _numbers(matrix):
 
 def constrained(thing, beneath=None):
     """Why a constraint makes it unknown; None without one that acts. beneath: a System whose sinks do not count."""
-    for constraint in thing.constraints:
-        if not constraint.mute and not (beneath and wiring.is_sink(beneath, constraint)):
-            return Reason(Reason.CONSTRAINED, thing=thing.name, name=constraint.name)
-    return None
+    found = solved.acting_on(thing, beneath) if len(thing.constraints) else ()
+    return Reason(Reason.CONSTRAINED, thing=thing.name, name=found[0].name) if found else None
 
 
 def _chain(bone):

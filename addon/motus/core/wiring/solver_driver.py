@@ -108,7 +108,7 @@ def _call(system, owner, group, hub):
         variables[f"w{index}"] = one.variable()
     for index, one in enumerate(property_sink.waits(group)):
         variables[f"{_OF_PROPERTY}{index}"] = one
-    for index, one in enumerate(_laid(system, owner)):
+    for index, one in enumerate(_laid(system, owner, group)):
         variables[f"l{index}"] = one
     if not outbox.is_shared(system, hub.data):
         path = f"{of_owner(system, owner).path_from_id()}.influence"
@@ -121,9 +121,10 @@ def _call(system, owner, group, hub):
     return ",".join(arguments), variables
 
 
-def _laid(system, owner):
-    """Variables that wait for the systems that lay poses over the owner's bones, of one that starts from these."""
-    laying = [one for one in systems() if one.lays_pose] if system.entries and not system.lays_pose else ()
+def _laid(system, owner, group):
+    """Variables that wait for the systems that lay poses over the owner's bones, of a group that starts from these."""
+    starts_there = system.entries and not system.lays_pose and any(isinstance(one.thing, bpy.types.PoseBone) for one in group.members)
+    laying = [one for one in systems() if one.lays_pose] if starts_there else ()
     return [Variable('MESH', hub.data, outbox.out_path(one, outbox.STATUS, key))
             for one in laying for key, hub in hub_lookup.hubs(one, owner)]
 

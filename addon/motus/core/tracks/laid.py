@@ -1,0 +1,75 @@
+"""The own transforms of bones under systems that lay poses, such as layers: what the bones' own keys would be."""
+
+import functools
+
+import bpy
+from mathutils import Matrix
+
+from .. import rigs, wiring
+from ..lazy import numpy as np
+from ..system import systems
+from . import keys, solved
+from .strips import together
+
+
+def over(own, thing):
+    """The transforms.Own of an Object or PoseBone, with what is laid over it."""
+    if not isinstance(thing, bpy.types.PoseBone) or not len(thing.constraints):
+        return own
+    laying = [source for system in systems() if system.lays_pose and (source := solved.of_bone_by(system, thing, None))]
+    return Laid(own, thing, laying) if laying else own
+
+
+def is_laid(bone):
+    """Whether a system lays poses over a PoseBone."""
+    return any(wiring.is_sink(system, one) for system in systems() if system.lays_pose for one in bone.constraints)
+
+
+class Laid:
+    """As transforms.Own. solved: what lays poses over it, the lowest first."""
+
+    def __init__(self, own, bone, laying):
+        self._own, self._bone, self.solved = own, bone, laying
+
+    @property
+    def _parts(self):
+        return [self._own, *self.solved]
+
+    @functools.cached_property
+    def reason(self):
+        """As Channel.reason."""
+        return next((part.reason for part in self._parts if part.reason), None)
+
+    @property
+    def solvers(self):
+        """As World.solvers."""
+        return [one.label for one in self.solved]
+
+    @property
+    def stamp(self):
+        """As Channel.stamp."""
+        return together([part.stamp for part in self._parts])
+
+    def values(self, times):
+        """Transforms at times (n,)."""
+        found = self._own.values(times)
+        for one in self.solved:
+            found = one.applied(times, found)
+        return found
+
+    def bounds(self, first, last):
+        """As Channel.bounds()."""
+        return keys.union([part.bounds(first, last) for part in self._parts])
+
+    @property
+    def extent(self):
+        """As Channel.extent."""
+        return keys.united(part.extent for part in self._parts)
+
+    @property
+    def present(self):
+        """A row of location, rotation and scale, as the evaluated rig has them."""
+        rig = self._bone.id_data
+        known = rigs.still(rig, rigs.names_of(rig))
+        matrix = rigs.basis(rig, known)[known.names.index(self._bone.name)].reshape(4, 4).T
+        return np.concatenate([np.array(part) for part in Matrix(matrix.tolist()).decompose()])

@@ -1,0 +1,170 @@
+"""Owners that every two systems may meet on, how each system is put there, and all that can be seen of what they do."""
+
+import math
+
+import bpy
+import numpy as np
+import support
+from layers import layer_cases
+from look_at import look_at_cases
+from path import path_cases
+
+BONES = look_at_cases.BONES | {
+    "Foot.L": ("", (0.1, -0.1, 0.0), (0.1, -0.3, 0.0)), "Foot.R": ("", (-0.1, -0.1, 0.0), (-0.1, -0.3, 0.0))}
+FRAMES = (5, 14, 26.5, 40)
+KINDS = {
+    "object": ("path", "pull", "lattice", "pendulum", "snow", "drivers", "walker", "dynamics"),
+    "rig": ("path", "layers", "ik", "look_at", "pendulum", "drivers", "walker", "dynamics", "dynamics own", "dynamics object"),
+    "camera": ("path", "pendulum", "drivers", "dynamics", "stereo", "chroma"),
+}
+"""Kinds of owners, and the systems that each can have; dynamics in the ways in which they follow."""
+BONES_OF = {"layers": "UpperArm.L,LowerArm.L", "ik": "LowerArm.L,UpperArm.L", "look_at": "Head,Neck", "walker": "Hips"}
+"""Bones with dynamics, beside another system: those that it moves."""
+
+
+def pairs():
+    """(kind, first system, second one) of all that can meet."""
+    for kind, names in KINDS.items():
+        for index, first in enumerate(names):
+            for second in names[index + 1:]:
+                if first.split()[0] != second.split()[0]:
+                    yield kind, first, second
+
+
+def build(kind):
+    """A scene with an owner of the kind that keys move, and what systems need beside it. Returns the owner."""
+    owner = _OWNERS[kind]()
+    key(owner, "location", {1: (0.0, 0.0, 0.0), 12: (0.3, -0.2, 0.0), 40: (0.5, -1.5, 0.1)})
+    key(owner, "rotation_euler", {1: (0.0, 0.0, 0.0), 20: (0.0, 0.2, 0.4), 40: (0.1, 0.0, 0.2)})
+    key(link("Target"), "location", {1: (0.6, -0.6, 1.4), 20: (0.3, -0.5, 1.6), 40: (0.6, -1.8, 1.2)})
+    course = path_cases.curve_data("Course")
+    path_cases.add_bezier(course, path_cases.cubic_knots(path_cases.CLIMB))
+    link("Course", course)
+    for name, x in (("Left", 0.3), ("Right", -0.3)):
+        link(name).location = (x, 0.0, 0.0)
+    layer_cases.turning("Wave", layer_cases.THROWING, 1, 40)
+    bpy.context.view_layer.objects.active = owner
+    bpy.context.view_layer.update()
+    return owner
+
+
+def add(system, kind, beside=""):
+    """Put a system on the owner; raises what refuses it. beside: the other system."""
+    name, _, how = system.partition(" ")
+    operators, owner = bpy.ops.motus, "Owner"
+    if name == "path":
+        operators.path_follow_add(object=owner, curve="Course", duration=2.0)
+    elif name == "layers":
+        operators.layer_add(object=owner, action="Wave", start=1.0, after='HOLD', blend_in=8.0)
+    elif name == "ik":
+        operators.ik_add(object=owner, bone="LowerArm.L", target="Target")
+    elif name == "look_at":
+        operators.look_at_add(object=owner, bone="Head", target="Target")
+    elif name == "pull":
+        operators.pin_add(object=owner, vertex=0, displacement=(0.0, 0.0, 0.4))
+    elif name == "lattice":
+        operators.lattice_fit(objects=owner)
+        bpy.context.object.data.points[0].co_deform.z += 0.4
+    elif name == "pendulum":
+        operators.pendulum_add(object=owner, kind='SINGLE', use_pivot_motion=True)
+    elif name == "snow":
+        operators.snow_add(object=owner, shape='SURFACE', look='POINTS', lifetime=1.0, rate=30.0)
+    elif name == "stereo":
+        operators.stereo_rig_add(object=owner, convergence='OBJECT', focus="Target")
+    elif name == "chroma":
+        image = bpy.data.images.new("Screen", 8, 8)
+        image.pixels = [0.1, 0.6, 0.1, 1.0] * 64
+        operators.chroma_key_setup(clip="Screen", camera=owner, use_plane=True)
+    elif name == "drivers":
+        path, index = ('pose.bones["Spine"].rotation_quaternion', 1) if kind == "rig" else ("location", 2)
+        operators.driver_add(datablock=owner, data_path=path, index=index, function='PENDULUM')
+    elif name == "walker":
+        more = {"feet": "Foot.L,Foot.R", "body": "Hips"} if kind == "rig" else {"feet": "Left,Right"}
+        operators.walker_add(object=owner, **more)
+    elif kind == "rig" and how != "object":
+        bones = BONES_OF.get(beside, "UpperArm.L,Chest")
+        operators.dynamics_add(object=owner, bones=bones, style='FLOPPY', follow='OWN' if how else 'WORLD')
+    else:
+        operators.dynamics_add(object=owner, style='BOUNCY')
+
+
+def sentences(owner):
+    """What panels say is wrong: all problems of the owner's systems."""
+    wiring, registered = support.addon("core.wiring"), support.addon("core.system").registered
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    found = [wiring.problem(system, owner, depsgraph) for name, system in registered.items()
+             if hasattr(system, "solve") and getattr(getattr(owner.motus, name, None), "is_active", False)]
+    return [problem.sentence if hasattr(problem, "sentence") else str(problem) for problem in found if problem]
+
+
+def seen(frames=FRAMES):
+    """{(what, frame): numbers} of all that shows in the scene."""
+    found = {}
+    for frame in frames:
+        go(frame)
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        for obj in bpy.context.scene.objects:
+            if obj.name.startswith("Pendulum Trail"):
+                continue
+            evaluated = obj.evaluated_get(depsgraph)
+            found[obj.name, frame] = np.array(evaluated.matrix_world)
+            if obj.pose:
+                for bone in evaluated.pose.bones:
+                    found[f"{obj.name}: {bone.name}", frame] = np.array(evaluated.matrix_world @ bone.matrix)
+            if obj.type == 'MESH':
+                mesh = evaluated.to_mesh()
+                places = np.empty(3 * len(mesh.vertices), np.float32)
+                mesh.vertices.foreach_get("co", places)
+                found[f"{obj.name}: points", frame] = places
+                evaluated.to_mesh_clear()
+            if obj.type == 'CAMERA':
+                found[f"{obj.name}: eyes", frame] = np.array(evaluated.data.stereo.convergence_distance)
+    return found
+
+
+def differ(first, second, tolerance=1e-4):
+    """What is not the same in two of these."""
+    return {what for what in first.keys() | second.keys()
+            if what not in first or what not in second or first[what].shape != second[what].shape
+            or not np.allclose(first[what], second[what], rtol=0.0, atol=tolerance)}
+
+
+def go(frame):
+    bpy.context.scene.frame_set(math.floor(frame), subframe=frame - math.floor(frame))
+
+
+def link(name, data=None):
+    obj = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(obj)
+    return obj
+
+
+def key(thing, path, rows):
+    for frame, value in rows.items():
+        setattr(thing, path, value)
+        thing.keyframe_insert(path, frame=frame)
+
+
+def _mesh():
+    mesh = bpy.data.meshes.new("Owner")
+    side = [(x / 4 - 0.5, y / 4 - 0.5, 0.0) for y in range(5) for x in range(5)]
+    faces = [(row * 5 + x, row * 5 + x + 1, row * 5 + x + 6, row * 5 + x + 5) for row in range(4) for x in range(4)]
+    mesh.from_pydata(side, [], faces)
+    return link("Owner", mesh)
+
+
+def _rig():
+    rig = look_at_cases.build_rig(BONES, "Owner")
+    walk = layer_cases.turning("Walk", layer_cases.WALKING, 1, 40)
+    actions = support.addon("core.actions")
+    actions.assign(rig, walk, actions.slots_for_objects(walk)[0].identifier if hasattr(walk, "slots") else "")
+    return rig
+
+
+def _camera():
+    camera = link("Owner", bpy.data.cameras.new("Owner"))
+    bpy.context.scene.camera = camera
+    return camera
+
+
+_OWNERS = {"object": _mesh, "rig": _rig, "camera": _camera}
