@@ -18,6 +18,8 @@ KINDS = {
     "camera": ("path", "pendulum", "drivers", "dynamics", "stereo", "chroma"),
 }
 """Kinds of owners, and the systems that each can have; dynamics in the ways in which they follow."""
+IN_ORDER = {"pull", "lattice", "walker"}
+"""Systems that are put where things stand at that moment."""
 BONES_OF = {"layers": "UpperArm.L,LowerArm.L", "ik": "LowerArm.L,UpperArm.L", "look_at": "Head,Neck", "walker": "Hips"}
 """Bones with dynamics, beside another system: those that it moves."""
 
@@ -68,15 +70,15 @@ def add(system, kind, beside=""):
     elif name == "pendulum":
         operators.pendulum_add(object=owner, kind='SINGLE', use_pivot_motion=True)
     elif name == "snow":
-        operators.snow_add(object=owner, shape='SURFACE', look='POINTS', lifetime=1.0, rate=30.0)
+        operators.snow_add(surface=owner, shape='SURFACE', look='POINTS', lifetime=1.0, rate=30.0, location=(0.0, 0.0, 0.0))
     elif name == "stereo":
-        operators.stereo_rig_add(object=owner, convergence='OBJECT', focus="Target")
+        operators.stereo_rig_add(object=owner, distance=3.0)
     elif name == "chroma":
         image = bpy.data.images.new("Screen", 8, 8)
         image.pixels = [0.1, 0.6, 0.1, 1.0] * 64
         operators.chroma_key_setup(clip="Screen", camera=owner, use_plane=True)
     elif name == "drivers":
-        path, index = ('pose.bones["Spine"].rotation_quaternion', 1) if kind == "rig" else ("location", 2)
+        path, index = ('pose.bones["Spine"].rotation_quaternion', 1) if kind == "rig" else ("scale", 2)
         operators.driver_add(datablock=owner, data_path=path, index=index, function='PENDULUM')
     elif name == "walker":
         more = {"feet": "Foot.L,Foot.R", "body": "Hips"} if kind == "rig" else {"feet": "Left,Right"}
@@ -94,7 +96,7 @@ def sentences(owner):
     depsgraph = bpy.context.evaluated_depsgraph_get()
     found = [wiring.problem(system, owner, depsgraph) for name, system in registered.items()
              if hasattr(system, "solve") and getattr(getattr(owner.motus, name, None), "is_active", False)]
-    return [problem.sentence if hasattr(problem, "sentence") else str(problem) for problem in found if problem]
+    return [str(problem) for problem in found if problem]
 
 
 def seen(frames=FRAMES):

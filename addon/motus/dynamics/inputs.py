@@ -7,6 +7,7 @@ from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.system import registered
 from ..core.tracks import keys, laid, rotations, transforms
+from ..core.tracks.question import answered
 from . import filters, sampling
 from .sampling import Samples
 
@@ -271,6 +272,9 @@ class TailInput(_Input):
 
     def tails(self, frames):
         """{bone's name: places of its tail (n, 3) in world space} at frames (n,)."""
+        return answered((self, frames.tobytes()), lambda: self._tails(frames))
+
+    def _tails(self, frames):
         found = self.tracks
         world = found[0].values(frames)
         inverse = _inverse(world)

@@ -10,6 +10,7 @@ from ..core import bounds, copies, native, rigs, scene_time, stored, wiring
 from ..core.lazy import numpy as np
 from ..core.system import Problem, registered, systems
 from ..core.tracks import own_track, strips, transforms, world_track
+from ..core.tracks.question import answered
 from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 
@@ -254,7 +255,7 @@ def _make(context, copy, scene):
         slot += count
     if (row, slot) != (len(context.locations), len(context.outputs)):
         raise stored.Damaged("another number of members or outputs")
-    making.make(context.frame)
+    answered((making, "all"), lambda: making.make(context.frame))
     asked = Asked(tuple(dict.fromkeys(making.carriers)), tuple(path for path, _, _ in properties), tuple(dict.fromkeys(making.laid)))
     is_still = copy is not None and not copy.has_animated_settings
     return Made(_stamp(owner, copy, scene, asked), asked, making.reach, making.parts, making.tails, making.values,

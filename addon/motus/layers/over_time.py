@@ -6,30 +6,46 @@ from ..core import entry_keys, read_keys, rigs
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.tracks import keys, rotations
+from ..core.tracks.question import answered
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
 from ..core.tracks.strips import together
+from ..core.tracks.transforms import Own
 from ..core.wiring import driven_bones
 from . import groups, solve
 
+MOST_AT_ONCE = 500_000
+"""Transforms, of bones at times."""
 _KEYED = ("weight", "is_muted")
 
 
-def over_time(owner, thing, scene):
+def over_time(owner, thing, _scene):
     """System.over_time; None for what no layer moves."""
-    masked = kept(owner, ("layers", "masked"), lambda: frozenset(groups.masked(owner)))
-    return OverTime(owner, thing, scene) if thing.name in masked else None
+    return OverTime(owner, thing) if thing.name in _masked(owner) else None
+
+
+def _masked(owner):
+    return kept(owner, ("layers", "masked"), lambda: frozenset(groups.masked(owner)))
+
+
+def _inputs(owner, names, is_steady, paths):
+    """The RigInputs of bones; is_steady: those above them count too."""
+    bones = owner.data.bones
+    above = [one.name for name in names for one in bones[name].parent_recursive] if is_steady else []
+    read = tuple(dict.fromkeys([*names, *above]))
+    return RigInputs(owner, None, ("layers", names, is_steady), read, "", [], paths, lays_pose=True)
 
 
 class OverTime(SolvedBone):
     """A bone in the mask of a layer; see core/tracks/solved.py. Original or evaluated."""
 
-    def __init__(self, owner, bone, scene):
+    price = 50
+    """As Track.price."""
+
+    def __init__(self, owner, bone):
         self._owner, self._bone = owner, bone
         self._layers = list(owner.motus.layers.entries)
-        is_steady = any(entry.in_armature for entry in self._layers)
-        above = [one.name for one in bone.bone.parent_recursive] if is_steady else []
-        super().__init__(RigInputs(
-            owner, scene, ("layers", bone.name, is_steady), [bone.name, *above], "", [], self._paths, lays_pose=True))
+        self._is_steady = any(entry.in_armature for entry in self._layers)
+        super().__init__(_inputs(owner, (bone.name,), self._is_steady, self._paths))
         self.bounds = self._bounds
 
     def _paths(self):
@@ -42,8 +58,9 @@ class OverTime(SolvedBone):
     def _spans(self):
         """(first, last) frame of the scene on which each layer changes something."""
         for entry in self._layers:
-            if entry.action:
-                first, last = solve.span(entry, entry.action.frame_range)
+            action = pointed(entry, "action")
+            if action:
+                first, last = solve.span(entry, action.frame_range)
                 length = (last - first) / abs(entry.speed) if entry.speed else 0.0
                 yield entry.start, math.inf if entry.after == 'REPEAT' and length else entry.start + length
 
@@ -65,25 +82,44 @@ class OverTime(SolvedBone):
 
     def applied(self, times, transforms):
         """See core/tracks/solved.py."""
-        moves, turns, sizes = once(self._owner, ("layers", self._bone.name), times, lambda: self._solved(times))
+        names = self._together(times)
+        found = once(self._owner, ("layers", *names), times, lambda: self._solved(names, times))
+        moves, turns, sizes = (part[:, names.index(self._bone.name)] for part in found)
         is_free = "location" in groups.channels_of(self._bone)
         return transforms._replace(
             locations=transforms.locations + moves if is_free else transforms.locations,
             rotations=rotations.product(transforms.rotations, turns), scales=transforms.scales * sizes)
 
-    def _solved(self, times):
-        """(n, 3), (n, 4), (n, 3) of what comes on top of the bone's own transform."""
-        owner, name = self._owner, self._bone.name
-        text = groups.plan_of(owner, [name], driven_bones(owner))
+    def _together(self, times):
+        """Names of the bones that are solved at once: where they are not too many, all in masks that can be, since others ask for those."""
+        masked = _masked(self._owner)
+        if len(masked) * len(times) > MOST_AT_ONCE:
+            return (self._bone.name,)
+        return answered((hash(self._owner), "layers"), lambda: tuple(
+            bone.name for bone in self._owner.pose.bones if bone.name in masked and self._is_known(bone)))
+
+    def _is_known(self, bone):
+        return not any(Own(one).reason for one in (bone, *(bone.parent_recursive if self._is_steady else ())))
+
+    def _solved(self, names, times):
+        """(n, bones, 3), (n, bones, 4), (n, bones, 3) of what comes on top of the bones' own transforms."""
+        owner = self._owner
+        text = groups.plan_of(owner, names, driven_bones(owner))
         wired = rigs.plan(owner, text, lambda rig, rows: solve.Wired(rig, rows, text))
         source = solve.Source(owner, wired)
-        clips, numbers = source.clips(), self._inputs.numbers(times)
-        settings = solve.still_settings(self._layers, clips)
-        moves, turns, sizes = np.empty((len(times), 3)), np.empty((len(times), 4)), np.empty((len(times), 3))
-        for place, (_, basis) in enumerate(self._inputs.rows(times, rigs.names_of(owner))):
-            for index in range(len(self._layers)):
-                weight = numbers["influence"][place] * numbers[index, "weight"][place]
-                settings[index, solve.WEIGHT] = 0.0 if numbers[index, "is_muted"][place] else weight
-            solve.lay(source, clips, settings, float(times[place]), basis, moves[place:place + 1], turns[place:place + 1],
-                      sizes[place:place + 1])
+        clips = source.clips()
+        rows = [row for row, clip in enumerate(clips) if clip is not None]
+        settings, weights = solve.still_settings(self._layers, clips)[rows], self._weights(times)[:, rows]
+        playing, laid = solve.Playing(source, clips, rows), np.empty((len(names), 16), np.float32)
+        moves, turns, sizes = (np.empty((len(times), len(names), width)) for width in (3, 4, 3))
+        for place, (_, basis) in enumerate(_inputs(owner, names, self._is_steady, self._paths).rows(times, rigs.names_of(owner))):
+            settings[:, solve.WEIGHT] = weights[place]
+            playing.lay(float(times[place]), settings, basis, moves[place], turns[place], sizes[place], laid)
         return moves, turns, sizes
+
+    def _weights(self, times):
+        """(n, L) of the layers."""
+        numbers = self._inputs.numbers(times)
+        found = [np.where(numbers[index, "is_muted"] != 0.0, 0.0, numbers["influence"] * numbers[index, "weight"])
+                 for index in range(len(self._layers))]
+        return np.stack(found, axis=1)

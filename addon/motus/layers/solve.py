@@ -13,6 +13,7 @@ BONES_CHANGED = Problem("The rig's bones have changed: press Refresh")
 PROBLEMS = (SOME_ARE_OFF, LOOPED_BONES, BONES_CHANGED)
 
 _AFTERS = {'STOP': 0.0, 'HOLD': 1.0, 'REPEAT': 2.0}
+_EYE = (1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0)
 _FORM = {"fingerprint": int, "bones": [str], "unknown": [str]}
 """Of what groups.py notes."""
 
@@ -84,22 +85,35 @@ def lay(source, found, settings, frame, basis, locations, rotations, scales):
 
     found: Clip or None of each layer. basis: own transforms of all bones.
     """
-    wired = source.wired
-    basis[wired.unknown] = np.eye(4, dtype=np.float32).ravel()
     playing = [row for row, clip in enumerate(found) if clip is not None and settings[row, WEIGHT] > 0.0]
-    numbers = settings[playing]
-    given = [None] * len(playing)
-    if any(found[row].asks_curves for row in playing):
-        frames = native.module.layer_moments(numbers, frame)[:, 0].tolist()
-        given = [found[row].given(at) for row, at in zip(playing, frames)]
-    laid = np.empty((len(wired.rows), 16), np.float32)
-    played = [(source.entries[row], found[row]) for row in playing]
-    frames = [_reference_frame(entry, clip) for entry, clip in played]
-    wired.stack.solve(
-        frame, basis, [clip.native for _, clip in played], numbers, source.masks[playing],
-        [None if at is None else clip.reference(at) for at, (_, clip) in zip(frames, played)], given, wired.rows,
-        locations, rotations, scales, laid, [_laps(*pair, at) for at, pair in zip(frames, played)])
+    laid = np.empty((len(source.wired.rows), 16), np.float32)
+    Playing(source, found, playing).lay(frame, settings[playing], basis, locations, rotations, scales, laid)
     return laid
+
+
+class Playing:
+    """Some layers of a Source, those in these rows, as LayerStack.solve() wants them. found: the Clip of each layer."""
+
+    def __init__(self, source, found, rows):
+        self._wired, self._masks = source.wired, source.masks[rows]
+        self._clips = [found[row] for row in rows]
+        self._asks_curves = any(clip.asks_curves for clip in self._clips)
+        self._natives = [clip.native for clip in self._clips]
+        played = [(source.entries[row], found[row]) for row in rows]
+        frames = [_reference_frame(*pair) for pair in played]
+        self._references = [None if at is None else clip.reference(at) for at, clip in zip(frames, self._clips)]
+        self._laps = [_laps(*pair, at) for at, pair in zip(frames, played)]
+
+    def lay(self, frame, settings, basis, locations, rotations, scales, laid):
+        """As lay() above; settings: of these layers. laid: (n, 16) float32, filled."""
+        wired, given = self._wired, [None] * len(self._clips)
+        basis[wired.unknown] = _EYE
+        if self._asks_curves:
+            frames = native.module.layer_moments(settings, frame)[:, 0].tolist()
+            given = [clip.given(at) for at, clip in zip(frames, self._clips)]
+        wired.stack.solve(
+            frame, basis, self._natives, settings, self._masks, self._references, given, wired.rows, locations, rotations, scales,
+            laid, self._laps)
 
 
 def _reference_frame(entry, clip):

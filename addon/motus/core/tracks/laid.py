@@ -50,6 +50,11 @@ class Laid:
         """As Channel.stamp."""
         return together([part.stamp for part in self._parts])
 
+    @property
+    def price(self):
+        """As Track.price."""
+        return sum(part.price for part in self._parts)
+
     def values(self, times):
         """Transforms at times (n,)."""
         found = self._own.values(times)

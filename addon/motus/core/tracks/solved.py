@@ -6,6 +6,7 @@ What System.over_time gives is None, or has
     applied(times, matrices)   world matrices (n, 4, 4) of the object, from those that its own channels and parents make;
                                of a bone its own Transforms, from those of its channels
     bounds, extent, stamp      as those of Channel
+    price                      as Track.price, if it is another than PRICE
 """
 
 import threading
@@ -17,6 +18,9 @@ from ..system import systems
 from . import rotations
 from .reason import Reason
 
+PRICE = 30
+"""As Track.price: about what a transform of a system's takes, beside what it reads."""
+
 _asked = set()
 """(thread, object or bone, label of the system) of all that is being asked for its reason."""
 
@@ -24,12 +28,10 @@ _asked = set()
 class Solved:
     """What a system makes of an Object or PoseBone, as a part of a chain of parents. label: of the system."""
 
-    price = 30
-    """As Track.price: about what a transform of a system's takes, beside what it reads."""
-
     def __init__(self, system, thing, source):
         self.label, self._thing, self._source = system.label, thing, source
         self.bounds, self.applied = source.bounds, source.applied
+        self.price = getattr(source, "price", PRICE)
 
     @property
     def reason(self):

@@ -1,0 +1,105 @@
+"""Every two systems that may meet on one owner, in both orders: both show, or a sentence says why not."""
+
+import itertools
+
+import bpy
+import numpy as np
+import support
+from core import pair_cases as cases
+
+FAR = 2e-3
+"""m: by which keys on every frame, with what Blender makes between them, are off a layer."""
+
+
+class Pairs(support.SceneTestCase):
+    def made(self, kind, *systems):
+        """(the owner, what refused the last system or "") of a new scene in which the owner has been given systems."""
+        support.empty_scene()
+        owner, refused = cases.build(kind), ""
+        for name in systems:
+            beside = next((one for one in systems if one != name), "")
+            try:
+                cases.add(name, kind, beside)
+            except RuntimeError as error:
+                self.assertEqual(name, systems[-1], error)
+                refused = str(error)
+        bpy.context.view_layer.update()
+        return owner, refused
+
+    def test_all_systems_are_in_the_table(self):
+        named = {name.split()[0] for names in cases.KINDS.values() for name in names}
+        self.assertEqual(named, {one.name for one in support.addon("systems").SYSTEMS} - {"pendulum_trail", "snow_cover"})
+
+    def test_both_show_or_a_sentence_says_why(self):
+        for kind, first, second in cases.pairs():
+            alone = {}
+            for name, other in ((first, second), (second, first)):
+                support.empty_scene()
+                cases.build(kind)
+                cases.add(name, kind, other)
+                bpy.context.view_layer.update()
+                alone[name] = cases.seen()
+            found = {}
+            for order in ((first, second), (second, first)):
+                with self.subTest(kind=kind, order=order):
+                    owner, refused = self.made(kind, *order)
+                    if refused or cases.sentences(owner):
+                        continue
+                    found[order] = cases.seen()
+                    for name, other in (order, order[::-1]):
+                        self.assertTrue(cases.differ(found[order], alone[other]), f"{name} does nothing")
+            with self.subTest(kind=kind, pair=(first, second)):
+                self.assertIn(len(found), (0, 2), "one order is told, the other is not")
+                if len(found) == 2 and not {first, second} & cases.IN_ORDER:
+                    self.assertFalse(cases.differ(*found.values()), "the order matters")
+
+    def test_what_moves_above_layers_is_as_above_keys(self):
+        """The layers' own result as keys is the reference."""
+        for name in ("dynamics", "dynamics own", "ik", "look_at"):
+            support.empty_scene()
+            cases.build("rig")
+            cases.add("layers", "rig")
+            bpy.ops.motus.layers_flatten(object="Owner", frame_start=1, frame_end=60)
+            cases.add(name, "rig", "layers")
+            bpy.context.view_layer.update()
+            wanted = cases.seen()
+            for order in itertools.permutations(("layers", name)):
+                with self.subTest(order=order):
+                    owner, refused = self.made("rig", *order)
+                    self.assertFalse(refused or cases.sentences(owner))
+                    found = cases.seen()
+                    self.assertFalse(cases.differ(found, wanted, FAR))
+                    for frame in reversed(cases.FRAMES):
+                        again = cases.seen((frame,))
+                        for what, numbers in again.items():
+                            np.testing.assert_array_equal(numbers, found[what], str(what))
+
+    def test_an_edited_layer_is_followed(self):
+        owner, _ = self.made("rig", "layers", "dynamics")
+        before = cases.seen((20,))
+        for curve in support.addon("core.actions").curves_for_object(bpy.data.actions["Wave"]):
+            if "UpperArm" in curve.data_path:
+                for point in curve.keyframe_points:
+                    point.co.y *= 0.5 if curve.array_index else 1.0
+                curve.update()
+        bpy.context.view_layer.update()
+        edited = cases.seen((20,))
+        self.assertTrue(cases.differ(before, edited))
+        bpy.ops.motus.dynamics_refresh(object="Owner")
+        self.assertFalse(cases.differ(cases.seen((20,)), edited, 0.0))
+
+    def test_the_panel_names_what_it_knows_by(self):
+        owner, _ = self.made("rig", "dynamics own", "layers")
+        source = support.addon("dynamics.panel").input_of(owner, owner.motus.dynamics.entries[0], bpy.context.scene)
+        self.assertEqual([track.sentence for track in source.tracks], ["Exact at any frame: solved by Animation Layers"])
+        self.assertEqual(source.extent, (1.0, 40.0))
+
+    def test_layers_that_repeat_go_on_under_dynamics(self):
+        owner, _ = self.made("rig", "layers", "dynamics own")
+        owner.motus.layers.entries[0].after = 'REPEAT'
+        frames = [40 + step for step in cases.FRAMES]
+        bpy.context.view_layer.update()
+        found = cases.seen(frames)
+        owner.motus.dynamics.entries[0].is_muted = True
+        bpy.context.view_layer.update()
+        self.assertTrue(cases.differ(found, cases.seen(frames)))
