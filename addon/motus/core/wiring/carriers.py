@@ -79,9 +79,15 @@ def wait_key(system):
     return f"motus_{system.name}_wait"
 
 
+def waits_apart(owner, groups):
+    """Whether solvers must not wait for all of an owner's plain properties: those that drive some, and all solvers on a camera, whose
+    properties come after its data's, which a solver may drive that waits for the camera."""
+    return owner.type == 'CAMERA' or any(group.properties for group in groups)
+
+
 def way_to_wait(owner, groups):
-    """How a solver that drives properties waits for animated settings: "" where there is no need, "keys", or "settings"."""
-    if not any(group.properties for group in groups) or not copies.has_animated_settings(owner):
+    """How a solver that waits apart waits for animated settings: "" where there is no need, "keys", or "settings"."""
+    if not waits_apart(owner, groups) or not copies.has_animated_settings(owner):
         return ""
     return "settings" if copies.has_driven_settings(owner) else "keys"
 
@@ -97,7 +103,7 @@ def signature(system, owner, groups):
     ways = uses_attribute(system), has_outlet(system, owner), rows.can_share(system, owner)
     properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
                   for group in groups for one in group.properties]
-    if properties:
+    if waits_apart(owner, groups):
         ways += way_to_wait(owner, groups), properties
     return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
 

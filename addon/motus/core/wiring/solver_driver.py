@@ -115,7 +115,7 @@ def _call(system, owner, group, hub):
         way = carriers.way_to_wait(owner, [group])
         if way == "keys":
             path = carriers.wait_for_keys(system, owner)
-        elif hub_lookup.has_outlet(system, owner) or group.properties and not way:
+        elif hub_lookup.has_outlet(system, owner) or carriers.waits_apart(owner, [group]) and not way:
             path = f'["{copies.KEY}"][0]'
         variables["owner"] = Variable('OBJECT', owner, path)
     return ",".join(arguments), variables
