@@ -297,12 +297,12 @@ class Moving(LandingCase):
                 self.assertEqual(found.setdefault(frame, state(emitter)), state(emitter))
         self.assertGreater(self.lying(emitter, 1.0), 60)
         self.assertEqual(bpy.ops.motus.snow_colliders_clear(object=emitter.name), {'FINISHED'})
-        self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith("Motus Colliders")], [])
+        self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith(".Motus Colliders")], [])
         self.assertFallsThrough(emitter, 1.0)
         go_to(1)
         bpy.ops.motus.snow_colliders_record(object=emitter.name)
         bpy.ops.motus.snow_remove(object=emitter.name)
-        self.assertEqual([mesh.name for mesh in bpy.data.meshes if mesh.name.startswith("Motus")], [])
+        self.assertEqual([mesh.name for mesh in bpy.data.meshes if mesh.name.startswith(".Motus")], [])
 
     def test_recorded_again(self):
         roof = self.board("Roof", (0.0, 0.0, 1.0))
@@ -314,7 +314,7 @@ class Moving(LandingCase):
             bpy.context.view_layer.update()
             self.assertGreater(self.lying(emitter, height), 20)
         self.assertEqual(self.lying(emitter, 1.0), 0)
-        self.assertEqual(len([mesh for mesh in bpy.data.meshes if mesh.name.startswith("Motus Colliders")]), 1)
+        self.assertEqual(len([mesh for mesh in bpy.data.meshes if mesh.name.startswith(".Motus Colliders")]), 1)
         # What was recorded stays where there is nothing to record.
         before = state(emitter)
         roof.data.clear_geometry()

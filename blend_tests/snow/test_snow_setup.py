@@ -174,7 +174,7 @@ class Setup(SnowTestCase):
     def test_an_override_keeps_a_look_of_its_own(self):
         self.add(**MANY)
         emitter = self.load(self.save(), True, "Snow").override_create(remap_local_usages=True)
-        for look, shown in (('SPECK', "Motus Speck"), ('POINTS', None), ('PETAL', "Motus Petal")):
+        for look, shown in (('SPECK', ".Motus Speck"), ('POINTS', None), ('PETAL', ".Motus Petal")):
             emitter.motus.snow.look = look
             bpy.ops.wm.open_mainfile(filepath=self.save(f"{look}.blend"))
             emitter = next(one for one in bpy.data.objects if one.override_library and one.modifiers)

@@ -36,6 +36,14 @@ def is_deleted(obj):
     return name in _deleted
 
 
+def watch(objects):
+    """Notice from now on if one of these objects is deleted. Not while Blender evaluates."""
+    for obj in objects:
+        is_deleted(obj)
+    if _is_new[0]:
+        look()
+
+
 def which(objects):
     """Indices of those of the objects that were deleted."""
     return [index for index, obj in enumerate(objects) if is_deleted(obj)]

@@ -6,7 +6,7 @@ flakes that ever landed would lie elsewhere.
 
 import bpy
 
-from ..core import datablocks, deleted, gathered, wiring
+from ..core import datablocks, deleted, gathered, helpers, wiring
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.scenery import seen
@@ -73,7 +73,7 @@ def record(emitter, view_layer):
     if not found:
         settings.recorded = before
         return False
-    kept = bpy.data.objects.new(NAME, _mesh(*joined([faces for _, faces in found])))
+    kept = helpers.make(NAME, _mesh(*joined([faces for _, faces in found])))
     for obj, faces in found:
         entry = kept.motus.snow.recorded_of.add()
         entry.object, entry.count = obj, len(faces.faces.triangles)

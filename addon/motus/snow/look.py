@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ..core import node_groups, wiring
+from ..core import helpers, node_groups, wiring
 from ..core.file.pointers import pointed
 from ..core.system import registered
 
@@ -88,11 +88,11 @@ def _shape(look):
     if found is not None:
         return found
     name, build, material = _SHAPES[look]
-    mesh = bpy.data.meshes.new(name)
+    mesh = bpy.data.meshes.new("Flake")
     vertices, faces = build()
     mesh.from_pydata(vertices, [], faces)
     mesh.materials.append(material())
-    shape = bpy.data.objects.new(name, mesh)
+    shape = helpers.make(name, mesh, is_hidden=False)
     shape[KEY] = look
     return shape
 

@@ -16,7 +16,7 @@ class LinkedTestCase(support.SceneTestCase):
         bpy.ops.wm.save_as_mainfile(filepath=path)
         support.empty_scene()
         with bpy.data.libraries.load(path, link=True) as (found, wanted):
-            wanted.objects = [name for name in found.objects if not name.startswith("Motus")]
+            wanted.objects = [name for name in found.objects if not name.startswith(".Motus")]
         for obj in wanted.objects:
             bpy.context.scene.collection.objects.link(obj)
         self.wanted = live_scenes.states()

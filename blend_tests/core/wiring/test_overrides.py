@@ -19,7 +19,7 @@ status = support.addon("ik.status")
 def overrides(kind):
     """All local ones of a type, but for what the wiring hides."""
     return [obj for obj in bpy.data.objects
-            if obj.type == kind and obj.override_library and not obj.library and not obj.name.startswith("Motus")]
+            if obj.type == kind and obj.override_library and not obj.library and not obj.name.startswith(".Motus")]
 
 
 class OverrideTestCase(RigTestCase):

@@ -293,7 +293,7 @@ class DetachTest(BoneTestCase):
         frame_set(7)
         wiring.detach(SYSTEM, rig)
         bpy.context.view_layer.update()
-        self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith("Motus")], [])
+        self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith(".Motus")], [])
         self.assertEqual(len(bpy.data.meshes), 0)
         self.assertEqual([key for key in rig.keys() if key.startswith("motus_")], [])
         self.assertEqual([bone.name for bone in rig.pose.bones if bone.constraints], [])

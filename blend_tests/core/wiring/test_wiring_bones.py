@@ -257,4 +257,4 @@ class CostTest(BoneTestCase):
         frame_set(5)
         self.assert_bent(second)
         wiring.detach(SYSTEM, second)
-        self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith("Motus")], [])
+        self.assertEqual([obj.name for obj in bpy.data.objects if obj.name.startswith(".Motus")], [])

@@ -134,7 +134,7 @@ class DetachTest(EditTest):
         added = self._everything() - before
         wiring.detach(toy_system.SYSTEM, owner)
         self.assertEqual(self._everything() - before, {entry for entry in added if entry[0] in ("object", "armature")
-                                                       and not entry[1].startswith("Motus")})
+                                                       and not entry[1].startswith(".Motus")})
         for one in {thing.id_data for thing in things} | {owner}:
             self.assertIsNone(one.animation_data)
             self.assertEqual([key for key in one.keys() if key.startswith("motus_")], [])

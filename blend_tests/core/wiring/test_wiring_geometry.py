@@ -103,7 +103,7 @@ class GeometryTest(WiringTestCase):
         for one in (owner, other, copy):
             self.assert_rests(one)
             wiring.detach(SYSTEM, one)
-        self.assertFalse([obj for obj in bpy.data.objects if obj.name.startswith("Motus")])
+        self.assertFalse([obj for obj in bpy.data.objects if obj.name.startswith(".Motus")])
 
     def test_other_files(self):
         found = self.assert_rests(build())

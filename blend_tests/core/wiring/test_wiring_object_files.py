@@ -31,7 +31,7 @@ class FileTest(ObjectTestCase):
     def bring(self, path, name, link):
         support.empty_scene()
         with bpy.data.libraries.load(path, link=link) as (there, wanted):
-            wanted.objects = [one for one in there.objects if not one.startswith("Motus")]
+            wanted.objects = [one for one in there.objects if not one.startswith(".Motus")]
         for obj in wanted.objects:
             bpy.context.scene.collection.objects.link(obj)
         frame_set(2)

@@ -90,7 +90,7 @@ class EditingTest(ObjectTestCase):
         owner.motus.sway.entries.remove(0)
         wiring.refresh(SYSTEM, owner)
         self.assert_sways(owner)
-        self.assertEqual(len([obj for obj in bpy.data.objects if obj.constraints and not obj.name.startswith("Motus")
+        self.assertEqual(len([obj for obj in bpy.data.objects if obj.constraints and not obj.name.startswith(".Motus")
                               and wiring.has_sinks(SYSTEM, obj)]), len({thing.id_data for thing in things(owner)} & {
                                   thing for thing in things(owner) if isinstance(thing, bpy.types.Object)}))
 

@@ -16,10 +16,15 @@ def to_object(*types, also=lambda _settings, _obj: True, **options):
     also(settings, obj): what else an object that is offered has to be.
     """
     def poll(settings, obj):
-        return (not types or obj.type in types) and bool(obj.users_collection) and also(settings, obj)
+        return (not types or obj.type in types) and _stands(obj) and also(settings, obj)
 
     poll.types = frozenset(types)
     return bpy.props.PointerProperty(type=bpy.types.Object, poll=poll, **options)
+
+
+def _stands(obj):
+    """Whether an object is in a collection. Blender goes through all of these to say so, a picker through all objects."""
+    return obj.visible_get() or obj.hide_get() or bool(obj.users_collection)
 
 
 def pointed(settings, name):

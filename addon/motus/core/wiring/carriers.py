@@ -4,7 +4,7 @@ import hashlib
 
 import bpy
 
-from .. import capabilities, copies
+from .. import capabilities, copies, helpers
 from ..system import OwnMatrix, input_variables, of_owner
 from . import drivers, hub_lookup, outbox, proxy_sink, rows
 
@@ -31,10 +31,7 @@ def _is_strange(system, owner, hub):
 
 def new_hub(*names):
     """A hidden object that stands in no collection, with an empty mesh."""
-    mesh = bpy.data.meshes.new(" ".join(filter(None, ("Motus", *names))))
-    hub = bpy.data.objects.new(mesh.name, mesh)
-    hub.hide_render = hub.hide_viewport = True
-    return hub
+    return helpers.make(" ".join(filter(None, ("Motus", *names))), bpy.data.meshes.new("Hub"))
 
 
 def make_hub(system, owner, group):

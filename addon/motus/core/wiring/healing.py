@@ -9,6 +9,8 @@
 - A rig was joined into another one: its sinks come along, but not its settings. They are removed.
 - An object whose points are moved was given another mesh, or its system asks for a word after the evaluation.
 - Objects came into a collection that a solver reads, or left it.
+- An owner was deleted: its helpers go along.
+- Helpers were put into the scene by Blender, along with what was appended or pasted.
 
 Solvers and Blender's handlers notice; the wiring is done when Blender has finished the evaluation, which it then does once
 more. Each happens once, and its result is the same whoever evaluates first.
@@ -19,11 +21,11 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from .. import copies, deleted, handlers, native, read_keys
+from .. import copies, deleted, handlers, helpers, native, read_keys
 from ..handedness import is_mirrored
 from ..system import has_settings, is_owner, leader_of, of_owner, registered, systems
-from . import attaching, carriers, geometry_sink, hub_lookup, order, outbox, overrides, property_sink, proxy_sink, relations, rows
-from .sinks import has_sinks, makers, release
+from . import attaching, carriers, geometry_sink, hub_lookup, order, outbox, overrides, property_sink, proxy_sink, relations, remains, rows
+from .sinks import has_sinks, makers, release, sinks
 from .solver_driver import waits
 
 log = logging.getLogger(__name__)
@@ -137,6 +139,8 @@ def _heal_all(depsgraph, is_edit):
         _heal_gathered()
     if depsgraph is not None and depsgraph.id_type_updated('ARMATURE'):
         _heal_edited(depsgraph)
+    if depsgraph is not None and deleted.have_collections_changed(depsgraph):
+        remains.remove_soon()
 
 
 def _try(heal):
@@ -209,10 +213,13 @@ def _heal_copies():
     count = len(bpy.data.objects)
     if count == _object_count[0]:
         return
+    helpers.put_away()
     relations.look()
     for system in systems():
         rows.tidy(system)
-    for system, owner in _attached():
+    attached = _attached()
+    deleted.watch(dict.fromkeys(owner for _, owner in attached))
+    for system, owner in attached:
         place = system.name, owner.name
         if place in _given_up or not carriers.has_strange_carriers(system, owner):
             continue
@@ -226,6 +233,14 @@ def _attached():
     """(system, owner) of all that is wired in this file."""
     owners = [obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")]
     return [(system, owner) for owner in owners for system in systems() if is_owner(system, owner)]
+
+
+def _adopt_old():
+    """Treat helpers and sinks that older versions have made as new ones are."""
+    for system, owner in _attached() if helpers.adopt_old() else ():
+        for _, constraint in sinks(system, owner):
+            constraint.show_expanded = False
+    helpers.put_away()
 
 
 def _heal_old():
@@ -359,8 +374,19 @@ def _forget(*_):
 def loaded(*_):
     """Before the first evaluation of a file."""
     _forget()
-    _try(lambda: (overrides.complete_references(), _heal_old(), _heal_overrides()))
+    _try(lambda: (overrides.complete_references(), _adopt_old(), _heal_old(), _heal_overrides()))
     _wake_all()
+
+
+@persistent
+def _remove_deleted(*_):
+    _try(remains.remove_deleted)
+
+
+@persistent
+def _put_away(*_):
+    # After undo the scene may be as it was when Blender had just put helpers there.
+    _try(helpers.put_away)
 
 
 @persistent
@@ -386,9 +412,12 @@ def _heal_order(depsgraph):
 
 def _watched_handlers():
     found = bpy.app.handlers
+    arriving = found.undo_post, found.redo_post, getattr(found, "blend_import_post", None)
     return (
+        *((functions, _put_away) for functions in arriving if functions is not None),
         (found.depsgraph_update_post, _heal), (found.frame_change_post, _heal_after_frame),
         (found.depsgraph_update_post, _updated), (found.load_post, loaded), (found.save_pre, overrides.complete_references),
+        (found.save_pre, _remove_deleted),
         (found.save_pre, _rest_all), (found.save_post, _wake_all),
         *((functions, _wake_all) for functions in (getattr(found, "save_post_fail", None),) if functions is not None))
 
@@ -401,4 +430,5 @@ def register():
 def unregister():
     """Stop watching."""
     handlers.remove(_watched_handlers())
+    remains.stop()
     _forget()

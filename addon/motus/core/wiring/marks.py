@@ -23,7 +23,11 @@ def name(system, channel=""):
 
 
 def put(constraint, hub, index):
-    """Note on a sink which member of which hub it drives."""
+    """Note on a sink which member of which hub it drives.
+
+    A constraint that is open in the interface has a dashed line in the viewport to its target: to the hub, at the origin.
+    """
+    constraint.show_expanded = False
     constraint.space_object = hub
     constraint.space_subtarget = str(index)
 

@@ -6,6 +6,7 @@ the transform of the empty that carries it; a driver that declares that transfor
 
 import bpy
 
+from .. import helpers
 from ..file.pointers import pointed
 from ..system import Deformed
 
@@ -40,11 +41,10 @@ def set_proxy(system, settings):
 
 
 def _proxy_for(targets):
-    name = f"Motus Order {targets[0].name}"
     for candidate in bpy.data.objects:
-        if candidate.name.startswith(name) and candidate.library is None and _waits_for(candidate) == targets:
+        if helpers.is_helper(candidate) and candidate.library is None and _waits_for(candidate) == targets:
             return candidate
-    proxy = bpy.data.objects.new(name, None)
+    proxy = helpers.make(f"Motus Order {targets[0].name}")
     for target in targets:
         constraint = proxy.constraints.new(_WAITING[target.type])
         constraint.target = target

@@ -11,6 +11,7 @@ A constraint does not count as a user of its target, so the owner's settings poi
 
 import bpy
 
+from .. import helpers
 from ..file.pointers import pointed
 from ..system import Variable
 from . import drivers, marks, outbox
@@ -27,7 +28,7 @@ def add(system, settings, group, index, hub):
     """Drive relative member `index` of the group by its slots of the hub's outbox. settings: keep the proxy alive."""
     member = group.members[index]
     thing = member.thing
-    proxy = bpy.data.objects.new(f"{marks.name(system)} {thing.name}", None)
+    proxy = helpers.make(f"{marks.name(system)} {thing.name}")
     proxy[marks.PROXY_KEY] = thing.id_data
     pose = outbox.pose_slot(group, index)
     slots = {"location": ("location", pose), "rotation": ("rotation_euler", pose + 3),

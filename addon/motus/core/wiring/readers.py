@@ -9,7 +9,8 @@ from typing import NamedTuple
 
 import bpy
 
-from . import hub_lookup, outbox, outputs
+from ..system import is_owner
+from . import hub_lookup, outbox, outputs, rows
 
 
 SINK = "motus"
@@ -28,16 +29,21 @@ class Reader(NamedTuple):
 
 
 def of(system, owner):
-    """The Readers of what an owner's system computes, as it is wired now or was last."""
+    """The Readers of what an owner's system computes, as it is wired now or was last.
+
+    Those of a hub that computes for another owner, of which this one is a copy, are that owner's, but for the copy's own drivers.
+    """
     carriers = _carriers(system, owner)
     names = {(carrier, key): outputs.output_names(system, carrier, key) for key, carrier in carriers}
     read = {owner, *(carrier for _, carrier in carriers)}
+    borrowed = {carrier for _, carrier in carriers if _is_borrowed(system, owner, carrier)}
     slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
     found = []
     for holder, curve, variable, index in targets_on(read):
-        if variable.name == SINK:
-            continue
         target = variable.targets[index]
+        is_outlet = slot.match(f"{curve.data_path}[{curve.array_index}]")
+        if variable.name == SINK or is_outlet or (target.id in borrowed and holder != owner):
+            continue
         at, absent = slot.match(target.data_path), waiting.match(target.data_path)
         first = 0 if target.id == owner else hub_lookup.first_slot(system, owner)
         output = _output(names, target.id, at, first) if at else absent and bpy.utils.unescape_identifier(absent[1])
@@ -50,6 +56,16 @@ def _carriers(system, owner):
     """What outputs can be read from, by the groups' keys: the owner's outlet before the hub."""
     outlet = [("", owner)] if hub_lookup.has_outlet(system, owner) else []
     return outlet + hub_lookup.carriers(system, owner)
+
+
+def _is_borrowed(system, owner, carrier):
+    """Whether a carrier computes for another owner of this file."""
+    if carrier == owner or carrier.library or carrier.override_library:
+        return False
+    if outbox.is_shared(system, carrier):
+        return not rows.is_own(system, owner, carrier)
+    first = carrier.get(outbox.OWNER_KEY)
+    return isinstance(first, bpy.types.Object) and first != owner and is_owner(system, first)
 
 
 def targets_on(read):

@@ -48,7 +48,9 @@ def _hangs_on(obj):
     # Of bones, of which there may be hundreds that are posed with the mouse, just how many.
     on_bones = [len(bone.constraints) for bone in obj.pose.bones] if obj.pose else ()
     animation = obj.animation_data
-    return (_name(obj.parent), obj.parent_type, obj.parent_bone, tuple(constraints), tuple(on_bones),
+    # Blender warns of the type of a parent that is gone (3.4).
+    parent = (obj.parent.name, obj.parent_type, obj.parent_bone) if obj.parent else ()
+    return (parent, tuple(constraints), tuple(on_bones),
             len(animation.drivers) if animation else 0)
 
 

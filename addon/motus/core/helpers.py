@@ -1,0 +1,83 @@
+"""Helpers: objects that work for others behind the scenes, such as hubs, proxies and the shapes of flakes.
+
+A helper stands in no collection: neither the viewport nor the outliner shows it or counts it. Its name begins with a dot: Blender's
+pickers leave such names out unless somebody types the dot.
+"""
+
+import bpy
+
+KEY = "motus_helper"
+"""Custom property of a helper: whether it is hidden, or shown by instances, as the shapes of flakes are."""
+_OLD_KEYS = {"motus_proxy": True, "motus_flakes": False}
+_OLD_MESH_KEYS = "motus_owner", "motus_shared"
+_OLD_NAMES = "Motus Order ", "Motus Colliders"
+# Those of versions that had no KEY: custom properties of the object, with the value of KEY; of its mesh; beginnings of names.
+
+
+def make(name, data=None, is_hidden=True):
+    """A new helper. data: its datablock, which is named along with it."""
+    if data is not None:
+        data.name = f".{name}"
+    helper = bpy.data.objects.new(f".{name}", data)
+    _mark(helper, is_hidden)
+    return helper
+
+
+def _mark(helper, is_hidden):
+    helper[KEY] = int(is_hidden)
+    helper.hide_viewport = helper.hide_render = is_hidden
+
+
+def is_helper(obj):
+    """Whether an object is a helper."""
+    return KEY in obj
+
+
+def put_away():
+    """Take helpers out of the collections into which Blender puts what it appends or pastes along with what needs it.
+
+    A hidden helper that nothing needs is removed. A shape that nothing needs is a copy that *Make Instances Real* has made: it
+    becomes an object of the artist's.
+    """
+    standing = {}
+    helpers = {obj for obj in bpy.data.objects if KEY in obj and not obj.library}
+    for collection in (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes)) if helpers else ():
+        if not collection.library:
+            for helper in helpers.intersection(collection.objects.values()):
+                standing.setdefault(helper, []).append(collection)
+    for helper, collections in standing.items():
+        if helper.users > len(collections):
+            for collection in collections:
+                collection.objects.unlink(helper)
+            _mark(helper, bool(helper[KEY]))
+        elif helper[KEY]:
+            bpy.data.objects.remove(helper)
+        else:
+            _give_away(helper)
+
+
+def _give_away(shape):
+    for key in (KEY, *_OLD_KEYS):
+        shape.pop(key, None)
+    shape.name = shape.name.lstrip(".")
+
+
+def adopt_old():
+    """Mark and name helpers of this file that older versions have made; returns them."""
+    found = {obj: hidden for obj in bpy.data.objects if not obj.library and KEY not in obj
+             for hidden in [_is_hidden_of_old(obj)] if hidden is not None}
+    for obj, is_hidden in found.items():
+        _mark(obj, is_hidden)
+        for named in (obj, obj.data):
+            if named is not None and not named.library:
+                named.name = f".{named.name}"
+    return list(found)
+
+
+def _is_hidden_of_old(obj):
+    """What KEY is to say of a helper that an older version has made; None of any other object."""
+    of_key = next((hidden for key, hidden in _OLD_KEYS.items() if key in obj), None)
+    if of_key is not None:
+        return of_key
+    is_hub = obj.type == 'MESH' and any(key in obj.data for key in _OLD_MESH_KEYS)
+    return True if is_hub or obj.name.startswith(_OLD_NAMES) else None
