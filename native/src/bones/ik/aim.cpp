@@ -39,6 +39,29 @@ glm::dvec3 elbow_near_pose(const glm::dvec3& elbow, const glm::dvec3& root, cons
     return elbow + bend * (glm::cross(blend, along) - side);
 }
 
+/// Where the tip is to come: where softness lets it go, else the target.
+glm::dvec3 end_of(const Pose& pose, const AimGoal& goal, const Chord& chord, const AimReport& report) {
+    const bool is_soft = goal.softness > 0.0 && report.end < report.distance;
+    return is_soft ? pose.root() + report.end * chord.along : goal.target;
+}
+
+/// Whether lengths of the bones depend on where they point.
+bool is_sheared(const Pose& pose, std::size_t count) {
+    constexpr double alike = 1e-4;
+    for (std::size_t i = 0; i < count; ++i) {
+        const glm::dmat3& axes = pose.posed(i).space.axes;
+        const glm::dmat3 square = glm::transpose(axes) * axes;
+        const double size = (square[0][0] + square[1][1] + square[2][2]) / 3.0;
+        for (int column = 0; column < 3; ++column) {
+            for (int row = 0; row < 3; ++row) {
+                const double even = column == row ? size : 0.0;
+                if (std::abs(square[column][row] - even) > alike * size) return true;
+            }
+        }
+    }
+    return false;
+}
+
 }  // namespace
 
 glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn) {
@@ -57,6 +80,7 @@ Aim::Aim(std::size_t longest)
       joints_(longest + 1),
       to_spaces_(longest),
       best_(longest),
+      nearest_(longest),
       slopes_(longest),
       rest_(longest),
       offsets_(longest),
@@ -165,7 +189,8 @@ AimReport Aim::turn(Pose& pose, const AimGoal& goal) {
     AimReport report;
     report.distance = glm::distance(pose.root(), goal.target);
     measure(pose, goal.count, report, goal);
-    Line line = line_to_target(pose, goal, report.reach);
+    const Line first = line_to_target(pose, goal, report.reach);
+    Line line = first;
 
     // Lengths that depend on the direction (sheared spaces) are those of the round before: one round is
     // enough for a rigid chain, but for the rounding of single precision that makes every chain a little
@@ -202,13 +227,16 @@ AimReport Aim::turn(Pose& pose, const AimGoal& goal) {
         } else if (!goal.limits.empty()) {
             for (std::size_t i = 0; i < goal.count; ++i) pose.put(i, best_[i], 1.0);
         } else {
-            const bool is_soft = goal.softness > 0.0 && report.end < report.distance;
-            const glm::dvec3 end = is_soft ? pose.root() + report.end * line.chord.along : goal.target;
-            report.iterations += finish(pose, goal, end, report.reach);
-            const bool is_there =
-                glm::distance(pose.joints()[goal.count], goal.target) <= goal.tolerance * report.reach;
-            if (is_there) report.reason = Reason::reached;
+            report.iterations += finish(pose, goal, end_of(pose, goal, line.chord, report), report.reach);
         }
+    }
+    if (goal.limits.empty()) {
+        constexpr std::size_t most_folded = 12;  // bones: the work grows with their square
+        const glm::dvec3 end = end_of(pose, goal, line.chord, report);
+        const bool can_fold = goal.count > 1 && goal.count <= most_folded && is_sheared(pose, goal.count);
+        if (can_fold && fold(pose, goal, first, end, report)) measure(pose, goal.count, report, goal);
+        const double miss = glm::distance(pose.joints()[goal.count], goal.target);
+        if (miss <= goal.tolerance * report.reach) report.reason = Reason::reached;
     }
     return report;
 }

@@ -77,12 +77,18 @@ class Aim {
     void keep(const Pose& pose, std::size_t count);
     /// Brings the tip nearer to `end` from the rotations that were kept; returns how many steps it took.
     int finish(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double reach);
+    /// Where the tip is off `end`, starts again from the chain as it reaches, on the same side, for a nearer
+    /// place: the straight chain is not the longest one in sheared spaces, and no small turn leads from it to
+    /// the others. Whether that brought the tip nearer.
+    [[nodiscard]] bool fold(Pose& pose, const AimGoal& goal, const Line& line, const glm::dvec3& end,
+                            AimReport& report);
 
     std::vector<double> lengths_;
     std::vector<glm::dvec3> joints_;     // where they are to be
     std::vector<glm::dmat3> to_spaces_;  // inverse of what each bone was turned in
     std::vector<glm::dquat> best_;
-    std::vector<glm::dmat3> slopes_;  // of the tip by each bone's turn about X, Y and Z
+    std::vector<glm::dquat> nearest_;  // of the searches so far
+    std::vector<glm::dmat3> slopes_;   // of the tip by each bone's turn about X, Y and Z
     // of chains with limits
     std::vector<glm::dquat> rest_;
     std::vector<glm::dvec3> offsets_;

@@ -114,4 +114,32 @@ int Aim::finish(Pose& pose, const AimGoal& goal, const glm::dvec3& end, double r
     return step;
 }
 
+bool Aim::fold(Pose& pose, const AimGoal& goal, const Line& line, const glm::dvec3& end, AimReport& report) {
+    const std::size_t count = goal.count;
+    const double before = glm::distance(pose.joints()[count], end);
+    if (before <= goal.tolerance * report.reach) return false;
+    constexpr std::array<double, 4> nearer{0.8, 0.5, 0.2, 0.05};  // of the way that the chain can go
+    keep(pose, count);
+    std::copy_n(best_.begin(), count, nearest_.begin());
+    double miss = before;
+    for (const double share : nearer) {
+        if (miss <= goal.tolerance * report.reach) break;
+        for (std::size_t i = 0; i < count; ++i) pose.put(i, pose.bone(i).rotation, 1.0);
+        AimReport near;
+        near.distance = report.distance;
+        measure(pose, count, near, goal);
+        near.end = share * std::min(near.distance, near.reach);
+        find_joints(pose, goal, line, near);
+        turn_bones(pose, count, line);
+        keep(pose, count);
+        report.iterations += finish(pose, goal, end, report.reach);
+        const double now = glm::distance(pose.joints()[count], end);
+        if (now >= miss) continue;
+        miss = now;
+        std::copy_n(best_.begin(), count, nearest_.begin());
+    }
+    for (std::size_t i = 0; i < count; ++i) pose.put(i, nearest_[i], 1.0);
+    return miss < before;
+}
+
 }  // namespace motus::bones::ik

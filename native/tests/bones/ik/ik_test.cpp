@@ -79,6 +79,63 @@ TEST_CASE("sheared chains: what is reported is what is measured", "[rig_ik]") {
     CHECK(reached > 9 * all / 10);
 }
 
+namespace {
+
+/// A chain of 2 to 4 bones, each of which has a scale of its own that those after it inherit: the straight
+/// chain is not the longest.
+Solve squashed(unsigned seed, InheritScale mode) {
+    RandomRig random(seed);
+    Solve solve;
+    std::vector<int> bones{solve.rig.add(-1, random.place(), 0.5, random.place(random.scale()))};
+    for (int i = 0; i < 2 + static_cast<int>(seed % 3); ++i) {
+        const glm::dmat4 rest = transform(glm::dvec3(0.0), random.turn(0.3));
+        const glm::dmat4 own = transform(glm::dvec3(0.0), random.turn(0.5), random.scale());
+        bones.push_back(solve.rig.add(bones.back(), rest, random.between(0.5, 1.5), own, mode));
+    }
+    bones.erase(bones.begin());
+    solve.add_chain({bones, bones.back()}, glm::dvec3(0.0), exact());
+    return solve;
+}
+
+}  // namespace
+
+TEST_CASE("squashed chains reach what turns of their bones reach", "[rig_ik]") {
+    for (const InheritScale mode : modes) {
+        int missed = 0;
+        constexpr int all = 400;
+        for (unsigned seed = 0; seed < all; ++seed) {
+            Solve solve = squashed(seed, mode);
+            solve.run();
+            RandomRig random(seed + all);
+            for (glm::dquat& rotation : solve.rotations) rotation = random.rotation();
+            std::fill(solve.scales.begin(), solve.scales.end(), glm::dvec3(1.0));
+            solve.targets[0][3] = glm::dvec4(solve.tip(0), 1.0);
+            solve.run();
+            CHECK(solve.report[0].residual == Approx(solve.miss(0)).margin(1e-11));
+            if (solve.miss(0) > 1e-6 * length_of(solve, 0)) ++missed;
+        }
+        INFO("mode " << static_cast<int>(mode) << ": missed " << missed << " of " << all);
+        CHECK(missed <= (mode == InheritScale::fix_shear ? all / 100 : 0));
+    }
+}
+
+TEST_CASE("a squashed chain does not let go of a target that moves", "[rig_ik]") {
+    for (unsigned seed = 0; seed < 40; ++seed) {
+        Solve solve = squashed(seed, InheritScale::full);
+        const glm::dvec3 root = root_of(solve, 0);
+        const glm::dvec3 way = RandomRig(seed + 1).direction();
+        const double step = 0.01 * length_of(solve, 0);
+        double before = 0.0;
+        for (int i = 20; i < 200; ++i) {
+            solve.targets[0][3] = glm::dvec4(root + (i * step) * way, 1.0);
+            solve.run();
+            INFO("seed " << seed << ", step " << i);
+            if (i > 20) CHECK(solve.miss(0) < before + 1.1 * step);
+            before = solve.miss(0);
+        }
+    }
+}
+
 TEST_CASE("out of reach a chain is straight and says why", "[rig_ik]") {
     for (const int count : {1, 2, 3, 6}) {
         Solve solve = sample(3, count, true, 1.5);
