@@ -90,6 +90,47 @@ class Add(IkTestCase):
         self.arm(straight, "Plain")
         self.assertEqual(self.reach(rig="Plain").hinge_angle, 0.0)
 
+    def test_several_chains_at_once(self):
+        def build(bones):
+            for side, x in (("L", 1.0), ("R", -1.0)):
+                parent = None
+                for name, low in (("upper", 2.0), ("lower", 1.0)):
+                    bone = bones.new(f"{name}.{side}")
+                    bone.head, bone.tail, bone.parent = (x, 0.0, low), (x, 0.1 * low - 0.1, low - 1.0), parent
+                    parent = bone
+        rig = self.rig(build, "Legs")
+        before = self.poses(rig)
+        bpy.ops.motus.ik_add(object="Legs", bones="lower.L, lower.R", chain_length=2)
+        entries = rig.motus.ik.entries
+        self.assertEqual([entry.name for entry in entries], ["lower.L", "lower.R"])
+        self.assertNotEqual(entries[0].target, entries[1].target)
+        self.assertSamePose(rig, before, 5e-6)
+        bpy.ops.motus.ik_remove(object="Legs")
+        self.assertRefused("driven from lower.L and from upper.L", bpy.ops.motus.ik_add, object="Legs", bones="lower.L,upper.L")
+        self.assertFalse(rig.motus.ik.entries)
+
+    def test_a_knee_that_bends_by_little_bends_that_way(self):
+        """At rest, or as posed where the rest pose is straight; the target comes half as near, so that the knee stands far out."""
+        for degrees in (0.45, 0.1, 0.02):
+            for way in ((0.0, -1.0, 0.0), (1.0, 0.0, 0.0), (-0.6, 0.8, 0.0)):
+                for is_posed in (False, True):
+                    with self.subTest(degrees=degrees, way=way, is_posed=is_posed):
+                        support.empty_scene()
+                        self.scene = bpy.context.scene
+                        out = math.tan(0.5 * math.radians(degrees)) * Vector(way)
+                        knee = Vector((0.0, 0.0, 1.0)) + (Vector() if is_posed else out)
+                        rig = self.arm(((0.0, 0.0, 2.0), tuple(knee), (0.0, 0.0, 0.0)))
+                        if is_posed:
+                            axis = Vector((0.0, 0.0, -1.0)).cross(way)
+                            for name, angle in (("Bone 0", 0.5 * degrees), ("Bone 1", -degrees)):
+                                rest = rig.data.bones[name].matrix_local.to_3x3()
+                                turn(rig.pose.bones[name], rest.inverted() @ axis, math.radians(angle))
+                            bpy.context.view_layer.update()
+                        self.target((0.0, 0.0, 1.0))
+                        self.reach()
+                        bpy.context.view_layer.update()
+                        self.assertNear(self.tail(rig, "Bone 0"), Vector((0.0, 0.0, 1.5)) + math.sqrt(0.75) * Vector(way), 0.02)
+
     def test_orientation_of_a_given_target_is_kept(self):
         rig = self.arm()
         target = self.target()

@@ -82,6 +82,20 @@ class Add(LookAtTestCase):
         bpy.ops.object.mode_set(mode='EDIT')
         self.assertFalse(bpy.ops.motus.look_at_add.poll())
 
+    def test_several_heads_at_once(self):
+        bones = {"Hips": ("", (0, 0, 1), (0, 0, 1.2)), "Chest": ("Hips", (0, 0, 1.2), (0, 0, 1.5)),
+                 "HeadA": ("Chest", (0.2, 0, 1.5), (0.2, 0, 1.7)), "HeadB": ("Chest", (-0.2, 0, 1.5), (-0.2, 0, 1.7))}
+        rig = build_rig(bones, "Hydra")
+        bpy.ops.motus.look_at_add(object="Hydra", bones="HeadA, HeadB")
+        heads = rig.motus.look_at.entries
+        self.assertEqual([(head.name, head.body_length) for head in heads], [("HeadA", 1), ("HeadB", 0)], "one of them has the chest")
+        self.assertNotEqual(heads[0].target, heads[1].target)
+        for head in ("HeadA", "HeadB"):
+            bpy.ops.motus.look_at_remove(object="Hydra", bone=head)
+        self.assertRefused("driven from HeadA and from HeadB", bpy.ops.motus.look_at_add, object="Hydra", bones="HeadA,HeadB", body_length=1)
+        self.assertFalse(rig.motus.look_at.entries)
+        self.assertRefused("has no bone Nose", bpy.ops.motus.look_at_add, object="Hydra", bones="HeadA,Nose")
+
     def test_no_eyes(self):
         self.assertEqual(len(self.look(eyes="").eyes), 0)
 

@@ -4,7 +4,7 @@ import bpy
 
 from . import entries, operators
 from .operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
-from .refusals import Refused, check_local, check_unbaked, named
+from .refusals import Refused, check_bone, check_local, check_unbaked, named
 from .system import has_settings, of_owner, registered
 from .translations import counted, tr
 
@@ -51,6 +51,54 @@ def selected(context, name):
     else:
         found = [entries.active(obj, name) for obj in context.selected_objects if _uses(obj, name)]
     return [first, *(entry for entry in found if entry is not None and entry != first)]
+
+
+def posed(context):
+    """Names of the selected bones of the active rig in Pose Mode, the active one first if it is selected."""
+    rig = context.object
+    if rig is None or not _is_posed(rig):
+        return []
+    names = [bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig]
+    active = rig.data.bones.active
+    return sorted(names, key=lambda name: active is None or name != active.name)
+
+
+def names_in(rig, text):
+    """The names of bones in a text with commas between; refuses what the rig has not."""
+    found = [name.strip() for name in text.split(",") if name.strip()]
+    for name in found:
+        check_bone(rig, name)
+    return list(dict.fromkeys(found))
+
+
+def check_apart(found):
+    """Refuse entries that would drive the same bone. found: {bone of the entry: names of the bones that it drives}."""
+    taken = {}
+    for entry, bones in found.items():
+        for name in bones:
+            if name in taken:
+                raise Refused(tr("{bone} would be driven from {first} and from {second}").format(
+                    bone=name, first=taken[name], second=entry))
+            taken[name] = entry
+
+
+def has_entry(rig, name, bone):
+    """Whether a bone of a rig has an entry. name: of the system."""
+    return _uses(rig, name) and bone in of_owner(registered[name], rig).entries
+
+
+def draw_add(layout, identifier, icon, words, bones=()):
+    """A button that says what it adds to. words: its text in the user's language; bones: names that it is for, else what is selected.
+
+    Without words the button is grey, under the operator's own name.
+    """
+    row = layout.row(align=True)
+    row.enabled = bool(words)
+    row.operator_context = 'INVOKE_DEFAULT'
+    button = row.operator(identifier, icon=icon, **({"text": words, "translate": False} if words else {}))
+    if bones:
+        button.bones = ",".join(bones)
+    return button
 
 
 def _uses(obj, name):

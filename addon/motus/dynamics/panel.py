@@ -4,7 +4,7 @@ import bpy
 
 from ..core import bone_entries, graph, native, panels, tracks, ui, widths
 from ..core.lazy import numpy as np
-from ..core.translations import OWN_SENSE, tr
+from ..core.translations import OWN_SENSE, counted, tr
 from . import filters, presets, rows, styles, told
 from .groups import units
 from .setup import active_entry, label, system
@@ -131,10 +131,19 @@ def draw_add(layout, context):
     """The buttons that add dynamics."""
     column = layout.column(align=True)
     # Said in so many words, or it would be what was chosen last.
-    column.operator("motus.dynamics_add", icon='FORCE_HARMONIC').whole_chains = False
+    bone_entries.draw_add(column, "motus.dynamics_add", 'FORCE_HARMONIC', _words(context)).whole_chains = False
     row = column.row(align=True)
     row.enabled = context.mode == 'POSE'
     row.operator("motus.dynamics_add", text="Dynamics of Whole Chains", icon='FORCE_HARMONIC').whole_chains = True
+
+
+def _words(context):
+    """What the button says that adds dynamics to all that is selected; "" where nothing is."""
+    if context.mode == 'POSE':
+        found, many = [bone.name for bone in context.selected_pose_bones or ()], tr("Dynamics on {count} Bones")
+    else:
+        found, many = [obj.name for obj in context.selected_objects], tr("Dynamics on {count} Objects")
+    return counted(len(found), tr("Dynamics on {name}").format(name=found[0]), many) if found else ""
 
 
 class MOTUS_UL_dynamics_entries(bpy.types.UIList):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import operators, wiring
+from ..core import bone_entries, operators, wiring
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_evaluated, check_finite, check_local, check_no_tweak_mode
 from ..core.rows import Rows
@@ -39,6 +39,9 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
     bl_description = "Let a chain of bones reach for a target"
     bl_options = {'REGISTER', 'UNDO', 'PRESET'}
 
+    bones: bpy.props.StringProperty(
+        name="Bones", description="Names of the last bones of several chains, with commas between: all are added at once",
+        options={'SKIP_SAVE'})
     target: bpy.props.StringProperty(
         name="Target", description="Name of the object that the chain reaches for; empty takes what is selected along "
         "with the bone, and else makes an empty at the end of the chain", options={'SKIP_SAVE'})
@@ -67,23 +70,34 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
         targets.check_editable(rig)
 
     def run(self, context):
-        rig, entry, chain = self._add(context)
-        self.show_used(entry, KEYWORDS)
-        self.report({'INFO'}, status.added(entry))
-        context.view_layer.update()
-        for sentence in targets.warnings(rig, chain, entry.chain_length) + status.warnings(context, rig, entry):
-            self.report({'WARNING'}, sentence)
-
-    def _add(self, context):
         rig = targets.rig_for(context, self.object)
-        bone = targets.bone_for(context, rig, self.bone)
         targets.check_editable(rig)
-        changes = self.given(KEYWORDS)
-        check_finite(self, changes)
-        before = rig.motus.ik.entries.get(bone)
+        bones = bone_entries.names_in(rig, self.bones) or [targets.bone_for(context, rig, self.bone)]
+        bone_entries.check_apart({bone: self._chain(rig, bone).driven for bone in bones})
+        for bone in bones:
+            self._add(context, rig, bone)
+        added = [rig.motus.ik.entries[bone] for bone in bones]
+        self.show_used(added[0], KEYWORDS)
+        self.report({'INFO'}, status.added(added[0]) if len(added) == 1 else tr("IK added to {count} bones").format(count=len(added)))
+        context.view_layer.update()
+        for entry in added:
+            chain = targets.chain_for(rig, entry.name, entry.chain_length, entry.use_tail)
+            for sentence in targets.warnings(rig, chain, entry.chain_length) + status.warnings(context, rig, entry):
+                self.report({'WARNING'}, sentence)
+
+    def _chain(self, rig, bone):
+        """The chain that a bone is given; refuses one that is not free."""
+        changes, before = self.given(KEYWORDS), rig.motus.ik.entries.get(bone)
         chain = targets.chain_for(rig, bone, *(
             changes.get(name, getattr(before or self, name)) for name in ("chain_length", "use_tail")))
         targets.check_free(rig, chain)
+        return chain
+    def _add(self, context, rig, bone):
+        """Give a bone its entry."""
+        changes = self.given(KEYWORDS)
+        check_finite(self, changes)
+        before = rig.motus.ik.entries.get(bone)
+        chain = self._chain(rig, bone)
         target, pole = self._goals(context, rig, before)
         if self.make_control_bone:
             control_bones.check(context, rig)
@@ -112,14 +126,13 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
             entry = setup.add(rig, bone, changes)
         if self.make_pole and pole is None:
             _make_pole(context, rig, bone, turned, self.make_control_bone)
-        return rig, rig.motus.ik.entries[bone], chain
 
     def _keeps_rotation(self, changes):
         return self.keep_rotation and "rotation_offset" not in changes
 
     def _goals(self, context, rig, before):
         """Target and pole, each (object, bone) or None: as they are given, selected, or were before."""
-        from_selection = None if self.object or self.bone else rig
+        from_selection = None if self.object or self.bone or self.bones else rig
         target = targets.goal_for(context, self.target, self.target_bone, from_selection)
         if target is None and before and pointed(before, "target"):
             target = pointed(before, "target"), before.target_bone

@@ -4,7 +4,8 @@ import bpy
 
 from ..core import bone_entries, panels, ui
 from ..core.file.pointers import pointed
-from . import limits_panel, presets, rows, status, tools_panel
+from ..core.translations import tr
+from . import limits_panel, presets, rows, status, targets, tools_panel
 from .setup import system
 from .shown import shown_entry
 
@@ -43,9 +44,24 @@ def draw_add(layout, context):
     active = rig.data.bones.active if rig and rig.type == 'ARMATURE' else None
     column = layout.column(align=True)
     column.label(text=active.name if active else "", icon='BONE_DATA' if active else 'BLANK1', translate=False)
-    column.operator("motus.ik_add", icon='CON_KINEMATIC')
+    bone_entries.draw_add(column, "motus.ik_add", 'CON_KINEMATIC', _words(context, rig, active))
     column.operator("motus.ik_add", text="IK with Pole", icon='EMPTY_AXIS').make_pole = True
     column.operator("motus.ik_add", text="IK with Control Bone", icon='BONE_DATA').make_control_bone = True
+    ends = targets.ends(rig, bone_entries.posed(context)) if active else []
+    words = tr("IK on {count} Bones").format(count=len(ends)) if len(ends) > 1 else ""
+    bone_entries.draw_add(column, "motus.ik_add", 'GROUP_BONE', words, ends if words else ())
+
+
+def _words(context, rig, active):
+    """What the button says that gives the active bone a chain; "" where there is nothing to add to."""
+    if active is None:
+        return ""
+    goal = targets.selected_goal(context, rig)
+    if goal:
+        return tr("IK on {bone} to {target}").format(bone=active.name, target=goal[1] or goal[0].name)
+    if bone_entries.has_entry(rig, "ik", active.name):
+        return ""
+    return tr("IK on {bone}").format(bone=active.name)
 
 
 def draw_goal(column, owner, pointer, bone):

@@ -122,6 +122,12 @@ def check_free(rig, chain):
                 bone=name, system=tr(label), other=entry))
 
 
+def ends(rig, names):
+    """Those of the bones that no other of them hangs on: the last bones of chains."""
+    above = {bone.name for name in names for bone in rig.data.bones[name].parent_recursive}
+    return [name for name in names if name not in above]
+
+
 def check_no_loop(rig, bone, changes, goal):
     """Refuse a target or pole, `goal`, that moves along with the chain as it would be with these settings."""
     if goal and setup.would_wait_for_itself(rig, bone, changes):

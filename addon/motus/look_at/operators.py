@@ -4,7 +4,7 @@ import functools
 
 import bpy
 
-from ..core import operators, wiring
+from ..core import bone_entries, operators, wiring
 from ..core.axes import AXES, LABELS
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
@@ -35,6 +35,8 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
     bone: bpy.props.StringProperty(
         name="Head", description="Name of the head bone; empty takes the active one, or the one that is called head",
         options={'SKIP_SAVE'})
+    bones: bpy.props.StringProperty(
+        name="Heads", description="Names of several head bones, with commas between: all are added at once", options={'SKIP_SAVE'})
     target: bpy.props.StringProperty(
         name="Target", description="Name of the object to look at; empty makes one in front of the head",
         options={'SKIP_SAVE'})
@@ -67,16 +69,24 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         targets.check_editable(rig)
 
     def run(self, context):
-        rig, head, target = self._add(context)
-        self.show_used(rig.motus.look_at.entries[head], (*KEYWORDS, "body_length"))
-        self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
-            head=head, object=rig.name, target=target.name))
+        rig = targets.rig_for(context, self.object)
+        targets.check_editable(rig)
+        heads = bone_entries.names_in(rig, self.bones) or [targets.head_for(context, rig, self.bone)]
+        found, driven = {}, {}
+        for head in heads:
+            *found[head], driven[head] = self._changes(context, rig, head, set(heads).union(*driven.values()))
+        bone_entries.check_apart(driven)
+        for head, (changes, eyes) in found.items():
+            self._add(context, rig, head, changes, eyes)
+        entries = rig.motus.look_at.entries
+        self.show_used(entries[heads[0]], (*KEYWORDS, "body_length"))
+        for head in heads:
+            self.report({'INFO'}, tr("{head} of {object} looks at {target}").format(
+                head=head, object=rig.name, target=entries[head].target.name))
         wiring.report_problems(self, context, setup.system(), [rig])
 
-    def _add(self, context):
-        rig = targets.rig_for(context, self.object)
-        head = targets.head_for(context, rig, self.bone)
-        targets.check_editable(rig)
+    def _changes(self, context, rig, head, taken):
+        """(settings, eyes, bones that turn) of a head; refuses what cannot be. taken: bones that the spine leaves to others."""
         changes = self.given(KEYWORDS)
         check_finite(self, changes)
         before = rig.motus.look_at.entries.get(head)
@@ -84,7 +94,8 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
             changes.update(facing.find(rig, head, changes))
         eyes = self._eyes(rig, head, before)
         length = before.body_length if before and not self.is_given("body_length") else targets.spine_for(
-            rig, head, self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH, changes.get("up", before and before.up))
+            rig, head, self.body_length if self.is_given("body_length") else ANY_BODY_LENGTH,
+            changes.get("up", before and before.up), taken)
         target = targets.target_for(context, self, rig)
         targets.check_target(target or (before and pointed(before, "target")), self.target_bone)
         target_bone = self.target_bone
@@ -96,11 +107,14 @@ class MOTUS_OT_look_at_add(operators.FindsValues, OfARig, LookAtKeywords, bpy.ty
         targets.check_free(rig, head, driven)
         targets.check_loop(rig, head, driven, target, target_bone)
         changes.update(target=target, target_bone=target_bone, body_length=length)
+        return changes, eyes, driven
+
+    def _add(self, context, rig, head, changes, eyes):
+        before = rig.motus.look_at.entries.get(head)
         replaced = before and pointed(before, "target")
         entry = setup.add(rig, head, changes, eyes, functools.partial(setup.new_target, context))
         if replaced and replaced != entry.target:
             setup.remove_unneeded(replaced)
-        return rig, head, entry.target
 
     def _eyes(self, rig, head, before):
         """Names of the eyes; None where the entry keeps those it has."""

@@ -7,7 +7,7 @@ import bpy
 from ..core import bone_entries, panels, ui, wiring
 from ..core.file.pointers import pointed
 from ..core.translations import OWN_SENSE, tr
-from . import presets, reasons, rows
+from . import names, presets, reasons, rows
 from .groups import OUTPUTS, shared_bone
 from .setup import system
 
@@ -38,6 +38,30 @@ def draw_main(layout, context):
         bone_entries.draw_shown(layout, system(), entry.name)
         _draw_fault(layout, context, rig, entry)
         _draw_entry(layout, rig, entry)
+
+
+def draw_add(layout, context):
+    """The buttons that let the head look, or all selected bones."""
+    rig = context.object
+    column = layout.column(align=True)
+    bone_entries.draw_add(column, "motus.look_at_add", 'HIDE_OFF', _words(context, rig))
+    heads = bone_entries.posed(context)
+    words = tr("Look At with {count} Bones").format(count=len(heads)) if len(heads) > 1 else ""
+    bone_entries.draw_add(column, "motus.look_at_add", 'GROUP_BONE', words, heads if words else ())
+
+
+def _words(context, rig):
+    """What the button says that lets one head look; "" where there is nothing to add to."""
+    if rig is None or rig.type != 'ARMATURE':
+        return ""
+    active = context.active_pose_bone if context.mode == 'POSE' else None
+    head = active.name if active else names.head_of(rig)
+    others = [found for found in context.selected_objects if found != rig]
+    if head and len(others) == 1:
+        return tr("{bone} Looks at {target}").format(bone=head, target=others[0].name)
+    if bone_entries.has_entry(rig, "look_at", head):
+        return ""
+    return tr("Look At with {bone}").format(bone=head) if head else ""
 
 
 def _draw_entry(layout, rig, entry):
@@ -142,6 +166,6 @@ PANEL = panels.SystemPanel(
     draw=draw_main,
     parts=(panels.Part("limits", "Limits", draw_limits), panels.Part("bones", "Bones", draw_bones)),
     readouts=draw_readouts, actions=draw_actions, refresh="motus.look_at_refresh", presets=presets.PANEL,
-    adders=("motus.look_at_add",))
+    draw_add=draw_add)
 
 classes = (MOTUS_UL_look_at_entries, *panels.classes(PANEL))

@@ -91,10 +91,10 @@ def check_eyes(rig, head, eyes):
             raise Refused(tr("{bone} is below another eye").format(bone=eye))
 
 
-def spine_for(rig, head, wanted, up):
-    """How many bones below the head turn along. up: what the rig stands along."""
+def spine_for(rig, head, wanted, up, taken):
+    """How many bones below the head turn along. up: what the rig stands along; taken: bones that others are about to turn."""
     if wanted == ANY_BODY_LENGTH:
-        driven = {bone for _, entry in _entries_beside(rig, head) for bone in entry.drives}
+        driven = taken.union(*(entry.drives for _, entry in _entries_beside(rig, head)))
         return anatomy.spine_length(rig, head, up, lambda bone: bone not in driven and not _is_constrained(rig.pose.bones[bone]))
     present = len(rig.data.bones[head].parent_recursive)
     if wanted > present:

@@ -84,7 +84,7 @@ def test_a_tail_has_a_button_of_its_own():
     draw = support.addon("dynamics.panel").draw_add
     for mode in ('OBJECT', 'POSE'):
         buttons = _Buttons()
-        draw(buttons, types.SimpleNamespace(mode=mode))
+        draw(buttons, types.SimpleNamespace(mode=mode, selected_objects=[], selected_pose_bones=[]))
         assert [button.whole_chains for button in buttons] == [False, True], (mode, buttons)
         assert buttons.enabled == (mode == 'POSE'), mode
     yield

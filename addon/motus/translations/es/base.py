@@ -1,6 +1,7 @@
 """Spanish: what all systems share, Follow Path and the demos."""
 
 INTERFACE = {
+    "{bone} would be driven from {first} and from {second}": "{bone} estaría movido desde {first} y desde {second}",
     "Give the settings of the active bone to all selected bones that have the same system, in Object Mode to all selected objects":
         "Dar los ajustes del hueso activo a todos los huesos seleccionados que tienen el mismo sistema; en modo Objeto, a todos los objetos seleccionados",
     "Name of the object; empty takes the active one, and the selected bones or objects":

@@ -1,6 +1,9 @@
 """Spanish: dynamics."""
 
 INTERFACE = {
+    "Dynamics on {name}": "Dinámica en {name}",
+    "Dynamics on {count} Bones": "Dinámica en {count} huesos",
+    "Dynamics on {count} Objects": "Dinámica en {count} objetos",
     "Dynamics": "Dinámica",
     "Dynamics Presets": "Preajustes de dinámica",
     "Follow": "Seguir",

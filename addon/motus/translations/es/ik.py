@@ -71,6 +71,12 @@ INTERFACE = {
     "Blend from the animated pose (0) to the one that reaches the target (1)":
         "Mezcla de la pose animada (0) a la que alcanza el objetivo (1)",
     "Further Targets": "Otros objetivos",
+    "IK on {bone}": "IK en {bone}",
+    "IK on {bone} to {target}": "IK en {bone} hacia {target}",
+    "IK on {count} Bones": "IK en {count} huesos",
+    "IK added to {count} bones": "IK agregada a {count} huesos",
+    "Names of the last bones of several chains, with commas between: all are added at once":
+        "Nombres de los últimos huesos de varias cadenas, separados por comas: se agregan todas a la vez",
     "Give the chain a further target, which Blend passes to": "Dar a la cadena otro objetivo, al que pasa la mezcla",
     "Go to Object Mode or Pose Mode first": "Ve antes al modo Objeto o al modo Pose",
     "How far the last bone takes the target's orientation; the rest of the chain still reaches":

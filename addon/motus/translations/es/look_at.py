@@ -51,6 +51,12 @@ INTERFACE = {
     "Eyes Forward": "Frente de los ojos",
     "Axis of the eye bones that points where they look": "Eje de los huesos de los ojos que apunta hacia donde miran",
     "Eye": "Ojo",
+    "Heads": "Cabezas",
+    "Names of several head bones, with commas between: all are added at once":
+        "Nombres de varios huesos de cabezas, separados por comas: se agregan todas a la vez",
+    "Look At with {bone}": "Mirar con {bone}",
+    "Look At with {count} Bones": "Mirar con {count} huesos",
+    "{bone} Looks at {target}": "{bone} mira a {target}",
     "Bone of the eye, below the head": "Hueso del ojo, bajo la cabeza",
     "Bone of the head": "Hueso de la cabeza",
     "Object to look at": "Objeto que se mira",
