@@ -21,9 +21,6 @@ def test_pasted_and_deleted():
         not obj.users_collection for obj in helpers()), seconds=20.0)
     assert pasted, [(obj.name, obj.users_collection) for obj in helpers()]
     assert not [obj.name for obj in bpy.context.view_layer.objects if obj.name.startswith(".")]
-    window_support.draw_all()
-    yield
-    window_support.picture("helpers_pasted")
     for obj in bpy.context.view_layer.objects:
         obj.select_set(True)
     with window_support.override():
