@@ -6,6 +6,7 @@ from typing import Any, Callable, Iterable, Optional
 import bpy
 
 from . import scene_time
+from .file import choices
 from .file.pointers import pointed
 
 
@@ -53,7 +54,7 @@ class Setting:
     def read(self, _value, settings):
         value = getattr(settings, self.name)
         if isinstance(value, str):
-            return settings.bl_rna.properties[self.name].enum_items[value].value
+            return choices.number(settings, self.name)
         return value
 
 
@@ -317,7 +318,8 @@ class System(Feature):
     before all other constraints, and all other systems start from what it makes of the bones, which solve() tells rigs.lay().
     reads_keys: its solver reads keys of other frames, and is called again when these are edited (core/read_keys.py). entry_settings: names of
     the settings of a bone's entry that *To All Selected* copies (core/bone_entries.py). owner_of: called with an object
-    that may belong to an owner without being driven; gives that owner or None.
+    that may belong to an owner without being driven; gives that owner or None. owner_types: types of objects that can be owners, all
+    if there are none; settings that a script has given to an object of another type count for nothing.
     """
 
     solve: Callable
@@ -344,6 +346,7 @@ class System(Feature):
     shared: tuple = ()
     entry_settings: tuple = ()
     owner_of: Optional[Callable] = None
+    owner_types: frozenset = frozenset()
 
     @property
     def has_modifier(self):
@@ -442,7 +445,12 @@ def has_settings(system, obj):
 
 def is_owner(system, obj):
     """Whether the system is wired on an object as its owner (members of others' are not)."""
-    return has_settings(system, obj) and of_owner(system, obj).is_active
+    return has_settings(system, obj) and can_own(system, obj) and of_owner(system, obj).is_active
+
+
+def can_own(system, obj):
+    """Whether an object is of a type that the system works on."""
+    return not system.owner_types or obj.type in system.owner_types
 
 
 def leader_of(system, obj):
@@ -452,6 +460,8 @@ def leader_of(system, obj):
 
 def groups_of(system, owner) -> tuple:
     """The groups of members that the system drives for an owner: one, where the system declares none."""
+    if not can_own(system, owner):
+        return ()
     if system.groups is not None:
         return tuple(system.groups(owner))
     if system.has_modifier:

@@ -75,7 +75,9 @@ def seconds_shown(found):
 
 
 def _scaled(found, settling):
-    """The same filter, faster or slower, so that it settles in time."""
+    """The same filter, faster or slower, so that it settles in time. Raises ValueError for no time."""
+    if not settling > 0.0:
+        raise ValueError("settling")
     return found[0] * second_order(found).settling_time() / settling, *found[1:]
 
 

@@ -18,6 +18,7 @@ SYSTEM = System(
         *presets.classes, *panel.classes,
         *matching_operators.classes, *switching_operators.classes, *dragging_operators.classes, *checking_operators.classes,
     ),
+    owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,
     entry_settings=presets.STYLE,
     problems=solve.PROBLEMS,

@@ -308,7 +308,7 @@ class MOTUS_OT_ik_target_remove(OfABone, bpy.types.Operator):
         targets.check_editable(rig)
         entry = rig.motus.ik.entries[targets.entry_for(rig, self.bone)]
         index = entry.active_extra_target if self.index < 0 else self.index
-        if index >= len(entry.extra_targets):
+        if not 0 <= index < len(entry.extra_targets):
             raise Refused(tr("There is no such target"))
         targets.check_target_removable(rig, entry, index)
         check_no_tweak_mode(rig)

@@ -52,7 +52,7 @@ def entry_for(rig, name):
     if not entries:
         raise Refused(tr("{object} has no inverse kinematics").format(object=rig.name))
     if not name:
-        return rig.motus.ik.active_entry
+        return max(0, min(rig.motus.ik.active_entry, len(entries) - 1))
     index = entries.find(name)
     if index < 0:
         raise Refused(tr("{bone} of {object} has no inverse kinematics").format(bone=name, object=rig.name))

@@ -13,6 +13,7 @@ SYSTEM = System(
         *operators.classes, *list_operators.classes, *flattening.classes,
         *presets.classes, *panel.classes,
     ),
+    owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,
     problems=solve.PROBLEMS,
     reads_keys=True,

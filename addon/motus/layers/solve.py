@@ -1,6 +1,7 @@
 """Layers: what a group's solver reads of Blender, and the one call of the native module."""
 
 from ..core import native, rigs, stored
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.system import Problem
@@ -151,7 +152,7 @@ def still_settings(entries, found):
 
 def _numbers(entry, clip):
     first, last = span(entry, clip.frames) if clip else (1.0, 1.0)
-    return (entry.start, first, last, entry.speed, _AFTERS[entry.after], entry.blend_in, entry.blend_out,
+    return (entry.start, first, last, entry.speed, _AFTERS[chosen(entry, "after")], entry.blend_in, entry.blend_out,
             0.0 if entry.is_muted else entry.weight, entry.mode == 'ADDITIVE', entry.in_armature)
 
 

@@ -12,6 +12,7 @@ SYSTEM = System(
         properties.MOTUS_PG_look_at_eye, properties.MOTUS_PG_look_at_entry, properties.MOTUS_PG_look_at,
         *operators.classes, *presets.classes, *panel.classes,
     ),
+    owner_types=frozenset({'ARMATURE'}),
     solve=solve.solve,
     entry_settings=presets.STYLE,
     problems=solve.PROBLEMS,

@@ -3,6 +3,7 @@
 from mathutils import Vector
 
 from ..core import axes
+from ..core.file.choices import chosen
 
 LONGEST_SPINE = 4  # the neck and three bones of the spine
 LEG_REACH = 0.25  # of a bone's height above the lowest one: limbs that hang lower are legs
@@ -42,18 +43,20 @@ def _has_legs(bone, above, vertical, lowest):
 
 def head_forward(rig, entry):
     """Unit vector, in the head bone's own space, along which the face looks."""
-    if entry.head_forward == 'AUTO':
-        return _front_of(rig.data.bones[entry.name], entry.forward)
-    return Vector(axes.vector(entry.head_forward))
+    choice = chosen(entry, "head_forward")
+    if choice == 'AUTO':
+        return _front_of(rig.data.bones[entry.name], chosen(entry, "forward"))
+    return Vector(axes.vector(choice))
 
 
 def eyes_forward(rig, entry, eyes):
     """Unit vectors, in the eye bones' own spaces, along which they look: one for each of these eyes of a head."""
     bones = [rig.data.bones[name] for name in eyes]
-    if entry.eyes_forward == 'AUTO':
-        fronts = [_front_of(bone, entry.forward) for bone in bones]
+    choice = chosen(entry, "eyes_forward")
+    if choice == 'AUTO':
+        fronts = [_front_of(bone, chosen(entry, "forward")) for bone in bones]
         return [Vector((0.0, 1.0, 0.0)) if front.y > EYE_CONE else front for front in fronts]
-    axis = Vector(axes.vector(entry.eyes_forward))
+    axis = Vector(axes.vector(choice))
     looks = [bone.matrix_local.to_3x3() @ axis for bone in bones]
     # Bones of the two sides may mirror each other: then one axis points ahead for one eye, and backwards for the other.
     return [axis if look.dot(looks[0]) >= 0.0 else -axis for look in looks]

@@ -3,6 +3,7 @@
 import json
 
 from ..core import axes, dependencies, rigs
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.system import BonesOwn, Entry, Group, Member, Transform
 from . import anatomy
@@ -112,7 +113,7 @@ def plan_of(owner, found):
         "name": entry.name, "body": bones[:bones.index(entry.name)], "eyes": bones[bones.index(entry.name) + 1:],
         "head_forward": list(anatomy.head_forward(owner, entry)),
         "eyes_forward": [list(axis) for axis in anatomy.eyes_forward(owner, entry, bones[bones.index(entry.name) + 1:])],
-        "up": list(axes.vector(entry.up)),
+        "up": list(axes.vector(chosen(entry, "up"))),
     } for entry, bones in found]
     return json.dumps({"fingerprint": rigs.fingerprint(owner), "heads": heads})
 

@@ -3,6 +3,7 @@
 from mathutils import Vector
 
 from ..core import axes
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay
@@ -50,7 +51,7 @@ def _face(rig, entry):
     """An arrow from the head to where the character faces, and its end's way up, as the head carries them from rest."""
     bone = rig.pose.bones[entry.name]
     carried = (rig.matrix_world @ bone.matrix).to_3x3() @ bone.bone.matrix_local.to_3x3().inverted_safe()
-    forward, up = (bone.bone.length * (carried @ Vector(axes.vector(axis))) for axis in (entry.forward, entry.up))
+    forward, up = (bone.bone.length * (carried @ Vector(axes.vector(axis))) for axis in (chosen(entry, "forward"), chosen(entry, "up")))
     place, tip = _place(rig, entry.name), _place(rig, entry.name) + FACE_LENGTH * forward
     side = forward.cross(up).normalized() * up.length
     ends = [tip - HEAD_SIZE * forward + HEAD_SIZE * across for across in (side, -side)]

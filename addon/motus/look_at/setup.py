@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import entries, libraries, needed
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.system import registered
 from . import anatomy, facing
@@ -60,7 +61,7 @@ def turn(rig, entry):
     place, size = _in_front(rig, entry)
     target = pointed(entry, "target")
     goes_along = target and MADE_KEY in target and target.parent is None and (target.location - place).length < UNMOVED * size
-    entry.forward = facing.turned(entry.forward, entry.up)
+    entry.forward = facing.turned(chosen(entry, "forward"), chosen(entry, "up"))
     if goes_along:
         target.location, _ = _in_front(rig, entry)
 

@@ -45,11 +45,13 @@ def head_for(context, rig, name):
 def entry_for(context, rig, name):
     """Index of the entry of this head; without a name that of the active bone, or the active entry."""
     entries = rig.motus.look_at.entries
+    if not entries:
+        raise Refused(tr("Nothing here looks at a target"))
     if not name:
         active = context.active_pose_bone
         is_posed = active and active.id_data == rig and context.mode == 'POSE' and active.name in entries
         if not is_posed:
-            return min(rig.motus.look_at.active_entry, len(entries) - 1)
+            return max(0, min(rig.motus.look_at.active_entry, len(entries) - 1))
         name = active.name
     index = entries.find(name)
     if index < 0:

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import scene_time, wiring
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.operators import OBJECT_MODE, Operator, object_keyword, select_only
 from ..core.refusals import Refused, check_finite, named
@@ -61,7 +62,7 @@ class MOTUS_OT_path_pin_remove(Operator, bpy.types.Operator):
         obj = follower_for(context, self.object)
         settings = obj.motus.path
         index = settings.active_pin if self.index < 0 else self.index
-        if index >= len(settings.pins):
+        if not 0 <= index < len(settings.pins):
             raise Refused(tr("There is no such pin"))
         settings.pins.remove(index)
         settings.active_pin = max(0, min(settings.active_pin, len(settings.pins) - 1))
@@ -93,7 +94,7 @@ class MOTUS_OT_path_wagon_add(Operator, bpy.types.Operator):
             raise Refused(tr("Select the objects to couple, and the leader last"))
         train = [(wagon, entry.gap) for entry in settings.wagons for wagon in (pointed(entry, "object"),) if wagon]
         in_front = train[-1][0] if train else obj
-        gaps = [self.gap] * len(wagons) if self.gap else touching_gaps([in_front, *wagons], settings.forward_axis)
+        gaps = [self.gap] * len(wagons) if self.gap else touching_gaps([in_front, *wagons], chosen(settings, "forward_axis"))
         # What stops alone at the ends would have its first wagons in one heap there.
         ends = {"extend": 'LINE_UP'} if settings.extend == 'CLAMP' and not train else {}
         setup.attach(obj, pointed(settings, "curve"), ends, train + list(zip(wagons, gaps)))
@@ -112,7 +113,7 @@ class WagonOperator(Operator):
         obj = follower_for(context, self.object)
         settings = obj.motus.path
         index = settings.active_wagon if self.index < 0 else self.index
-        if index >= len(settings.wagons):
+        if not 0 <= index < len(settings.wagons):
             raise Refused(tr("There is no such wagon"))
         return obj, index
 
@@ -165,7 +166,7 @@ class MOTUS_OT_path_wagons_touch(Operator, bpy.types.Operator):
         wagons = [entry for entry in obj.motus.path.wagons if pointed(entry, "object")]
         if not wagons:
             raise Refused(tr("There is no such wagon"))
-        gaps = touching_gaps([obj, *(pointed(entry, "object") for entry in wagons)], obj.motus.path.forward_axis)
+        gaps = touching_gaps([obj, *(pointed(entry, "object") for entry in wagons)], chosen(obj.motus.path, "forward_axis"))
         for entry, gap in zip(wagons, gaps):
             entry.gap = gap
 

@@ -1,13 +1,14 @@
 """Who follows: the owner of the settings and its wagons, and what of them is driven."""
 
 from ..core import libraries
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 
 
 def channels(settings):
     """What is driven; without an orientation the object keeps its own rotation."""
-    return frozenset({"location"} if settings.orientation == 'NONE' else {"location", "rotation"})
+    return frozenset({"location"} if chosen(settings, "orientation") == 'NONE' else {"location", "rotation"})
 
 
 def members(owner):

@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from typing import Any, Callable, Optional
 
 from ..core import native
+from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
 from ..core.system import Problem
 from ..core.tracks import keys
@@ -54,7 +55,7 @@ def motion(context, numbers, length, past):
     """
     if not all(map(is_finite, numbers.values())):
         return NOT_FINITE
-    return _BY_TIMING[context.settings.timing](context, numbers, length, past)
+    return _BY_TIMING[chosen(context.settings, "timing")](context, numbers, length, past)
 
 
 def is_finite(value):
@@ -74,7 +75,7 @@ def _by_duration(context, numbers, length, _past):
     duration = max(numbers["duration"], SHORTEST)
     ease_in = min(max(numbers["ease_in"], 0.0), 1.0)
     ease_out = min(max(numbers["ease_out"], 0.0), 1.0 - ease_in)
-    after = AFTER_EASE[context.settings.extend]
+    after = AFTER_EASE[chosen(context.settings, "extend")]
     timing = native.module.Timing.eased(duration, length, ease_in, ease_out, after)
     return Motion(timing, _since_start(context, numbers), clock=_since_start)
 

@@ -3,6 +3,7 @@
 import math
 
 from ..core import curves, native, scene_time
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
@@ -67,7 +68,7 @@ def _of_follower(scene, owner, depsgraph):
     if scene.motus.show_tangents:
         tangents = path.curve.tangent(path.curve.t_at_length(distances))
         found.append(_whiskers(path.curve, distances, tangents, size, TANGENT_COLOR))
-    if scene.motus.show_frames and settings.orientation != 'NONE':
+    if scene.motus.show_frames and chosen(settings, "orientation") != 'NONE':
         found += _frames(path, settings, numbers, distances, speeds, size)
     return found
 
@@ -132,7 +133,7 @@ def _frames(path, settings, numbers, distances, speeds, size):
     options = solve.mode_options(settings, numbers, path.tilt)
     if settings.orientation == 'BANKING':
         options["speed"] = np.interp(distances, *speeds)
-    quaternions = native.module.frames(path.curve, distances, settings.orientation.lower(), **options)
+    quaternions = native.module.frames(path.curve, distances, chosen(settings, "orientation").lower(), **options)
     w, x, y, z = quaternions.T
     right = np.column_stack((1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)))
     up = np.column_stack((2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)))

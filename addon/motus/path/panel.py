@@ -126,7 +126,7 @@ def draw_train(layout, context):
     if not settings.wagons:
         return
     column = ui.split(layout)
-    if settings.active_wagon < len(settings.wagons):
+    if 0 <= settings.active_wagon < len(settings.wagons):
         column.prop(settings.wagons[settings.active_wagon], "gap")
     column.prop(settings, "gap_of_all")
     layout.operator("motus.path_wagons_touch", icon='FIXED_SIZE')

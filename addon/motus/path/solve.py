@@ -1,6 +1,7 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
 from ..core import curves, deleted, native
+from ..core.file.choices import chosen
 from ..core.handedness import is_mirrored
 from ..core.lazy import numpy as np
 from ..core.system import Deformed, Matrix, Problem, Setting, Splines
@@ -65,7 +66,7 @@ def _path(context, matrix, splines, index):
 def _still(context, numbers, length):
     """What stays as long as the settings do: the Motion, keywords of follow(), the members' offsets, which are mirrored; or a Problem."""
     settings = context.settings
-    if settings.forward_axis[-1] == settings.up_axis[-1]:
+    if chosen(settings, "forward_axis")[-1] == chosen(settings, "up_axis")[-1]:
         return AXES_NOT_ACROSS
     if not (motion.is_finite(settings.influence) and np.isfinite(context.member_data).all()):
         return motion.NOT_FINITE
@@ -79,7 +80,7 @@ def _still(context, numbers, length):
 
 def _mirrored(context):
     """Indices of the members that their scales mirror. Who shares a solver is not mirrored."""
-    if context.owner is None or context.settings.orientation == 'NONE':
+    if context.owner is None or chosen(context.settings, "orientation") == 'NONE':
         return ()
     every = members.members(context.owner)[:len(context.rotations)]
     return [index for index, member in enumerate(every) if is_mirrored(member)]
@@ -88,7 +89,7 @@ def _mirrored(context):
 def _turn_mirrored(rotations, which, settings):
     """Of a mirrored object Blender's constraints take the rotation for that of a matrix whose axes all point the opposite way: half a
     turn about the axis across brings forward and up to where they belong."""
-    across = ({"X", "Y", "Z"} - {settings.forward_axis[-1], settings.up_axis[-1]}).pop()
+    across = ({"X", "Y", "Z"} - {chosen(settings, name)[-1] for name in ("forward_axis", "up_axis")}).pop()
     half_turn = np.array(HALF_TURNS[across])
     for index in which:
         w, x, y, z = rotations[index]
@@ -97,23 +98,23 @@ def _turn_mirrored(rotations, which, settings):
 
 def follow_options(settings, numbers, tilt):
     """Keywords of native follow() for the settings."""
-    mode = settings.orientation
+    mode, extend = chosen(settings, "orientation"), chosen(settings, "extend")
     options = {
         "mode": 'minimal' if mode == 'NONE' else mode.lower(),
         "rotate": mode != 'NONE',
-        "extend": 'extrapolate' if settings.extend == 'LINE_UP' else settings.extend.lower(),
-        "line_up": settings.extend == 'LINE_UP',
-        "forward": axis_name(settings.forward_axis),
-        "up": axis_name(settings.up_axis),
+        "extend": 'extrapolate' if extend == 'LINE_UP' else extend.lower(),
+        "line_up": extend == 'LINE_UP',
+        "forward": axis_name(chosen(settings, "forward_axis")),
+        "up": axis_name(chosen(settings, "up_axis")),
         "lag_rate": max(numbers["lag_rate"], 0.0),
-        "lag_by": settings.lag_by.lower(),
+        "lag_by": chosen(settings, "lag_by").lower(),
     }
     return options | mode_options(settings, numbers, tilt)
 
 
 def mode_options(settings, numbers, tilt):
     """What the orientation mode needs beyond the curve, for native frames() and follow()."""
-    mode = settings.orientation
+    mode = chosen(settings, "orientation")
     if mode == 'TILT':
         return {"tilt": tilt}
     if mode not in {'BANKING', 'CURVATURE'}:

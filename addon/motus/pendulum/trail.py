@@ -105,7 +105,8 @@ def _of_bobs(settings):
     each, colors, offsets = parts.rods_each(settings), {}, {}
     for entry in settings.rods:
         number, rod = divmod(entry.number, each)
-        thing, bob = pointed(entry, "object"), pointed(entry, "bob")
+        # Blender may be making evaluated copies of these at this very time: the solver waits for the pivot alone.
+        thing, bob = (one and one.original for one in (pointed(entry, "object"), pointed(entry, "bob")))
         if rod == 0 and thing:
             offsets[number] = thing.location.y
         slots = bob.material_slots if bob else ()

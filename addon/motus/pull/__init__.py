@@ -26,6 +26,7 @@ SYSTEM = System(
         *presets.classes, *panel.classes, *pins_panel.classes,
     ),
     inputs=pins_solve.INPUTS,
+    owner_types=frozenset({'MESH'}),
     solve=pins_solve.solve,
     problems=pins_solve.PROBLEMS,
     groups=pins_solve.groups,

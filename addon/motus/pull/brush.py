@@ -3,12 +3,14 @@
 import math
 from dataclasses import dataclass
 
+from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import falloff_curve
 from .properties import KEYWORDS, is_finite
 
+CHOICES = ("unit", "falloff", "distance", "direction", "clamp_axis")
 FINITE = ("radius", "strength", "scale_factor", "minimum", "maximum")
 AXIS_INDEX = {'X': 0, 'Y': 1, 'Z': 2}
 SMALLEST_SCALE = 1e-12
@@ -41,7 +43,7 @@ class Brush:
     @classmethod
     def of(cls, settings, given=None):
         """The scene's brush, with what `given` (keyword -> value) has instead. May raise Refused."""
-        values = {name: getattr(settings, name) for name in KEYWORDS}
+        values = {name: chosen(settings, name) if name in CHOICES else getattr(settings, name) for name in KEYWORDS}
         for name in ("use_pressure_strength", "use_pressure_size"):
             values[name] = getattr(settings, name)
         values.update(given or {})

@@ -19,7 +19,7 @@ def ensure(brush):
         return found
     if pointed(brush, "curve_nodes") is None:
         brush.curve_nodes = bpy.data.node_groups.new(GROUP_NAME, 'ShaderNodeTree')
-    made = brush.curve_nodes.nodes.new(NODE_TYPE)
+    made = pointed(brush, "curve_nodes").nodes.new(NODE_TYPE)
     points = made.mapping.curves[0].points
     for t in (0.25, 0.5, 0.75):
         points.new(t, _smooth(t))

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import viewports
+from ..core.file.pointers import to_node_tree
 from . import falloff_curve
 from .falloff_curve import CURVE_SAMPLES
 
@@ -132,8 +133,8 @@ class MOTUS_PG_brush(BrushKeywords, bpy.types.PropertyGroup):
         name="Fitted Radius", description="The radius that was set by an object's size", options={'HIDDEN'})
     fitted_strength: bpy.props.FloatProperty(
         name="Fitted Strength", description="The strength that was set by an object's size", options={'HIDDEN'})
-    curve_nodes: bpy.props.PointerProperty(
-        type=bpy.types.NodeTree, name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
+    curve_nodes: to_node_tree(
+        name="Curve Nodes", description="Hidden node group that holds the falloff's curve")
     use_pressure_strength: bpy.props.BoolProperty(
         name="Strength Pressure", description="The pen's pressure sets the strength", default=True, options=set())
     use_pressure_size: bpy.props.BoolProperty(

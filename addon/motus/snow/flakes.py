@@ -3,6 +3,7 @@
 import functools
 
 from ..core import native
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
@@ -61,12 +62,12 @@ def numbers(settings):
         return NOT_FINITE
     if not most(settings) <= MOST:
         return TOO_MANY
-    found = [(name, getattr(settings, name)) for name in _DIRECT]
-    found += [("collision", settings.collision.lower()), ("start_size", _size(settings)), ("shape", _SHAPES.get(settings.shape) or settings.shape.lower()),
+    found, shape = [(name, getattr(settings, name)) for name in _DIRECT], chosen(settings, "shape")
+    found += [("collision", chosen(settings, "collision").lower()), ("start_size", _size(settings)), ("shape", _SHAPES.get(shape) or shape.lower()),
               ("start_color", (tuple(position for position, _ in stops), tuple(color for _, color in stops)))]
     if settings.use_ground:
         found.append(("ground", settings.ground))
-    if settings.shape == 'CAMERA':
+    if shape == 'CAMERA':
         found += [("frustum_near", settings.closest), ("frustum_far", settings.farthest)]
     if settings.burst > 0:
         found += [("burst_times", (settings.burst_time,)), ("burst_counts", (settings.burst,))]

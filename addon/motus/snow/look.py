@@ -5,6 +5,7 @@ import math
 import bpy
 
 from ..core import helpers, node_groups, wiring
+from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.system import registered
 
@@ -36,7 +37,7 @@ def dress(owner):
     elif settings.look == 'COLLECTION':
         wiring.set_points_collection(system, owner, pointed(settings, "flakes"))
     else:
-        wiring.set_points_object(system, owner, pointed(settings, "flake") if settings.look == 'OBJECT' else _shape(settings.look))
+        wiring.set_points_object(system, owner, pointed(settings, "flake") if settings.look == 'OBJECT' else _shape(chosen(settings, "look")))
 
 
 def drop(owner):

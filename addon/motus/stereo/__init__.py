@@ -13,6 +13,7 @@ SYSTEM = System(
         properties.MOTUS_PG_stereo, properties.MOTUS_PG_stereo_scene, *operators.classes, *measuring.classes, *checking.classes,
         *output.classes, *viewing.classes, *presets.classes, *panel.classes),
     inputs=solve.INPUTS,
+    owner_types=frozenset({'CAMERA'}),
     solve=solve.solve,
     problems=solve.PROBLEMS,
     extras=(handlers.Forgetting(results.forget_all),),

@@ -3,6 +3,7 @@
 import math
 
 from ..core import axes, scene_time
+from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
 from ..core.overlay import Batch, Overlay, Switch
 from ..core.system import Problem, is_owner, leader_of, registered
@@ -51,7 +52,7 @@ def _rests(owner):
 def _is_left(owner):
     """Whether each leg is on the left of the others, as the gaits see it, (n,)."""
     settings = owner.motus.walker
-    across = _rests(owner) @ np.cross(axes.vector(settings.forward_axis), axes.vector(settings.up_axis))
+    across = _rests(owner) @ np.cross(axes.vector(chosen(settings, "forward_axis")), axes.vector(chosen(settings, "up_axis")))
     return across < 0.5 * (across.min() + across.max())
 
 

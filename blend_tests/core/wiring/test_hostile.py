@@ -1,4 +1,4 @@
-"""Whatever a script does to the outbox of a hub, or writes into a solver's driver, Blender stays alive, and nothing raises."""
+"""Whatever a script or the outliner does to what Motus keeps in a file, Blender stays alive, and nothing raises."""
 
 import unittest
 
@@ -7,45 +7,27 @@ import support
 outbox = support.addon("core.wiring.outbox")
 solver = support.addon("core.wiring.solver")
 
-SPOIL = """
-import bpy
-
-def longer(value):
-    return list(value) * 2 + [0.0]
-
-VALUES = {"deleted": None, "a number": lambda _: 5, "a text": lambda _: "x", "a group": lambda _: {}, "longer": longer}
-for name, value in VALUES.items():
-    bpy.ops.wm.read_homefile(use_empty=True, use_factory_startup=True)
-    bpy.ops.motus.snow_add(preset='GENTLE', rate=20.0, lifetime=2.0, look='POINTS', location=(0.0, 8.0, 5.0))
-    for frame in (1, 13, 30):
-        bpy.context.object.location.x = frame
-        bpy.context.object.keyframe_insert("location", frame=frame)
-        bpy.context.scene.frame_set(frame)
-    spoilt = 0
-    for mesh in bpy.data.meshes:
-        for key in [key for key in mesh.keys() if key.endswith("_out")]:
-            kept = list(mesh[key])
-            del mesh[key]
-            spoilt += 1
-            if value:
-                mesh[key] = value(kept)
-    for frame in range(31, 46):
-        bpy.context.scene.collection.objects.link(bpy.data.objects.new("x", None))
-        bpy.context.view_layer.update()
-        bpy.context.scene.frame_set(frame)
-    print("ALIVE", name, spoilt, flush=True)
-"""
-"""Each time an object is linked, Blender builds the relations among what is evaluated anew."""
-
 
 class HostileTest(unittest.TestCase):
-    def test_outbox(self):
-        status, said = support.run_blender(SPOIL)
+    def check(self, keys):
+        """keys: whether the acts are those to custom properties."""
+        status, said = support.run_blender(
+            "import tempfile\nfrom core.wiring import hostile_acts\n"
+            f"with tempfile.TemporaryDirectory(prefix='motus-test-') as folder:\n    hostile_acts.run(folder, {keys})\n")
         lines = said.splitlines()
-        alive = [line for line in lines if line.startswith("ALIVE")]
-        self.assertEqual(alive, [f"ALIVE {name} 1" for name in ("deleted", "a number", "a text", "a group", "longer")],
-                         f"status {status}: {lines[-12:]}")
-        self.assertFalse([line for line in lines if line.startswith("Traceback")])
+        acts = [line for line in lines if line.startswith("ACT ")]
+        self.assertIn("ALIVE", lines, f"status {status}, after {acts[-1:]}: {lines[-12:]}")
+        self.assertGreater(len(acts), 7 if keys else 30)
+        told = [line for line in lines if line.startswith(("ACT ", "LOGGED", "Traceback"))]
+        wrong = [(told[index - 1], line) for index, line in enumerate(told) if not line.startswith("ACT ")]
+        self.assertEqual(wrong, [])
+
+    def test_custom_properties(self):
+        self.check(True)
+
+    @support.in_one_blender
+    def test_everything_else(self):
+        self.check(False)
 
     def test_arguments(self):
         damaged = float(outbox.DAMAGED)

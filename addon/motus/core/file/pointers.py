@@ -27,6 +27,18 @@ def _stands(obj):
     return obj.visible_get() or obj.hide_get() or bool(obj.users_collection)
 
 
+def to_node_tree(**options):
+    """A PointerProperty to node trees.
+
+    It is declared for any datablock: Blender 3.4 and 4.3 end if they read a datablock of another type as a node tree.
+    """
+    def poll(_settings, datablock):
+        return isinstance(datablock, bpy.types.NodeTree)
+
+    poll.kind = bpy.types.NodeTree
+    return bpy.props.PointerProperty(type=bpy.types.ID, poll=poll, **options)
+
+
 def pointed(settings, name):
     """What a pointer of settings names, if that is what the pointer is declared for; else None.
 
@@ -46,4 +58,5 @@ def _declared(group, name):
     """(class of the datablocks, types of objects or none) that a pointer of a class of settings is declared for."""
     kind = getattr(bpy.types, group.bl_rna.properties[name].fixed_type.identifier)
     declared = next(base.__annotations__[name] for base in group.__mro__ if name in getattr(base, "__annotations__", ()))
-    return kind, getattr(declared.keywords.get("poll"), "types", frozenset())
+    poll = declared.keywords.get("poll")
+    return getattr(poll, "kind", kind), getattr(poll, "types", frozenset())

@@ -5,6 +5,7 @@ from typing import Any, NamedTuple
 
 import bpy
 
+from ..file import choices
 from ..lazy import numpy as np
 from ..refusals import Refused
 from ..translations import tr
@@ -34,9 +35,9 @@ class Number(NamedTuple):
     @property
     def present(self):
         """Its value now."""
-        value = self.holder[_key(self.name)] if self.name.startswith("[") else getattr(self.holder, self.name)
         if self.type == 'ENUM':
-            return float(self.holder.bl_rna.properties[self.name].enum_items[value].value)
+            return float(choices.number(self.holder, self.name))
+        value = self.holder[_key(self.name)] if self.name.startswith("[") else getattr(self.holder, self.name)
         return float(value if self.index < 0 else value[self.index])
 
     def write(self, value):

@@ -78,7 +78,7 @@ def _draw_problems(layout, context, obj):
         problem = ui.draw_problem(layout, context, system(), obj)
         if problem and problem.blocking and problem not in solve.PROBLEMS:
             layout.operator("motus.pin_restore", icon='LOOP_BACK')
-    elif settings.active_pin >= len(states) or states[settings.active_pin] == solve.OK:
+    elif not 0 <= settings.active_pin < len(states) or states[settings.active_pin] == solve.OK:
         worst = next(state for state in states if state != solve.OK)
         ui.draw_message(layout, solve.PROBLEM_OF[worst].sentence, 'ERROR')
 
@@ -126,7 +126,7 @@ class MOTUS_UL_pins(bpy.types.UIList):
 
 def _has_active_pin(context):
     settings = context.object.motus.pull
-    return settings.active_pin < len(settings.pins)
+    return 0 <= settings.active_pin < len(settings.pins)
 
 
 class ObjectModifiers:

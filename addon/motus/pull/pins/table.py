@@ -2,6 +2,7 @@
 
 from typing import Any, NamedTuple
 
+from ...core.file.choices import chosen
 from ...core.lazy import numpy as np
 from ..properties import is_finite
 
@@ -73,11 +74,11 @@ def read(pins):
         own = {name: values[index] for name, values in columns.items()}
         ends = [own.pop(name) for name in ("minimum", "maximum")]
         low, high = (end if own.pop(f"use_{name}") else None for name, end in zip(("minimum", "maximum"), ends))
-        falloff = pin.falloff.lower()
+        falloff = chosen(pin, "falloff").lower()
         rows.append(Row(
-            falloff=falloff, distance=pin.distance.lower(), mirror="".join(sorted(pin.mirror)).lower(),
+            falloff=falloff, distance=chosen(pin, "distance").lower(), mirror="".join(sorted(pin.mirror)).lower(),
             curve=tuple(pin.curve) if falloff == "curve" else None, vertex_group=pin.vertex_group, shape=pin.shape,
-            limits=None if low is None and high is None else (AXES.index(pin.clamp_axis), low, high), **own))
+            limits=None if low is None and high is None else (AXES.index(chosen(pin, "clamp_axis")), low, high), **own))
     return rows
 
 

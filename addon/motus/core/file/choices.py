@@ -1,0 +1,14 @@
+"""Enumerations of settings: what is chosen, if the file names an item that there is."""
+
+
+def chosen(settings, name):
+    """The item that an enumeration of settings says; its default if a script or another version has written one that there is not.
+
+    Blender reads such an item as an empty text.
+    """
+    return getattr(settings, name) or settings.bl_rna.properties[name].default
+
+
+def number(settings, name):
+    """The number that keys and drivers have for what is chosen."""
+    return settings.bl_rna.properties[name].enum_items[chosen(settings, name)].value

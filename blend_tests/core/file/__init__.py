@@ -1,0 +1,1 @@
+"""Tests of what guards against files of somebody else's."""
