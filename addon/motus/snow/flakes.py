@@ -4,7 +4,6 @@ import functools
 
 from ..core import native
 from ..core.file.choices import chosen
-from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.scenery import meshes
