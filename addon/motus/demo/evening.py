@@ -65,7 +65,10 @@ def _add_moon(collection):
 
 
 def add_snow(context, collection, covered, clouds, ahead, lifetime, cover):
-    """Gentle snow, and what lies of it, by the public operators. ahead: s before the scene in which it begins to snow."""
+    """Gentle snow, and what lies of it, by the public operators; gives the name of what lies.
+
+    ahead: s before the scene in which it begins to snow.
+    """
     view_layer = context.view_layer
     view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
     emitters = []
@@ -80,6 +83,7 @@ def add_snow(context, collection, covered, clouds, ahead, lifetime, cover):
     if bpy.ops.motus.snow_cover_add(
             collection=covered.name, emitters=",".join(emitters), lands=False, **cover) != {"FINISHED"}:
         raise RuntimeError("The snow that lies could not be added")
+    return context.object.name
 
 
 def _keep_flakes_out_of_shadow_maps(emitter):

@@ -6,6 +6,8 @@ lanterns swing in the wind, and a stereo camera looks after it all.
 
 import math
 
+import bpy
+
 from . import evening, gaze_camera, main_flight, main_land, main_lanterns, main_pilot, main_spider, shapes, staging
 from .keying import key
 
@@ -43,9 +45,11 @@ def build(context):
     carrier = main_flight.build(scene, context, air, pilot.rig, main_pilot.RELEASE)
     main_pilot.attend(pilot, carrier)
     main_spider.build(context, spider, ground)
-    evening.add_snow(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
+    lying = evening.add_snow(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
     _add_camera(context, scene, views, pilot.stage, carrier)
     scene.frame_set(1)
+    # So many flakes are not worked out while a frame waits for them.
+    bpy.ops.motus.snow_cover_work_out(object=lying)
     return scene
 
 

@@ -152,8 +152,6 @@ def warnings(rig, chain, chain_length):
         if constraint:
             found.append(tr("{bone} has a constraint of its own that overrides its rotation: {constraint}").format(
                 bone=name, constraint=constraint.name))
-    if rig.matrix_world.is_negative:
-        found.append(tr("{object} is mirrored by a negative scale: apply the scale").format(object=rig.name))
     return found
 
 

@@ -226,9 +226,24 @@ class TestCopies(LiveFile):
 
 class TestLeaving(LiveFile):
     def delete(self, *names):
+        """And save, by which owners leave a Blender without a window."""
         select(names)
         bpy.ops.object.delete()
         bpy.context.view_layer.update()
+        with tempfile.TemporaryDirectory(prefix="motus-test-") as folder:
+            bpy.ops.wm.save_as_mainfile(filepath=str(Path(folder, "deleted.blend")), copy=True)
+
+    def test_a_script_may_put_an_owner_back(self):
+        """Taken out of its collection, evaluated without, and linked to another one."""
+        self.open()
+        for name in self.names:
+            obj, = (one for one in bpy.context.view_layer.objects if one.name == name)
+            homes = list(obj.users_collection)
+            for home in homes:
+                home.objects.unlink(obj)
+            bpy.context.view_layer.update()
+            homes[0].objects.link(obj)
+        self.assert_moves()
 
     def test_owner_goes_with_its_helpers(self):
         for name in ("Arm", "Figure", "Puppet", "Parcel", "Grid", "Crane", "Snow Cover", "Eyes", "Spider", "Racer", "Balloon"):
@@ -258,10 +273,8 @@ class TestLeaving(LiveFile):
     def test_undo(self):
         self.open()
         bpy.ops.ed.undo_push(message="before")
-        select(["Arm"])
-        bpy.ops.object.delete()
+        self.delete("Arm")
         bpy.ops.ed.undo_push(message="deleted")
-        bpy.context.view_layer.update()
         self.assertNotIn("Arm", bpy.data.objects)
         bpy.ops.ed.undo()
         self.assertIn("Arm", bpy.context.view_layer.objects)

@@ -26,7 +26,7 @@ struct OwnTurn {
 
 [[nodiscard]] OwnTurn own_turn(const glm::dmat4& basis) {
     const glm::dmat3 axes(basis);
-    const double sign = glm::determinant(axes) < 0.0 ? -1.0 : 1.0;
+    const double sign = handedness(axes);
     const glm::dvec3 scale =
         sign * glm::dvec3(glm::length(axes[0]), glm::length(axes[1]), glm::length(axes[2]));
     return {scaled(axes, 1.0 / scale), scale};

@@ -12,11 +12,9 @@ from . import outbox
 
 
 def remove_soon():
-    """Have remove_deleted() called: at once without a window, else when the script that runs has ended, which may have taken an
-    owner out of one collection to put it into another."""
-    if bpy.app.background:
-        remove_deleted()
-    elif not bpy.app.timers.is_registered(remove_deleted) and _deleted_owners():
+    """Have remove_deleted() called when the script that runs has ended: it may have taken an owner out of one collection to put it into
+    another. Without a window the script runs to the end, so that owners are removed when it saves the file."""
+    if not bpy.app.background and not bpy.app.timers.is_registered(remove_deleted) and _deleted_owners():
         bpy.app.timers.register(remove_deleted, first_interval=0.0)
 
 

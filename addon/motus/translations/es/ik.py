@@ -198,8 +198,6 @@ INTERFACE = {
     "{object} has no bone {bone}: the chain bends as without a pole":
         "{object} no tiene el hueso {bone}: la cadena se dobla como sin polo",
     "{object} has no inverse kinematics": "{object} no tiene cinemática inversa",
-    "{object} is mirrored by a negative scale: apply the scale":
-        "{object} está reflejado por una escala negativa: aplica la escala",
     "{object} is not an armature": "{object} no es un esqueleto",
     "{pole} is in no collection any more: the chain bends as without a pole":
         "{pole} ya no está en ninguna colección: la cadena se dobla como sin polo",

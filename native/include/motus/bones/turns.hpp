@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/mat3x3.hpp>
+#include <glm/matrix.hpp>
 #include <glm/vec3.hpp>
 
 #include "motus/core/numeric.hpp"
@@ -12,6 +13,11 @@
 namespace motus::bones {
 
 inline constexpr glm::dquat no_turn{1.0, 0.0, 0.0, 0.0};
+
+/// 1 of axes that are as a right hand has them, -1 of mirrored ones.
+[[nodiscard]] inline double handedness(const glm::dmat3& axes) {
+    return glm::determinant(axes) < 0.0 ? -1.0 : 1.0;
+}
 
 /// Between vectors of any length, rad, 0 to pi; precise for the smallest and the largest.
 [[nodiscard]] inline double angle_between(const glm::dvec3& a, const glm::dvec3& b) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "motus/bones/chains/bend_plane.hpp"
 #include "motus/bones/chains/chain.hpp"
@@ -71,7 +70,7 @@ glm::dquat seen_from(const glm::dmat3& to_space, const glm::dquat& turn) {
     constexpr double vanished = 1e-280;
     if (!(square > vanished)) return {turn.w, 0.0, 0.0, 0.0};
     const double size = std::sqrt(glm::dot(axis, axis) / square);
-    const glm::dvec3 part = (glm::determinant(to_space) < 0.0 ? -size : size) * seen;
+    const glm::dvec3 part = handedness(to_space) * size * seen;
     return {turn.w, part.x, part.y, part.z};
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <memory>
 #include <stdexcept>
 #include <utility>
@@ -50,7 +49,7 @@ OwnTransform own_transform(std::span<const float> basis, std::size_t bone) {
     }
     OwnTransform own;
     own.location = {static_cast<double>(m[0]), static_cast<double>(m[1]), static_cast<double>(m[2])};
-    const double sign = glm::determinant(axes) < 0.0 ? -1.0 : 1.0;
+    const double sign = handedness(axes);
     for (int axis = 0; axis < 3; ++axis) {
         own.scale[axis] = sign * std::sqrt(glm::dot(axes[axis], axes[axis]));
         axes[axis] *= sign;

@@ -1,6 +1,5 @@
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "aim.hpp"
 #include "motus/bones/chains/bend_plane.hpp"
@@ -14,7 +13,7 @@ namespace {
 glm::dvec3 hinge_of(const Pose& pose, double hinge_angle) {
     const glm::dmat3& axes = pose.posed(0).axes;
     const glm::dvec3 hinge = axes * glm::dvec3(std::cos(hinge_angle), 0.0, -std::sin(hinge_angle));
-    return glm::determinant(axes) < 0.0 ? -hinge : hinge;
+    return handedness(axes) * hinge;
 }
 
 }  // namespace

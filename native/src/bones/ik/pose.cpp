@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 
 #include "motus/bones/turns.hpp"
 #include "world.hpp"
@@ -18,7 +17,7 @@ glm::dvec3 sign_of(const glm::dvec3& v) {
 }  // namespace
 
 glm::dquat rotation_of_space(const glm::dmat3& axes) {
-    return frame_of(glm::determinant(axes) < 0.0 ? -axes : axes);
+    return frame_of(handedness(axes) * axes);
 }
 
 glm::dquat frame_in(const LinearSpace& space, const glm::dquat& rotation, const glm::dvec3& scale) {

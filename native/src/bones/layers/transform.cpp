@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/mat3x3.hpp>
-#include <glm/matrix.hpp>
 
+#include "motus/bones/turns.hpp"
 #include "motus/core/numeric.hpp"
 #include "trigonometry.hpp"
 
@@ -22,7 +22,7 @@ Transform transform_of(const glm::dmat4& matrix) {
     Transform result;
     result.location = glm::dvec3(matrix[3]);
     glm::dmat3 axes(matrix);
-    const double sign = glm::determinant(axes) < 0.0 ? -1.0 : 1.0;
+    const double sign = handedness(axes);
     for (int i = 0; i < 3; ++i) result.scale[i] = sign * length_of(axes[i]);
     axes *= sign;
     result.rotation = frame_of(axes);

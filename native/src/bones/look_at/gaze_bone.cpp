@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 
 #include "motus/bones/space.hpp"
+#include "motus/bones/turns.hpp"
 #include "motus/core/numeric.hpp"
 
 namespace motus::bones::look_at {
@@ -24,7 +25,7 @@ std::optional<glm::dmat3> frame(const glm::dvec3& a, const glm::dvec3& b) {
 
 /// The own scale of a bone, as Blender takes matrix_basis apart: a mirrored one has three negative scales.
 glm::dvec3 own_scale(const glm::dmat3& basis) {
-    const double sign = glm::determinant(basis) < 0.0 ? -1.0 : 1.0;
+    const double sign = handedness(basis);
     return sign * glm::dvec3(glm::length(basis[0]), glm::length(basis[1]), glm::length(basis[2]));
 }
 
