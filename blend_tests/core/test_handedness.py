@@ -15,6 +15,8 @@ from layers import layer_cases
 from look_at import look_at_cases
 from mathutils import Euler, Matrix, Vector
 from path import path_cases
+from snow import snow_cases
+from walker import walker_cases
 
 TURN = Euler((0.4, -0.3, 1.1)).to_matrix().to_4x4()
 PLACE = Matrix.Translation((1.0, 2.0, 0.5))
@@ -252,3 +254,47 @@ class Hanging(ParentsTestCase):
             found = [np.array(self.bone(rig, bone)) for bone in ("Chest", "Head", "LowerArm.L")]
             wanted = wanted or found
             self.assertNear(found, [np.array(matrix) @ pose for pose in wanted])
+
+
+class Walkers(ParentsTestCase):
+    def test_standing_feet_stay(self):
+        """On a level ground, under parents that keep Z up: what stands stays where it is in the world, and legs reach their feet."""
+        for factors, turn in (((2.0, 2.0, 2.0), 0.0), ((-1.0, 1.0, 1.0), 0.5), ((1.0, 1.4, 0.8), 0.5), ((1.0, -1.4, 0.8), 0.5)):
+            support.empty_scene()
+            bpy.context.scene.render.fps = 24
+            spider = walker_cases.spider(ahead=0.0)
+            put_under(spider, Matrix.Translation((1.0, 2.0, 0.0)) @ scaled(*factors) @ Matrix.Rotation(turn, 4, 'Z'))
+            outer = bpy.data.objects[f"{spider.name} Outer"]
+            x, y, z = outer.location
+            walker_cases.key_places(outer, {1: (x, y, z), 40: (x, y + 1.2, z)})
+            with self.subTest(factors=factors, turn=turn):
+                self.assert_stand(spider)
+
+    def assert_stand(self, spider):
+        before, stood = None, 0
+        for frame in range(5, 36):
+            walker_cases.go_to(frame)
+            places = walker_cases.places(spider)
+            self.assertNear(walker_cases.tips(spider), places, 1e-3)
+            stands = np.array(walker_cases.plan_of(spider).walker.swing(frame / 24.0)) == walker_cases.STANDS
+            if before is not None:
+                both = stands & before[1]
+                self.assertNear(places[both], before[0][both], 1e-5)
+                stood += both.sum()
+            before = places, stands
+        self.assertGreater(stood, 80)
+        self.assertEqual(len(walker_cases.plan_of(spider).walker.problems), 0)
+
+
+class Snowfall(ParentsTestCase):
+    def test_flakes_go_along_the_emitters_axis(self):
+        """From its place, along its Z axis as it is in the world, and as fast whatever it is scaled by."""
+        for matrix in self.each():
+            bpy.ops.motus.snow_add(preset='PLAIN', location=(0.3, 0.2, 0.1), start_frame=1, cone_radius=0.0)
+            emitter = bpy.context.object
+            world = put_under(emitter, matrix)
+            snow_cases.go_to(30)
+            found = snow_cases.flakes(emitter)
+            along = np.array(world.to_3x3().col[2].normalized())
+            self.assertGreater(len(found["age"]), 4)
+            self.assertNear(found["position"], np.array(world.translation) + 5.0 * np.outer(found["age"], along), 1e-4)

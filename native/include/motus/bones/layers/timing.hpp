@@ -24,7 +24,7 @@ struct Timing {
 
 /// frame: of the action. weight: 0 to 1. laps: how often it has begun again.
 struct Moment {
-    double frame, weight, laps = 0.0;
+    double frame = 0.0, weight = 0.0, laps = 0.0;
 };
 
 /// Throws std::invalid_argument, naming the number, where one is not finite or outside its domain.
