@@ -721,7 +721,8 @@ class SnowLayer:
     vertex_count: int
 
     def __init__(
-        self, layer_positions: ArrayLike, layer_triangles: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0)
+        self, layer_positions: ArrayLike, layer_triangles: ArrayLike, up: ArrayLike = (0.0, 0.0, 1.0),
+        shelter: SnowCollider | None = None, repose: float | None = None,
     ) -> None: ...
     # float32 position (n, 3), depth (n,); int32 triangle (m, 3), edge (e, 2), side (m, 3).
     def mesh(

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "holding.hpp"
 #include "kernel.hpp"
 #include "motus/core/ieee_floats.hpp"
 #include "motus/core/numeric.hpp"
@@ -19,7 +20,6 @@ namespace motus::snow {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr double clear = 1e-3;  ///< m by which what falls, or is under something, is off the surface
 constexpr double grip_range = 0.5;
 constexpr double highest = 1e30;  ///< m, of snow on what is so small that it has nearly no area
 
@@ -30,6 +30,11 @@ constexpr double highest = 1e30;  ///< m, of snow on what is so small that it ha
                          static_cast<std::uint32_t>(Stream::grip), 0},
                         {})
                      .a));
+}
+
+[[nodiscard]] double tangent(double angle) {
+    const SineCosine<Pair> found = sine_cosine(Pair(angle));
+    return lane(found.sine, 0) / lane(found.cosine, 0);
 }
 
 /// Where a flake comes to lie that lands at a place; nothing where it falls from the collider.
@@ -86,12 +91,61 @@ constexpr double highest = 1e30;  ///< m, of snow on what is so small that it ha
 [[nodiscard]] std::size_t vertex(const glm::ivec3& triangle, std::size_t corner) {
     return static_cast<std::size_t>(triangle[static_cast<int>(corner)]);
 }
+
+/// Leaves the shares of a place's corners that snow lies on and that are under something as the place is, or
+/// not; all of them, where there are none of that kind.
+void keep_alike(std::array<double, 3>& weights, const glm::ivec3& triangle, const glm::dvec3& point,
+                const Holding& holding, const Collider& collider, const glm::dvec3& up) {
+    std::array<bool, 3> is_meant{};
+    std::size_t sheltered = 0, held = 0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const std::size_t at = vertex(triangle, corner);
+        is_meant.at(corner) = holding.holds(at);
+        held += holding.holds(at) ? 1 : 0;
+        sheltered += holding.holds(at) && holding.is_sheltered[at] != 0 ? 1 : 0;
+    }
+    if (sheltered > 0 && sheltered < held) {
+        const bool is_sheltered = is_under(collider, point, up);
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            if ((holding.is_sheltered[vertex(triangle, corner)] != 0) != is_sheltered)
+                is_meant.at(corner) = false;
+    }
+    double sum = 0.0, count = 0.0;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        if (!is_meant.at(corner)) continue;
+        sum += weights.at(corner);
+        count += 1.0;
+    }
+    if (count == 0.0 || count == 3.0) return;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        const double share = sum > 0.0 ? weights.at(corner) / sum : 1.0 / count;
+        weights.at(corner) = is_meant.at(corner) ? share : 0.0;
+    }
+}
 [[nodiscard]] std::array<glm::dvec3, 3> corners_of(const Collider& collider, const glm::ivec3& triangle) {
     const auto corner = [&](std::size_t i) { return glm::dvec3(collider.positions()[vertex(triangle, i)]); };
     return {corner(0), corner(1), corner(2)};
 }
 
+/// Adds to each corner's area what a triangle of snow adds to the volume for each metre of depth there.
+void add_areas(const Collider& collider, const Holding& holding, const glm::ivec3& triangle,
+               const glm::dvec3& up, std::vector<double>& areas) {
+    const auto [a, b, c] = corners_of(collider, triangle);
+    const double third = length_of(glm::cross(b - a, c - a)) / 6.0;
+    std::array<std::optional<float>, 3> ends;  // on the sides that leave the corners
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        ends.at(corner) = end_on_edge(holding, collider.positions(), collider, up, vertex(triangle, corner),
+                                      vertex(triangle, (corner + 1) % 3));
+    const std::array<double, 3> parts = shown_parts(ends);
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        areas.at(vertex(triangle, corner)) += parts.at(corner) * third;
+}
+
 }  // namespace
+
+double steepest_slope(double repose) {
+    return tangent(repose) * (1.0 + grip_range);
+}
 
 struct Cover::Deposit {
     std::array<std::uint32_t, 3> vertices{};
@@ -114,8 +168,10 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
     in_ieee_floats([&] {
         const Collider& collider = *snow.collider();
         const glm::dvec3 pull = snow.acceleration();
-        const SineCosine<Pair> angle = sine_cosine(Pair(settings.repose));
-        const double hold = lane(angle.sine, 0) / lane(angle.cosine, 0);
+        const double hold = tangent(settings.repose);
+        const glm::dvec3 up = -unit_vector(pull);
+        const Holding holding = holding_of(collider.positions(), collider.triangles(), collider, up,
+                                           steepest_slope(settings.repose), threads);
         std::vector<Deposit> deposits(downs.size());
         const auto find = [&](std::size_t first, std::size_t last) {
             std::vector<Slide> slides;
@@ -127,7 +183,8 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
                     friction, slides);
                 if (!place) continue;
                 const glm::ivec3& triangle = collider.triangles()[place->triangle];
-                const auto weights = weights_of(corners_of(collider, triangle), place->point);
+                auto weights = weights_of(corners_of(collider, triangle), place->point);
+                keep_alike(weights, triangle, place->point, holding, collider, up);
                 deposits[i].lies = true;
                 for (std::size_t corner = 0; corner < 3; ++corner) {
                     deposits[i].vertices.at(corner) = static_cast<std::uint32_t>(vertex(triangle, corner));
@@ -145,13 +202,10 @@ Cover::Cover(const Snow& snow, const CoverSettings& settings, std::size_t thread
         deposits.resize(kept);
 
         areas_.resize(collider.positions().size());
-        for (const glm::ivec3& triangle : collider.triangles()) {
-            const auto [a, b, c] = corners_of(collider, triangle);
-            const double third = length_of(glm::cross(b - a, c - a)) / 6.0;
-            for (std::size_t corner = 0; corner < 3; ++corner) areas_[vertex(triangle, corner)] += third;
-        }
+        for (const glm::ivec3& triangle : collider.triangles())
+            add_areas(collider, holding, triangle, up, areas_);
         deposit(deposits, settings.flake_volume);
-        if (rounds_ > 0) link_neighbours(collider, pull, hold * (1.0 + grip_range), threads);
+        if (rounds_ > 0) link_neighbours(collider, holding);
     });
 }
 
@@ -175,31 +229,8 @@ void Cover::deposit(std::span<const Deposit> deposits, double volume) {
     }
 }
 
-void Cover::link_neighbours(const Collider& collider, const glm::dvec3& pull, double steepest,
-                            std::size_t threads) {
+void Cover::link_neighbours(const Collider& collider, const Holding& holding) {
     const std::size_t count = areas_.size();
-    std::vector<glm::dvec3> normals(count);
-    for (const glm::ivec3& triangle : collider.triangles()) {
-        const auto [a, b, c] = corners_of(collider, triangle);
-        glm::dvec3 across = glm::cross(b - a, c - a);
-        if (glm::dot(across, pull) > 0.0) across = -across;
-        for (std::size_t corner = 0; corner < 3; ++corner) normals[vertex(triangle, corner)] += across;
-    }
-    const glm::dvec3 up = -unit_vector(pull);
-    std::vector<std::uint8_t> is_open(count);
-    in_parts(
-        count, grain,
-        [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i) {
-                const double along = glm::dot(normals[i], up);
-                const double aside = length_of(normals[i] - along * up);
-                if (!(along > 0.0) || aside > steepest * along) continue;
-                const glm::dvec3 above = glm::dvec3(collider.positions()[i]) + clear * up;
-                is_open[i] = collider.below(above, up) ? 0 : 1;
-            }
-        },
-        threads);
-
     const mesh::Neighbours around(count, collider.triangles());
     const auto share_out = [&](std::size_t i) {
         return 0.5 * areas_[i] / static_cast<double>(around.edge_ends(static_cast<std::uint32_t>(i)).size());
@@ -207,7 +238,8 @@ void Cover::link_neighbours(const Collider& collider, const glm::dvec3& pull, do
     link_starts_.assign(1, 0);
     for (std::size_t i = 0; i < count; ++i) {
         for (const std::uint32_t other : around.edge_ends(static_cast<std::uint32_t>(i))) {
-            if (is_open[i] == 0 || is_open[other] == 0) continue;
+            if (!holding.holds(i) || !holding.holds(other)) continue;
+            if (holding.is_sheltered[i] != holding.is_sheltered[other]) continue;
             links_.push_back(other);
             // As much as the other one takes.
             shares_.push_back(static_cast<float>(std::min(share_out(i), share_out(other)) / areas_[i]));

@@ -193,6 +193,8 @@ class SnowTest(unittest.TestCase):
                 (lambda: native.SnowLayer([[0, 0, nan]], []), "layer_positions"),
                 (lambda: native.SnowLayer([[0, 0, 0]], [[0, 0, 1]]), "layer_triangles"),
                 (lambda: native.SnowLayer(corners, triangles, (0, 0, 0)), "up"),
+                (lambda: native.SnowLayer(corners, triangles, repose=-0.1), "repose"),
+                (lambda: native.SnowLayer(corners, triangles, repose=1.6), "repose"),
                 (lambda: layer.mesh([1.0]), "depths"), (lambda: layer.mesh(depths * nan), "depths"),
                 (lambda: layer.mesh(depths, -1.0), "thinnest"), (lambda: layer.mesh(depths, 0.0, 0.0), "steepest"),
                 (lambda: native.refine([[0, 0, nan]], [], 1), "positions"),

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <memory>
 #include <numeric>
 #include <vector>
 
 #include "flakes.hpp"
+#include "motus/snow/layer.hpp"
 #include "sheets.hpp"
 
 using namespace motus;
@@ -144,6 +146,50 @@ TEST_CASE("nothing lies under a roof", "[snow]") {
         const double whole = one.volume(4.0);
         CHECK(one.volume(4.0, below) == Approx(0.25 * 20000.0 * (4.0 - 4.0 / 3.0) * 1e-5).epsilon(0.05));
         CHECK(whole == Approx(one.cover.volume(4.0)).epsilon(1e-5));
+    }
+}
+
+TEST_CASE("snow beside a roof ends along its shadow, and is all there", "[snow]") {
+    Settings settings = falling(40000.0);
+    constexpr float edge = 0.13F;
+    constexpr int cells = 20;
+    constexpr float cell = 4.0F / static_cast<float>(cells);
+    Points positions, ground;
+    Triangles triangles, sheet;
+    add_sheet(2.0F, 0.0F, 0.0F, cells, positions, triangles);
+    ground = positions;
+    sheet = triangles;
+    // Over all that is on one side of a slanting line.
+    const auto slanting = [](float y) { return edge + 0.3F * y; };
+    const int first = static_cast<int>(positions.size());
+    for (const glm::vec3& corner : {glm::vec3(slanting(-3.0F), -3.0F, 1.0F), glm::vec3(5.0F, -3.0F, 1.0F),
+                                    glm::vec3(5.0F, 3.0F, 1.0F), glm::vec3(slanting(3.0F), 3.0F, 1.0F)})
+        positions.push_back(corner);
+    triangles.emplace_back(first, first + 1, first + 2);
+    triangles.emplace_back(first, first + 2, first + 3);
+    settings.collider = std::make_shared<const Collider>(positions, triangles);
+    const Layer layer(ground, sheet, glm::dvec3(0.0, 0.0, 1.0), settings.collider.get(), 1.5);
+    for (const int smoothing : {0, 30}) {
+        const Covered one(settings, {.end = 4.0, .flake_volume = 1e-5, .smoothing = smoothing});
+        std::vector<float> heights = one.at(4.0);
+        heights.resize(ground.size());
+        const Layer::Mesh mesh = layer.at(heights, 0.0F, std::numeric_limits<float>::infinity());
+        double shown = 0.0;
+        for (const glm::ivec3& t : mesh.triangles) {
+            const auto at = [&](int i) { return glm::dvec3(mesh.positions[static_cast<std::size_t>(t[i])]); };
+            shown += glm::cross(at(1) - at(0), at(2) - at(0)).z * (at(0).z + at(1).z + at(2).z) / 6.0;
+        }
+        // What fell on the open part, a trapezium.
+        const double depth = 40000.0 * (4.0 - 2.0) * 1e-5 / 16.0;
+        CHECK(shown == Approx(depth * 4.0 * (2.0 + static_cast<double>(edge))).epsilon(0.01));
+        std::size_t on_the_line = 0;
+        for (const glm::vec3& place : mesh.positions) {
+            const float aside = (place.x - slanting(place.y)) / std::sqrt(1.09F);
+            CHECK(aside < 0.03F * cell);
+            CHECK(place.z < 3.0F * static_cast<float>(depth));
+            if (std::abs(aside) < 0.03F * cell) ++on_the_line;
+        }
+        CHECK(on_the_line >= static_cast<std::size_t>(cells));
     }
 }
 

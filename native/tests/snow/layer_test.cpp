@@ -76,7 +76,7 @@ TEST_CASE("the layer is as deep as its snow, and closed at loose edges", "[snow]
     CHECK(mesh.triangles.size() == triangles.size() + 2 * 4 * 8);
 }
 
-TEST_CASE("what is thin is left out, and the rim dips under the surface", "[snow]") {
+TEST_CASE("what is thin is left out, as far as a line on the surface", "[snow]") {
     test::Random random(5);
     Points positions;
     Triangles triangles;
@@ -133,6 +133,27 @@ TEST_CASE("heaps are not steeper than snow holds", "[snow]") {
     // What is not too steep stays as it is.
     const std::vector<float> even(positions.size(), 0.5F);
     CHECK(layer.at(even, 0.0F, 1.5F).positions == layer.at(even, 0.0F, any_slope).positions);
+}
+
+TEST_CASE("what is too high for a heap lies beside it", "[snow]") {
+    test::Random random(8);
+    Points positions;
+    Triangles triangles;
+    add_sheet(1.0F, 0.0F, 0.0F, 20, positions, triangles);
+    const Layer layer(positions, triangles, up);
+    std::vector<float> depths(positions.size());
+    for (float& depth : depths) depth = random.chance(0.1) ? 1.0F : random.between(0.0F, 0.1F);
+    // Upright walls add nothing to a volume above the plane z = 0.
+    const auto volume = [&](float steepest) {
+        const Layer::Mesh mesh = layer.at(depths, 0.0F, steepest);
+        double sum = 0.0;
+        for (const glm::ivec3& t : mesh.triangles) {
+            const auto at = [&](int i) { return glm::dvec3(mesh.positions[static_cast<std::size_t>(t[i])]); };
+            sum += glm::cross(at(1) - at(0), at(2) - at(0)).z * (at(0).z + at(1).z + at(2).z) / 6.0;
+        }
+        return sum;
+    };
+    CHECK(volume(1.5F) == Approx(volume(any_slope)).epsilon(1e-3));
 }
 
 TEST_CASE("a layer of strange triangles", "[snow]") {

@@ -22,16 +22,17 @@ class Ground(NamedTuple):
 
 
 @functools.lru_cache(maxsize=KEPT)
-def made(lain_on, shelters, resolution, up):
+def made(lain_on, shelters, resolution, up, repose):
     """The Ground of what is Placed; None where it would have more than MOST vertices."""
     positions, triangles = meshes.joined(lain_on)
     try:
         positions, triangles = native.module.refine(positions, triangles, resolution, MOST)
     except ValueError:
         return None
-    layer = native.module.SnowLayer(positions, triangles, up)
     joined = [(positions, triangles)]
     if shelters:
         more = meshes.joined(shelters)
         joined.append((more[0], more[1] + np.int32(len(positions))))
-    return Ground(native.module.SnowCollider(*map(np.concatenate, zip(*joined))), layer, sum(len(one) for one, _ in joined))
+    collider = native.module.SnowCollider(*map(np.concatenate, zip(*joined)))
+    layer = native.module.SnowLayer(positions, triangles, up, collider, repose)
+    return Ground(collider, layer, sum(len(one) for one, _ in joined))

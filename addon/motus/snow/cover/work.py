@@ -165,7 +165,7 @@ def part_count(plan):
 
 
 def _steps(plan):
-    place = ground.made(plan.lain_on, plan.shelters, plan.resolution, plan.up)
+    place = ground.made(plan.lain_on, plan.shelters, plan.resolution, plan.up, plan.repose)
     if place is None:
         return TOO_FINE
     done, covers = 1, []

@@ -10,6 +10,8 @@
 
 namespace motus::snow {
 
+struct Holding;  ///< which vertices snow lies on; private to the library
+
 struct CoverSettings {
     double end = 0.0;            ///< s; flakes that land later are left out
     double flake_volume = 1e-4;  ///< m^3 of lying snow that a flake stands for, > 0
@@ -18,11 +20,14 @@ struct CoverSettings {
     /// the slope's tangent is 1.5 times as large.
     double repose = 0.9;
     /// Rounds in which neighbouring vertices even out half of what they differ, 0 to most_rounds; not with
-    /// those that are under something, or too steep.
+    /// those that are too steep, nor from what is under something to what is not.
     int smoothing = 4;
 
     static constexpr int most_rounds = 1000;
 };
+
+/// Tangent of the steepest slope on which any flake lies, for CoverSettings::repose.
+[[nodiscard]] double steepest_slope(double repose);
 
 /// Immutable, so that several threads may ask at once. While it is made it takes some 200 bytes a flake that
 /// is born until the end, and then 32.
@@ -34,7 +39,7 @@ class Cover {
 
     /// Vertices of the collider.
     [[nodiscard]] std::size_t vertex_count() const noexcept { return areas_.size(); }
-    /// m^2: a third of the triangles around each vertex.
+    /// m^2: a third of the triangles around each vertex, and less where snow ends within them.
     [[nodiscard]] std::span<const double> areas() const noexcept { return areas_; }
 
     /// How deep the snow is on each vertex, m, across the surface: the heights times the areas add up to the
@@ -53,8 +58,7 @@ class Cover {
     };
     struct Deposit;
     void deposit(std::span<const Deposit> deposits, double volume);
-    void link_neighbours(const Collider& collider, const glm::dvec3& pull, double steepest,
-                         std::size_t threads);
+    void link_neighbours(const Collider& collider, const Holding& holding);
     [[nodiscard]] std::size_t lying(double time) const;
 
     double flake_volume_;

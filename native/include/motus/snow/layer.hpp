@@ -4,21 +4,29 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 #include <vector>
+
+#include "motus/snow/collider.hpp"
 
 namespace motus::snow {
 
 /// What lies on triangles, in their space. Immutable, so that several threads may ask at once.
 ///
 /// The layer is a surface above that of the triangles, as far off each vertex as the snow there is deep. It
-/// is left out where it is thin, dips under the surface around that, and is closed by a wall at loose edges.
+/// is cut where it is thin, along a line on the surface, and is closed by a wall at loose edges.
 class Layer {
   public:
     /// `up`: away from what pulls snow down, finite, of any length but 0. Throws std::invalid_argument,
     /// naming layer_positions or layer_triangles, where a position is not finite, a triangle names a vertex
     /// that there is not, or there are 2^29 triangles or more.
-    Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up);
+    ///
+    /// `shelter`: what snow cannot fall through. Between a vertex with snow and a bare one that is under
+    /// something, or steeper than `hold`, the tangent of a slope, the layer ends where the one or the other
+    /// begins. Without a shelter it ends everywhere as the depths have it.
+    Layer(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles, const glm::dvec3& up,
+          const Collider* shelter = nullptr, double hold = std::numeric_limits<double>::infinity());
 
     struct Mesh {
         std::vector<glm::vec3> positions;
@@ -32,9 +40,10 @@ class Layer {
 
     /// `depths`, m: how deep the snow is on each vertex, across the surface. From one vertex to the next its
     /// depth differs by no more than the fraction `steepest`, > 0, of the way between them: what would be
-    /// higher has fallen off. Snow that is not deeper than `thinnest`, >= 0, m, is hidden. Throws
-    /// std::invalid_argument where there is not a finite depth for each vertex, or another number is outside
-    /// its domain.
+    /// higher lies on what is lower beside it, so that the volume stays; it is gone where nothing beside
+    /// the line at which snow ends is lower, and of heaps so wide that it would go on for too long. Snow that
+    /// is not deeper than `thinnest`, >= 0, m, is hidden. Throws std::invalid_argument where there is not a
+    /// finite depth for each vertex, or another number is outside its domain.
     [[nodiscard]] Mesh at(std::span<const float> depths, float thinnest, float steepest) const;
 
   private:
@@ -43,6 +52,10 @@ class Layer {
         std::uint32_t side = 0;
     };
     class Builder;
+    class Spreading;
+    void find_ends(const Collider& shelter, const glm::dvec3& up, double hold);
+    void measure();
+    [[nodiscard]] bool is_too_steep(std::size_t edge, std::span<const float> depths, float steepest) const;
     void fall_off(std::vector<float>& depths, float steepest) const;
 
     std::vector<glm::vec3> positions_, normals_;  ///< unit, upwards; zero where there is none
@@ -50,8 +63,11 @@ class Layer {
     std::vector<glm::ivec3> triangles_;
     std::vector<glm::ivec2> edges_;
     std::vector<float> lengths_;  ///< of the edges
+    std::vector<float> ends_;     ///< fractions of the edges at which snow ends, or none: a negative number
+    std::vector<float> areas_;    ///< m^2, of the snow on each vertex, as Cover::areas()
     std::vector<glm::ivec3> sides_;
-    std::vector<Loose> loose_;  ///< sides that no other triangle has
+    std::vector<std::uint32_t> spoke_starts_, spokes_;  ///< edges that each vertex has
+    std::vector<Loose> loose_;                          ///< sides that no other triangle has
 };
 
 }  // namespace motus::snow

@@ -1,0 +1,44 @@
+// Which vertices of a mesh snow lies on, and how far along an edge.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <glm/vec3.hpp>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "motus/snow/collider.hpp"
+
+namespace motus::snow {
+
+constexpr double clear = 1e-3;  ///< m by which what falls, or is under something, is off the surface
+
+struct Holding {
+    std::vector<double> margins;             ///< > 0 where a vertex is not too steep, linear in between
+    std::vector<std::uint8_t> is_sheltered;  ///< whether something is above a vertex
+
+    [[nodiscard]] bool holds(std::size_t vertex) const { return margins[vertex] > 0.0; }
+};
+
+/// Whether something is above a place.
+[[nodiscard]] inline bool is_under(const Collider& collider, const glm::dvec3& place, const glm::dvec3& up) {
+    return collider.below(place + clear * up, up).has_value();
+}
+
+/// `up`: unit. `steepest`: tangent of the steepest slope on which snow lies.
+[[nodiscard]] Holding holding_of(std::span<const glm::vec3> positions, std::span<const glm::ivec3> triangles,
+                                 const Collider& shelter, const glm::dvec3& up, double steepest,
+                                 std::size_t threads);
+
+/// At which fraction of the way from a vertex to another one snow ends, where it lies on one of them alone:
+/// one of them is too steep, or under something.
+[[nodiscard]] std::optional<float> end_on_edge(const Holding& holding, std::span<const glm::vec3> positions,
+                                               const Collider& shelter, const glm::dvec3& up,
+                                               std::size_t from, std::size_t to);
+
+/// Of a third of a triangle, how much each corner's depth counts for in the volume of the snow on it. `ends`:
+/// of the sides that leave the corners. Where snow ends within the triangle it goes down to nothing there, on
+/// either side.
+[[nodiscard]] std::array<double, 3> shown_parts(const std::array<std::optional<float>, 3>& ends);
+
+}  // namespace motus::snow
