@@ -79,12 +79,12 @@ class Names(unittest.TestCase):
         self.assertEqual(machine.stills, [("reach", still, 1280) for still in range(3)])
 
     def test_the_list_of_scenes_is_sound(self):
-        for key in ("name", "identifier", "module", "label", "description"):
+        for key in ("name", "identifier", "label", "description"):
             values = [getattr(scene, key) for scene in demo_plan.SCENES]
             self.assertEqual(len(set(values)), len(values), key)
         for scene in demo_plan.SCENES:
             with self.subTest(scene=scene.name):
-                self.assertTrue((CLONE / "addon" / "motus" / "demo" / f"{scene.module}.py").is_file())
+                self.assertTrue((CLONE / "addon" / "motus" / "demo" / scene.name / "scene.py").is_file())
                 self.assertGreaterEqual(len(scene.stills), demo_plan.STILLS)
                 self.assertLess(*scene.film)
 

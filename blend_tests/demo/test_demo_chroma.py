@@ -7,7 +7,7 @@ import support
 from demo import demo_cases
 
 compositor = support.addon("chroma.compositor")
-green_screen = support.addon("demo.green_screen")
+green_screen = support.addon("demo.chroma.green_screen")
 SIZE = (160, 90)
 
 

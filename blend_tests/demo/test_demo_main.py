@@ -11,7 +11,7 @@ from demo import demo_cases
 from mathutils import Vector
 
 steps, pilot_module, flight, transmitter, land = (
-    support.addon(f"demo.{name}") for name in ("main_steps", "main_pilot", "main_flight", "main_transmitter", "main_land"))
+    support.addon(f"demo.main.{name}") for name in ("steps", "pilot", "flight", "transmitter", "terrain"))
 RELEASE = pilot_module.RELEASE
 SLIDE, SUNK = 0.002, 0.004  # m
 REACHED, REACHED_TURN = 0.003, math.radians(1.0)

@@ -8,7 +8,7 @@ import numpy as np
 import support
 from demo import demo_cases
 
-MODULES = ("pulling", "pull_face", "pull_face_motion", "pull_land", "pull_studio", "keying")
+MODULES = ("pull/scene", "pull/face", "pull/face_motion", "pull/terrain", "places/clay_studio", "stage/keying")
 SEA = 0.11  # height of the sea over the grid, m
 SOME_FRAMES = (1, 36, 46, 56, 66, 80, 100, 126, 150, 160, 170, 184, 200, 216)
 
@@ -75,7 +75,7 @@ class PulledFromClay(unittest.TestCase):
     def test_by_public_operators_only(self):
         folder = Path(support.addon("demo").__file__).parent
         for module in MODULES:
-            self.assertNotIn("from ..", (folder / f"{module}.py").read_text(encoding="utf-8"), module)
+            self.assertNotIn("from ...", (folder / f"{module}.py").read_text(encoding="utf-8"), module)
         for thing in self.scene.objects:
             wanted = ['NODES'] if thing in (self.land, self.head) else []
             self.assertEqual([modifier.type for modifier in thing.modifiers], wanted, thing.name)
@@ -168,7 +168,7 @@ class PulledFromClay(unittest.TestCase):
     # --- the motion -----------------------------------------------------------------------------------------------
 
     def test_cycle_closes(self):
-        cycle = support.addon("demo.keying").CYCLE
+        cycle = support.addon("demo.stage.keying").CYCLE
         for frame in (0, 1, 2):
             first, later = self.moment(frame), self.moment(frame + cycle)
             for one, other in zip(first, later):

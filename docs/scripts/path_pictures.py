@@ -83,7 +83,7 @@ def _new_scene(sky):
 
 
 def _build_aeroplane(scene):
-    return support.addon("demo.aeroplane").build(scene.collection)
+    return support.addon("demo.flying.aeroplane").build(scene.collection)
 
 
 def _duplicate(body):

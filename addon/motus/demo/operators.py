@@ -39,8 +39,8 @@ class MOTUS_OT_demo_scene(Operator, bpy.types.Operator):
         previous, known = context.window.scene, set(bpy.data.scenes)
         try:
             # Imported when one is built, and NumPy with it: most users build none.
-            module = next(scene.module for scene in SCENES if scene.identifier == self.system)
-            scene = import_module(f"{__package__}.{module}").build(context)
+            folder = next(scene.name for scene in SCENES if scene.identifier == self.system)
+            scene = import_module(f"{__package__}.{folder}").build(context)
         except RuntimeError as error:  # one of the operators it calls refused
             _discard(context.window, previous, set(bpy.data.scenes) - known)
             raise Refused(tr("The demo scene could not be finished: {error}").format(error=error)) from error

@@ -6,9 +6,8 @@ from typing import NamedTuple
 class DemoScene(NamedTuple):
     """A scene, and what `./motus demo` renders of it. Times are seconds into the scene."""
 
-    name: str  # for `./motus demo`, and of the files that it writes
+    name: str  # for `./motus demo` and the files that it writes; the folder here whose build(context) makes the scene and shows it
     identifier: str  # for motus.demo_scene
-    module: str  # in this folder: its build(context) makes the scene and shows it in the window
     label: str
     description: str
     stills: tuple  # (camera, time), the most beautiful first
@@ -21,21 +20,21 @@ class DemoScene(NamedTuple):
 # The first one's still is rendered before all others, and its film is the one that `./motus demo` without a name makes.
 SCENES = (
     DemoScene(
-        name="flight", identifier="PATH", module="banked_flight", label="Banked Flight",
+        name="flight", identifier="PATH", label="Banked Flight",
         description="An aeroplane on a curved course over a lake, with a chasing camera",
         stills=(("Wide Camera", 1.05), ("Fly-By Camera", 9.5), ("Chase Camera", 6.2)),
         film=(5.9, 9.8),  # the markers cut between cameras on the way
         ambience=3.0,
     ),
     DemoScene(
-        name="reach", identifier="IK", module="reaching", label="Reaching Pilot",
+        name="reach", identifier="IK", label="Reaching Pilot",
         description="A wooden figure whose hand and eyes follow a butterfly, while its feet and other hand stay put",
         stills=(("Lookout Camera", 3.05), ("Lookout Camera", 4.4), ("Lookout Camera", 0.6)),
         film=(0.0, 9.0),
         ambience=0.5,
     ),
     DemoScene(
-        name="pull", identifier="PULL", module="pulling", label="Pulled from Clay",
+        name="pull", identifier="PULL", label="Pulled from Clay",
         description="A landscape that rises from the sea and a face full of feeling, both pulled into shape and moved "
                     "by pins",
         stills=(("Studio Camera", 4.1), ("Studio Camera", 5.2), ("Studio Camera", 1.6)),
@@ -43,7 +42,7 @@ SCENES = (
         ambience=1.0,
     ),
     DemoScene(
-        name="pendulum", identifier="PENDULUM", module="chaos", label="Fan of Chaos",
+        name="pendulum", identifier="PENDULUM", label="Fan of Chaos",
         description="Double pendulums that start half a degree apart and soon go ways of their own, one of them alone, and "
                     "one with other angles",
         stills=(("Hall Camera", 2.6), ("Hall Camera", 5.1), ("Hall Camera", 9.0)),
@@ -51,21 +50,21 @@ SCENES = (
         ambience=0.5,
     ),
     DemoScene(
-        name="dynamics", identifier="DYNAMICS", module="hopper", label="Hopping Creature",
+        name="dynamics", identifier="DYNAMICS", label="Hopping Creature",
         description="A creature whose body, tail and antennae swing along with the few keys that make it hop",
         stills=(("Table Camera", 0.45), ("Table Camera", 1.0), ("Table Camera", 3.2)),
         film=(0.0, 110 / 24),
         ambience=0.6,
     ),
     DemoScene(
-        name="snow", identifier="SNOW", module="evening", label="Winter Village",
+        name="snow", identifier="SNOW", label="Winter Village",
         description="Snow that falls on a village at dusk, whose roofs, trees and meadows turn white, without a cache",
         stills=(("Evening Camera", 9.0), ("Evening Camera", 3.0), ("Evening Camera", 0.4)),
         film=(0.0, 10.0),
         ambience=1.0,
     ),
     DemoScene(
-        name="stereo", identifier="STEREO", module="colonnade", label="Stereo Colonnade",
+        name="stereo", identifier="STEREO", label="Stereo Colonnade",
         description="An aeroplane between columns at several depths, filmed by a stereo camera that looks after it",
         stills=(("Stereo Camera", 4.0), ("Stereo Camera", 4.0), ("Stereo Camera", 7.4)),
         film=(1.5, 9.5),
@@ -73,14 +72,14 @@ SCENES = (
         stereo=("ANAGLYPH", "SIDEBYSIDE", "ANAGLYPH", "ANAGLYPH"),
     ),
     DemoScene(
-        name="chroma", identifier="CHROMA", module="keyed", label="Keyed Pilot",
+        name="chroma", identifier="CHROMA", label="Keyed Pilot",
         description="A pilot who was filmed before a green screen stands among columns while his aeroplane passes",
         stills=(("Place Camera", 1.8), ("Place Camera", 2.2), ("Place Camera", 0.9)),
         film=(0.0, 71 / 24),
         ambience=2.0,
     ),
     DemoScene(
-        name="layers", identifier="LAYERS", module="layered", label="Walk on a Small Planet",
+        name="layers", identifier="LAYERS", label="Walk on a Small Planet",
         description="A wooden pilot walks on a planet that turns beneath him, and throws an aeroplane and jumps by layers of "
                     "animation",
         stills=(("Planet Camera", 2.55), ("Planet Camera", 6.05), ("Planet Camera", 2.95)),
@@ -88,14 +87,14 @@ SCENES = (
         ambience=0.5,
     ),
     DemoScene(
-        name="walker", identifier="WALKER", module="spiders", label="Spiders on the Wall",
+        name="walker", identifier="WALKER", label="Spiders on the Wall",
         description="A spider goes over the stones of a garden and up an old wall, and her young go after her",
         stills=(("Garden Camera", 4.4), ("Garden Camera", 9.0), ("Garden Camera", 7.2)),
         film=(0.0, 12.0),
         ambience=0.5,
     ),
     DemoScene(
-        name="main", identifier="MAIN", module="main_scene", label="Winter Flight",
+        name="main", identifier="MAIN", label="Winter Flight",
         description="Eight systems at once: a pilot walks through the snow, throws an aeroplane and steers it, while lanterns swing "
                     "and a spider comes to see",
         stills=(("Main Camera", 4.7), ("Main Camera", 10.8), ("Main Camera", 4.7)),

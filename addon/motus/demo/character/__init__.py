@@ -1,0 +1,1 @@
+"""The wooden pilot of the demo scenes: skeleton, figure and clips of animation."""

@@ -1,0 +1,241 @@
+"""The three clips of the layered scene, of few keys each: a walk on the spot, a jump, and a throw from high."""
+
+import math
+
+import bpy
+
+from ...core import actions
+from ..stage.keying import key
+from . import skeleton
+
+STRIDE = 24  # frames of two steps
+THROW_FRAMES, RELEASE = 40, 21
+JUMP_FRAMES, TAKE_OFF, TOUCH_DOWN = 44, 13, 29
+JUMP_HEIGHT = 0.42  # m
+CROUCH, LANDING = 0.15, 0.17  # m that the hips sink
+
+# A foot from one contact to the next: share of the stride, m ahead of the hip, m above the ground, degrees of the sole, toes up.
+STEP = (
+    (0.000, 0.245, 0.012, 16.0), (0.125, 0.125, 0.0, 0.0), (0.250, 0.000, 0.0, 0.0), (0.375, -0.125, 0.004, -6.0),
+    (0.500, -0.235, 0.055, -32.0), (0.625, -0.190, 0.150, -44.0), (0.750, 0.020, 0.140, -14.0), (0.875, 0.215, 0.062, 12.0),
+)
+HIP_SINK = ((0.0, 0.060), (0.125, 0.072), (0.250, 0.038), (0.375, 0.034))  # m, twice a stride
+SWAY = 0.022  # m to the side of the foot that stands
+# Degrees about a bone's axes, twice: of the stride's first half, and mirrored of the second.
+SWINGS = {
+    "pelvis": (0.0, 7.0, 2.0), "spine.002": (2.0, -6.0, -1.5), "spine.003": (1.0, -7.0, -1.0), "neck": (-2.0, 4.0, 0.0),
+    "head": (-1.0, 3.0, 0.5),
+}
+ARM_SWING, ELBOW, ELBOW_SWING = 27.0, 16.0, 12.0  # degrees
+
+# Frames of the throw with degrees: of the arm that throws about X (ahead and up) and Z (aside), of its elbow, and so on.
+THROW = {
+    ("upper_arm.R", 0): ((1, 0.0), (13, 150.0), (17, 176.0), (RELEASE, 128.0), (27, 30.0), (THROW_FRAMES, 0.0)),
+    ("upper_arm.R", 2): ((1, 0.0), (13, 24.0), (17, 20.0), (RELEASE, 4.0), (27, -14.0), (THROW_FRAMES, 0.0)),
+    ("forearm.R", 0): ((1, 12.0), (11, 88.0), (17, 96.0), (RELEASE, 22.0), (27, 14.0), (THROW_FRAMES, 12.0)),
+    ("hand.R", 2): ((1, 0.0), (15, 26.0), (RELEASE, -24.0), (28, -10.0), (THROW_FRAMES, 0.0)),
+    ("upper_arm.L", 0): ((1, 0.0), (14, 62.0), (23, -18.0), (THROW_FRAMES, 0.0)),
+    ("upper_arm.L", 2): ((1, 0.0), (14, -26.0), (23, -20.0), (THROW_FRAMES, 0.0)),
+    ("forearm.L", 0): ((1, 12.0), (14, 26.0), (23, 44.0), (THROW_FRAMES, 12.0)),
+    ("spine.002", 0): ((1, 0.0), (15, -9.0), (24, 13.0), (THROW_FRAMES, 0.0)),
+    ("spine.002", 1): ((1, 0.0), (15, -14.0), (23, 12.0), (THROW_FRAMES, 0.0)),
+    ("spine.003", 0): ((1, 0.0), (15, -8.0), (24, 12.0), (THROW_FRAMES, 0.0)),
+    ("spine.003", 1): ((1, 0.0), (15, -24.0), (23, 20.0), (THROW_FRAMES, 0.0)),
+    ("neck", 1): ((1, 0.0), (15, 16.0), (23, -12.0), (THROW_FRAMES, 0.0)),
+    ("head", 1): ((1, 0.0), (15, 20.0), (23, -14.0), (THROW_FRAMES, 0.0)),
+    ("index.R", 0): ((1, -30.0), (17, -34.0), (RELEASE, 6.0), (THROW_FRAMES, -18.0)),
+    ("fingers.R", 0): ((1, -42.0), (17, -46.0), (RELEASE, 8.0), (THROW_FRAMES, -20.0)),
+}
+WHIP = ("upper_arm.R", "forearm.R")
+"""Bones whose way to the release begins slowly and ends fast: their curves are shaped for it."""
+
+CARRY = {
+    ("upper_arm.L", 0): 30.0, ("upper_arm.L", 2): -41.0, ("forearm.L", 0): 124.0, ("hand.L", 0): -34.0,
+    ("hand.L", 1): 22.0, ("hand.L", 2): 18.0,
+}
+
+JUMP = {
+    ("pelvis", 0): ((1, 0.0), (8, 26.0), (TAKE_OFF, 6.0), (21, 8.0), (TOUCH_DOWN, 4.0), (34, 22.0), (JUMP_FRAMES, 0.0)),
+    ("spine.002", 0): ((1, 0.0), (8, 12.0), (15, -8.0), (21, 4.0), (34, 12.0), (JUMP_FRAMES, 0.0)),
+    ("head", 0): ((1, 0.0), (8, -24.0), (16, -12.0), (34, -20.0), (JUMP_FRAMES, 0.0)),
+    ("upper_arm.L", 0): ((1, 0.0), (8, -46.0), (16, 152.0), (22, 160.0), (34, 30.0), (JUMP_FRAMES, 0.0)),
+    ("upper_arm.L", 2): ((1, 0.0), (16, -22.0), (22, -34.0), (34, -12.0), (JUMP_FRAMES, 0.0)),
+    ("forearm.L", 0): ((1, 12.0), (8, 24.0), (17, 16.0), (34, 42.0), (JUMP_FRAMES, 12.0)),
+}
+LEGS_OF_JUMP = (  # frame, m that the hips sink or the feet are drawn up, degrees of the soles
+    (1, 0.030, 0.0), (8, CROUCH, 0.0), (TAKE_OFF, 0.012, -34.0), (21, 0.150, -24.0), (TOUCH_DOWN, 0.020, -12.0), (33, LANDING, 0.0),
+    (JUMP_FRAMES, 0.030, 0.0),
+)
+
+
+def walk(rig):
+    """The walk on the spot, one stride of it."""
+    bones = rig.pose.bones
+    turns = {}
+    for side, shift in (("L", 0.0), ("R", 0.5)):
+        for share, ahead, lift, sole in STEP:
+            when = (share + shift) % 1.0
+            sink = _sink(when)
+            _add_leg(turns, side, 1 + STRIDE * when, ahead, sink - lift, sole)
+    for side, sign in (("L", -1.0), ("R", 1.0)):
+        for when, swing in ((0.0, 1.0), (0.5, -1.0)):
+            frame = 1 + STRIDE * when
+            turns.setdefault((f"upper_arm.{side}", 0), []).append((frame, sign * swing * ARM_SWING))
+            turns.setdefault((f"forearm.{side}", 0), []).append((frame + 2, ELBOW + sign * swing * ELBOW_SWING))
+            turns.setdefault((f"upper_arm.{side}", 2), []).append((frame, sign * 5.0))
+    for name, angles in SWINGS.items():
+        for axis, angle in enumerate(angles):
+            mirrored = angle if axis == 0 else -angle
+            turns[name, axis] = [(1, angle), (1 + STRIDE / 2, mirrored)]
+    for (name, axis), keys in turns.items():
+        _key_turns(bones[name], axis, _closed(keys))
+    pelvis = bones["pelvis"]
+    key(pelvis, "location", _closed([(1 + STRIDE * (share + half), -sink) for half in (0.0, 0.5) for share, sink in HIP_SINK]), 1)
+    key(pelvis, "location", _closed([(1 + STRIDE * 0.22, SWAY), (1 + STRIDE * 0.72, -SWAY)]), 0)
+    action = _named(rig, "Walk")
+    action.use_frame_range, action.frame_start, action.frame_end = True, 1, 1 + STRIDE
+    actions.assign(rig, None)
+    return action
+
+
+def throw(rig, hand="R"):
+    """The throw, of the upper body alone, by the right or the left hand."""
+    for (name, axis), keys in THROW.items():
+        if hand == "L":
+            name, keys = _mirrored(name), [(frame, angle if axis == 0 else -angle) for frame, angle in keys]
+        _key_turns(rig.pose.bones[name], axis, keys)
+    action = _named(rig, "Throw")
+    whip = [name if hand == "R" else _mirrored(name) for name in WHIP]
+    for curve in actions.curves_for_object(action):
+        if any(f'"{name}"' in curve.data_path for name in whip) and curve.array_index == 0:
+            _shape_whip(curve)
+    actions.assign(rig, None)
+    return action
+
+
+def carry(rig):
+    """A pose of the left arm, which holds something up before the shoulder."""
+    for (name, axis), angle in CARRY.items():
+        _key_turns(rig.pose.bones[name], axis, ((1, angle),))
+    action = _named(rig, "Carry")
+    actions.assign(rig, None)
+    return action
+
+
+def lay(rig, action, **keywords):
+    """Lay a clip over the rig's animation, by the public operator; gives the layer."""
+    if bpy.ops.motus.layer_add(object=rig.name, action=action.name, **keywords) != {"FINISHED"}:
+        raise RuntimeError(f"{rig.name} could not be given the layer {action.name}")
+    return rig.motus.layers.entries[rig.motus.layers.active_entry]
+
+
+def jump(rig):
+    """The jump: a parabola between two keys of the hips' height, whose handles alone make it one."""
+    bones = rig.pose.bones
+    for (name, axis), keys in JUMP.items():
+        _key_turns(bones[name], axis, keys)
+        if name.endswith(".L"):
+            mirrored = [(frame, -angle if axis == 2 else angle) for frame, angle in keys]
+            _key_turns(bones[name[:-1] + "R"], axis, mirrored)
+    lean = dict(JUMP["pelvis", 0])
+    turns = {}
+    for frame, sink, sole in LEGS_OF_JUMP:
+        for side in ("L", "R"):
+            _add_leg(turns, side, frame, 0.01, sink, sole, lean.get(frame, lean.get(frame + 1, 0.0)))
+    for (name, axis), keys in turns.items():
+        _key_turns(bones[name], axis, keys)
+    key(bones["pelvis"], "location", ((1, -0.030), (8, -CROUCH), (TAKE_OFF, -0.012), (TOUCH_DOWN, -0.020), (33, -LANDING),
+                                      (JUMP_FRAMES, -0.030)), 1)
+    action = _named(rig, "Jump")
+    rise = next(curve for curve in actions.curves_for_object(action)
+                if curve.data_path.endswith("location") and curve.array_index == 1)
+    _shape_flight(rise)
+    actions.assign(rig, None)
+    return action
+
+
+def _sink(share):
+    """How far the hips have sunk at a share of the stride, by straight lines between the keys."""
+    share = (share % 0.5)
+    keys = (*HIP_SINK, (0.5, HIP_SINK[0][1]))
+    for (first, low), (second, high) in zip(keys, keys[1:]):
+        if share <= second:
+            return low + (high - low) * (share - first) / (second - first)
+    return keys[-1][1]
+
+
+def _add_leg(turns, side, frame, ahead, sink, sole, lean=0.0):
+    """Keys of a leg whose ankle is so far ahead of the hip, and nearer to it than at rest by `sink`. lean: of the hips."""
+    thigh, shin, foot = _leg(ahead, sink, sole, lean)
+    for name, angle in (("thigh", thigh), ("shin", shin), ("foot", foot)):
+        turns.setdefault((f"{name}.{side}", 0), []).append((frame, angle))
+
+
+def _leg(ahead, sink, sole, lean):
+    """Degrees of thigh, shin and foot about their X axes: the law of cosines in the plane of the walk."""
+    upper, lower = skeleton.JOINTS["thigh.L"], skeleton.JOINTS["shin.L"]
+    thigh, shin = _way(upper.head, upper.tail), _way(lower.head, lower.tail)
+    down = thigh[1] + shin[1] - sink
+    far = min(math.hypot(ahead, down), 0.9995 * (math.hypot(*thigh) + math.hypot(*shin)))
+    a, b = math.hypot(*thigh), math.hypot(*shin)
+    at_hip = math.acos((a * a + far * far - b * b) / (2.0 * a * far))
+    at_knee = math.acos((a * a + b * b - far * far) / (2.0 * a * b))
+    forward = math.atan2(ahead, down) + at_hip
+    back = forward - (math.pi - at_knee)
+    of_thigh = math.degrees(forward - math.atan2(*thigh)) + lean
+    of_shin = math.degrees(back - forward - (math.atan2(*shin) - math.atan2(*thigh)))
+    return of_thigh, of_shin, sole + lean - of_thigh - of_shin
+
+
+def _way(head, tail):
+    """(ahead, down) between two places of the rig; it faces -Y."""
+    return head[1] - tail[1], head[2] - tail[2]
+
+
+def _closed(keys):
+    """Keys of a stride in their order, with those before and after that make it smooth at its ends."""
+    keys = sorted(((frame - 1) % STRIDE + 1, value) for frame, value in keys)
+    around = [(frame + turn * STRIDE, value) for turn in (-1, 0, 1, 2) for frame, value in keys]
+    return [one for one in around if -STRIDE / 2 < one[0] <= 1.5 * STRIDE + 2]
+
+
+def _key_turns(bone, axis, keys):
+    key(bone, "rotation_euler", [(frame, math.radians(angle)) for frame, angle in keys], index=axis)
+
+
+def _mirrored(name):
+    """A bone's name on the other side."""
+    return name[:-2] + {".L": ".R", ".R": ".L"}.get(name[-2:], name[-2:])
+
+
+def _named(rig, name):
+    """The action that was keyed on the rig, which is at rest again."""
+    action = rig.animation_data.action
+    action.name, action.use_fake_user = name, True
+    for bone in rig.pose.bones:
+        bone.location, bone.rotation_euler = (0.0, 0.0, 0.0), (0.0, 0.0, 0.0)
+    return action
+
+
+def _shape_whip(curve):
+    """Let the arm wait, and then go ever faster until it lets go."""
+    points = {round(point.co.x): point for point in curve.keyframe_points}
+    wound, let_go = points[17], points[RELEASE]
+    for point in (wound, let_go):
+        point.handle_left_type = point.handle_right_type = 'FREE'
+    rise = (let_go.co.y - wound.co.y)
+    wound.handle_right = (wound.co.x + 2.6, wound.co.y)
+    let_go.handle_left = (let_go.co.x - 0.7, let_go.co.y - 0.42 * rise)
+    let_go.handle_right = (let_go.co.x + 2.0, let_go.co.y + 0.55 * rise)
+    curve.update()
+
+
+def _shape_flight(curve):
+    """A cubic whose two inner numbers are 4/3 of the height is the parabola of that height."""
+    points = {round(point.co.x): point for point in curve.keyframe_points}
+    start, end = points[TAKE_OFF], points[TOUCH_DOWN]
+    third, level = (TOUCH_DOWN - TAKE_OFF) / 3.0, 4.0 / 3.0 * JUMP_HEIGHT
+    start.handle_left_type = start.handle_right_type = end.handle_left_type = end.handle_right_type = 'FREE'
+    start.handle_right = (TAKE_OFF + third, start.co.y + level)
+    end.handle_left = (TOUCH_DOWN - third, end.co.y + level)
+    curve.update()

@@ -1,0 +1,51 @@
+"""The scene "Motus Flight": an aeroplane on a banked course over a lake."""
+
+import bpy
+
+from ..flying import aeroplane, flight
+from ..places import landscape, woods
+from ..stage import lighting, staging
+from . import cameras, props
+
+SCENE_NAME = "Motus Flight"
+FRAMES_PER_SECOND = 24
+
+
+def build(context):
+    """Build the scene, show it in the window and return it."""
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND)
+    land, air, views = (staging.new_collection(scene, name) for name in ("Landscape", "Flight", "Cameras"))
+    haze = _build_light(scene, land)
+    landscape.build(land, haze)
+    woods.build(land, haze)
+    course, imported = flight.import_course(scene)
+    _adopt(course, air, imported)
+    flight.lift_course(course)
+    flight.draw_course(course)
+    length = flight.course_length(course)
+    lap = length / flight.SPEED
+    plane = aeroplane.build(air)
+    flight.fly(plane, course)
+    props.build(air, course, length, haze)
+    cameras.build(scene, views, course, plane, lap)
+    scene.frame_start, scene.frame_end = int(flight.FIRST_FRAME), round(lap * FRAMES_PER_SECOND)
+    scene.frame_set(scene.frame_start)
+    return scene
+
+
+def _adopt(course, collection, imported):
+    """Move the course from the importer's collection to ours."""
+    for other in list(course.users_collection):
+        other.objects.unlink(course)
+    collection.objects.link(course)
+    for empty in imported:
+        bpy.data.collections.remove(empty)
+
+
+def _build_light(scene, collection):
+    """Sky, sun and view; returns the haze group for the materials."""
+    sky = lighting.build_sky_group()
+    scene.world = lighting.build_world(sky)
+    lighting.add_sun(collection)
+    lighting.set_color_management(scene)
+    return lighting.build_haze_group(sky)

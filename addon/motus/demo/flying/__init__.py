@@ -1,0 +1,1 @@
+"""The aeroplane of the demo scenes, and the course that it flies."""

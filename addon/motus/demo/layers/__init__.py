@@ -1,0 +1,5 @@
+"""Walk on a Small Planet, the demo scene of animation layers."""
+
+from .scene import build
+
+__all__ = ("build",)

@@ -1,0 +1,32 @@
+"""The spider of the main scene: it goes over the snow to see what has come down there."""
+
+import bpy
+import numpy as np
+
+from ..flying import flight
+from . import terrain
+
+SPAN, COLOR = 0.60, (0.62, 0.10, 0.02, 1.0)  # m
+WAY = ((-3.6, 4.0), (-2.5, 3.25), (-1.6, 2.75), (-0.85, 2.15), (-0.22, 1.62))  # x, y; it ends looking at the aeroplane
+START, SECONDS, EASE_IN, EASE_OUT = -24.0, 10.8, 0.04, 0.16  # frame, s, and parts of that
+WALKER = {"gait": "TETRAPOD", "stride": 0.24, "clearance": 0.07}
+
+
+def build(context, collection, ground):
+    """The spider on its way, by the public operators."""
+    view_layer = context.view_layer
+    view_layer.active_layer_collection = view_layer.layer_collection.children[collection.name]
+    places = [(x, y, float(terrain.height(np.array(x), np.array(y)))) for x, y in WAY]
+    _check(bpy.ops.motus.spider_add(location=places[0], size=SPAN, color=COLOR, ground=ground.name, **WALKER))
+    spider = context.object
+    course = flight.add_course(collection, places)
+    course.name = "Spider Course"
+    _check(bpy.ops.motus.path_follow_add(
+        object=spider.name, curve=course.name, start_frame=START, timing="DURATION", duration=SECONDS, ease_in=EASE_IN,
+        ease_out=EASE_OUT, orientation="WORLD_UP", forward_axis="POS_Y", up_axis="POS_Z"))
+    return spider
+
+
+def _check(result):
+    if result != {"FINISHED"}:
+        raise RuntimeError("The spider could not be set on its way")

@@ -1,0 +1,5 @@
+"""Winter Village, the demo scene of snow."""
+
+from .scene import build
+
+__all__ = ("build",)

@@ -1,0 +1,77 @@
+"""The scene "Motus Snow": a village at the edge of a wood at dusk, that turns white in the snow that falls."""
+
+import math
+
+import bpy
+from mathutils import Vector
+
+from ..stage import lighting, shapes, staging
+from ..village import houses, props, snowfall, terrain, trees
+
+SCENE_NAME = "Motus Snow"
+FRAMES_PER_SECOND = 24
+SECONDS = 10
+
+# Sky colours from the horizon to the zenith: (sine of the elevation, linear rgb).
+SKY_STOPS = (
+    (0.0, (0.50, 0.33, 0.34)),
+    (0.10, (0.24, 0.25, 0.40)),
+    (0.35, (0.055, 0.095, 0.23)),
+    (1.0, (0.012, 0.028, 0.095)),
+)
+SKY_STRENGTH = 0.55
+MOON_COLOR, MOON_STRENGTH, MOON_ROTATION = (0.55, 0.68, 1.0), 0.45, (0.75, 0.15, 0.9)
+VIEWS = (("AgX", "AgX - Medium High Contrast", 0.9), ("Filmic", "Medium High Contrast", 0.6))
+# Name, place, half width, flakes a second, seed: over the whole place, and a few more before the camera.
+CLOUDS = (
+    ("Snowfall", (0.0, 11.5, 10.0), 17.0, 2600.0, 0),
+    ("Near Snowfall", (0.0, -2.5, 6.0), 4.5, 220.0, 1),
+)
+AHEAD = 8.0  # s before the scene in which it begins to snow: at first there is little but on roofs
+LIFETIME = 14.0  # s, until flakes have come down
+COVER = {"lump": 0.19, "resolution": 0.2, "smoothing": 0.35, "thinnest": 0.003, "repose": math.radians(62.0)}
+CAMERA_PLACE, CAMERA_AIM, CAMERA_LENS = Vector((1.4, -8.8, 3.1)), Vector((-0.5, 14.0, 2.5)), 34.0
+CAMERA_TRAVEL = 1.1  # m to the left, in the whole scene
+
+
+def build(context):
+    """Build the scene, show it in the window and return it."""
+    scene = staging.new_scene(context, SCENE_NAME, FRAMES_PER_SECOND, SECONDS * FRAMES_PER_SECOND)
+    land, covered, snow = (staging.new_collection(scene, name) for name in ("Evening", "Covered", "Snowfall"))
+    scene.world = _world()
+    lighting.set_color_management(scene, VIEWS)
+    _add_moon(land)
+    white = terrain.whitening(scene)
+    terrain.build(land, covered, white)
+    houses.build(land, covered)
+    props.build(land, covered)
+    trees.build(land, covered, terrain.mottled("Wood Needles", (0.012, 0.034, 0.024), (0.022, 0.052, 0.038), 3.0, white))
+    _add_camera(scene, land)
+    snowfall.add(context, snow, covered, CLOUDS, AHEAD, LIFETIME, COVER)
+    scene.frame_set(1)
+    return scene
+
+
+def _world():
+    """The last light of the day."""
+    return lighting.build_gradient_world(
+        "Motus Dusk", SKY_STOPS, SKY_STRENGTH, lambda shader, height: shader.math("MAXIMUM", height, 0.0))
+
+
+def _add_moon(collection):
+    lamp = bpy.data.lights.new("Moon", "SUN")
+    lamp.energy, lamp.color, lamp.angle = MOON_STRENGTH, MOON_COLOR, math.radians(4.0)
+    shapes.link_object(collection, "Moon", lamp).rotation_euler = MOON_ROTATION
+
+
+def _add_camera(scene, collection):
+    """A camera that moves slowly to the side."""
+    data = bpy.data.cameras.new("Evening Camera")
+    data.lens = CAMERA_LENS
+    camera = shapes.link_object(collection, "Evening Camera", data)
+    for frame, side in ((scene.frame_start, 0.5), (scene.frame_end, -0.5)):
+        camera.location = CAMERA_PLACE + Vector((side * CAMERA_TRAVEL, 0.0, 0.0))
+        camera.rotation_euler = (CAMERA_AIM - camera.location).to_track_quat("-Z", "Y").to_euler()
+        camera.keyframe_insert("location", frame=frame)
+        camera.keyframe_insert("rotation_euler", frame=frame)
+    scene.camera = camera

@@ -1,0 +1,5 @@
+"""Stereo Colonnade, the demo scene of stereo cameras."""
+
+from .scene import build
+
+__all__ = ("build",)

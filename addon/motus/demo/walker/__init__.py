@@ -1,0 +1,5 @@
+"""Spiders on the Wall, the demo scene of walkers."""
+
+from .scene import build
+
+__all__ = ("build",)
