@@ -13,6 +13,7 @@ ALLOWED_LIBRARIES = {"libc.so.6", "libm.so.6", "ld-linux-x86-64.so.2"}
 
 
 def output_of(*command):
+    """What a command prints."""
     return subprocess.run(command, text=True, check=True, capture_output=True).stdout
 
 
@@ -22,8 +23,8 @@ def problems(module):
     for line in symbols:
         version = re.search(r"GLIBC_(\d+)\.(\d+)", line)
         if version and tuple(map(int, version.groups())) > NEWEST_GLIBC:
-            yield f"needs {line.split()[-1]} of {version.group()}, newer than GLIBC_{NEWEST_GLIBC[0]}.{NEWEST_GLIBC[1]}: " \
-                  "find what brings it in (std::random_device does) and do without"
+            yield (f"needs {line.split()[-1]} of {version.group()}, newer than GLIBC_{NEWEST_GLIBC[0]}.{NEWEST_GLIBC[1]}: "
+                   "find what brings it in (std::random_device does) and do without")
     for library in re.findall(r"NEEDED\s+(\S+)", output_of("objdump", "--private-headers", str(module))):
         if library not in ALLOWED_LIBRARIES:
             yield f"needs {library} at run time: link it statically"
@@ -35,6 +36,7 @@ def problems(module):
 
 
 def main(folder, *abis):
+    """Checks the module of each Python in `folder`; returns the exit status."""
     failed = 0
     for abi in abis:
         module = Path(folder, f"motus_native.{abi}.so")

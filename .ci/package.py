@@ -70,6 +70,7 @@ def insert_bl_info(source, manifest):
 
 
 def write_zip(path, folder, prefix):
+    """Writes all files below `folder` into a zip, their names with `prefix` in front."""
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for file in sorted(file for file in folder.rglob("*") if file.is_file()):
             entry = zipfile.ZipInfo(prefix + file.relative_to(folder).as_posix(), EPOCH)
@@ -90,6 +91,7 @@ def build_extension(blender, folder, path):
 
 
 def main(arguments):
+    """Makes the zips, unless they are up to date."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--modules", type=Path, nargs="+", required=True, help="native modules, a file for each Python")
     for name in ("--stage", "--dist"):

@@ -26,10 +26,12 @@ WHOLE_OUTPUT = str(10 ** 8)
 
 
 def has_blender(version):
+    """Whether this machine has a Blender of this version."""
     return subprocess.run([MOTUS, "has_blender", version], check=False, capture_output=True).returncode == 0
 
 
 def configure(blenders, patterns):
+    """Tells CMake which groups there are, for these Blenders and patterns of tests."""
     newest = next(filter(has_blender, sorted(blenders, key=lambda version: [*map(int, version.split("."))], reverse=True)), "")
     options = {"BUILD": BUILD, "PYTHON": sys.executable, "BLENDERS": ";".join(blenders), "NEWEST": newest,
                "PATTERNS": ";".join(patterns)}
@@ -73,6 +75,7 @@ def outcome(group):
 
 
 def wording(passed, failed, skipped):
+    """Counts in words."""
     return f"{passed} passed, {failed} failed" + (f", {skipped} skipped" if skipped else "")
 
 
@@ -95,6 +98,7 @@ def report(results):
 
 
 def main():
+    """Reads the command line, runs the groups and reports."""
     parser = argparse.ArgumentParser(prog="motus test")
     parser.add_argument("--blenders", default="3.4,4.3,5.2", help="which Blenders to run in")
     parser.add_argument("--only", default="", help="only the groups whose name contains one of these")

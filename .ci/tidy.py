@@ -25,11 +25,13 @@ UNUSED = 60 * 24 * 3600  # seconds after which a state that nobody has come to i
 
 
 def output_of(*command):
+    """What a command prints."""
     return subprocess.run(command, text=True, check=True, capture_output=True).stdout
 
 
 @functools.cache
 def text_digest(path):
+    """A number for the text of a file."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -57,12 +59,14 @@ def state(entry, sources, tool):
 
 
 def forget_unused(cache):
+    """Removes the states that have not been met for a long time."""
     for stamp in cache.iterdir():
         if time.time() - stamp.stat().st_mtime > UNUSED:
             stamp.unlink(missing_ok=True)
 
 
 def main(build_folder, cache_folder):
+    """Checks the sources whose states have not passed before; returns the exit status."""
     build, cache = Path(build_folder, "release"), Path(cache_folder)
     cache.mkdir(parents=True, exist_ok=True)
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))

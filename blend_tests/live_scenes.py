@@ -15,7 +15,11 @@ FRAMES = (1, 13, 25.5, 40)
 
 
 def build():
-    """A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo camera, walkers; and users' drivers."""
+    """Something of every system, and users' drivers.
+
+    A follower, a train, an arm, a figure that looks, one with a layer, things with dynamics, pins, a pulled lattice, pendulums, snow, a stereo
+    camera, walkers.
+    """
     target = _link("Target", place=(0.6, 0.3, 1.4))
     _key_places(target, {1: (0.6, 0.3, 1.4), 40: (0.2, 0.7, 1.2)})
     _paths()

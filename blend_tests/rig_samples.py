@@ -11,6 +11,7 @@ import bpy
 import support
 import toy_system
 from mathutils import Matrix, Quaternion, Vector
+import itertools
 
 METARIGS = ("basic_human", "human", "basic_quadruped", "bird", "cat", "horse", "shark", "wolf")
 INHERIT_SCALES = ('FULL', 'FIX_SHEAR', 'ALIGNED', 'AVERAGE', 'NONE', 'NONE_LEGACY')
@@ -140,7 +141,7 @@ def joints(rig, name, count):
 
 def lengths(points):
     """Distances from joint to joint."""
-    return [(after - before).length for before, after in zip(points, points[1:])]
+    return [(after - before).length for before, after in itertools.pairwise(points)]
 
 
 def random_reachable(points, generator, margin=0.02):

@@ -141,6 +141,6 @@ class Command(unittest.TestCase):
 
     def test_help_names_every_command(self):
         shown = motus("help").stdout
-        for name in ("demo", "test", "bench", "package", "install", "docs", "python", "blender", "clean"):
+        for name in ("demo", "test", "lint", "bench", "package", "install", "docs", "python", "blender", "clean"):
             self.assertIn(f"\n  {name}", shown)
         self.assertEqual(motus("no-such-command").returncode, 2)

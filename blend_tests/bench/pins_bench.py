@@ -9,7 +9,7 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-import support  # noqa: E402  (found by the line above)
+import support
 
 FRAMES = 12
 

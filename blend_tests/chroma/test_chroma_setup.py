@@ -69,8 +69,8 @@ class SetUp(support.SceneTestCase):
         key = self.set_up(
             clip=footage(self.folder), color=(0.1, 0.5, 0.2), black=0.2, white=0.7, balance=0.3, smooth=2, grow=-1, feather=3,
             despill=0.5, gain=1.5, core=0.4, despill_limit='AVERAGE', luminance=0.25, light_wrap=0.25, view='MATTE')
-        for keyword, wanted in (("gain", 1.5), ("core", 0.4), ("limit", 0.5), ("luminance", 0.25), ("black", 0.2), ("white", 0.7), ("balance", 0.3), ("smooth", 2), ("grow", -1), ("feather", 3),
-                                ("despill", 0.5)):
+        for keyword, wanted in (("gain", 1.5), ("core", 0.4), ("limit", 0.5), ("luminance", 0.25), ("black", 0.2), ("white", 0.7), ("balance", 0.3),
+                                ("smooth", 2), ("grow", -1), ("feather", 3), ("despill", 0.5)):
             self.assertAlmostEqual(self.value(key, keyword), wanted, 5, keyword)
         self.assertAlmostEqual(key.inputs["Light Wrap"].default_value, 0.25)
         np.testing.assert_allclose(key.inputs["Screen Color"].default_value[:3], (0.1, 0.5, 0.2), atol=1e-6)

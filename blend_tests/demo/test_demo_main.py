@@ -9,6 +9,7 @@ import support
 from bpy_extras.object_utils import world_to_camera_view
 from demo import demo_cases
 from mathutils import Vector
+import itertools
 
 steps, pilot_module, flight, transmitter, land = (
     support.addon(f"demo.main.{name}") for name in ("steps", "pilot", "flight", "transmitter", "terrain"))
@@ -88,7 +89,7 @@ class MainScene(unittest.TestCase):
 
     def test_walks_for_three_seconds_and_stands(self):
         ways = [self.played[frame].things["Pilot Stage"].translation for frame in (1, 25, 49, steps.WALK_END, steps.REST, 200)]
-        paces = [(later - earlier).length for earlier, later in zip(ways, ways[1:])]
+        paces = [(later - earlier).length for earlier, later in itertools.pairwise(ways)]
         for pace in paces[:3]:
             self.assertAlmostEqual(pace, 24 * steps.PACE, places=4)
         self.assertAlmostEqual(paces[3], 0.5 * steps.PACE * (steps.REST - steps.WALK_END), places=3)
@@ -129,11 +130,11 @@ class MainScene(unittest.TestCase):
         for moment in held:
             self.assertLess((self.in_hand(moment) - first).length, 1e-4, moment.frame)
         places = [self.played[frame].things["Toy"].translation for frame in range(RELEASE - 3, RELEASE + 5)]
-        ways = [later - earlier for earlier, later in zip(places, places[1:])]
-        for one, other in zip(ways, ways[1:]):
+        ways = [later - earlier for earlier, later in itertools.pairwise(places)]
+        for one, other in itertools.pairwise(ways):
             self.assertLess((other - one).length, 0.6 * max(one.length, other.length))
         turns = [self.played[frame].things["Toy"].to_quaternion() for frame in range(RELEASE, RELEASE + 4)]
-        for one, other in zip(turns, turns[1:]):
+        for one, other in itertools.pairwise(turns):
             self.assertLess(math.degrees(one.rotation_difference(other).angle), 20.0)
 
     def in_hand(self, moment):

@@ -98,7 +98,7 @@ class FarTest(support.SceneTestCase):
     def test_many_that_never_forget_share_the_bound(self):
         balls = [repeated(f"Ball {index}") for index in range(2)]
         holder = link("Holder")
-        for index, ball in enumerate(balls):
+        for ball in balls:
             ball.parent = holder
             add(ball, damping=0.0, channels={'LOCATION', 'ROTATION', 'SCALE'})
         _, count = self.samples(FAR, *balls)

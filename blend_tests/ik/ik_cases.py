@@ -6,6 +6,7 @@ import bpy
 import numpy as np
 import support
 from mathutils import Matrix, Quaternion, Vector
+import itertools
 
 ARM = ((0.0, 0.0, 1.0), (0.7, 0.15, 1.0), (1.3, 0.0, 1.0))
 """Joints of an arm that bends a little."""
@@ -130,7 +131,7 @@ def add_bone(bones, name, head, tail, parent=None, connect=False, roll=0.0, **op
 
 def add_chain(bones, name, joints, parent=None, connect=True, **options):
     """Bones from joint to joint; gives the last one."""
-    for index, (head, tail) in enumerate(zip(joints, joints[1:])):
+    for index, (head, tail) in enumerate(itertools.pairwise(joints)):
         parent = add_bone(bones, f"{name} {index}", head, tail, parent, connect and index > 0, **options)
     return parent
 

@@ -73,7 +73,8 @@ class Renaming(IkTestCase):
         for name in ("Rig", "Other"):
             with self.subTest(rig=name):
                 self.setUp()
-                rig, other = self.rig_with_controls(), self.rig_with_controls("Other")
+                rig = self.rig_with_controls()
+                self.rig_with_controls("Other")
                 entry = self.reach("Arm 0 1", target=name, target_bone="Goal 0", pole=name, pole_bone="Side 0")
                 self.evaluated(rig)
                 controls = bpy.data.objects[name]

@@ -207,7 +207,6 @@ class TestRandomRigs(RigTestCase):
                     target.location = points[0] + share * sum(samples.lengths(points)) * samples.random_rotation(
                         generator).to_matrix() @ Vector((1.0, 0.0, 0.0))
                     bpy.context.view_layer.update()
-                    world, bone = samples.evaluated_bone(rig, "Chain.2")
                     self.assertLessEqual((samples.tip(rig, "Chain.2") - target.location).length, 1e-4)
 
     def test_flags_of_inheritance(self):
@@ -282,7 +281,7 @@ class TestLinkedRigs(RigTestCase):
             self.assertLessEqual((samples.tip(rig, "Chain.1") - Vector(place)).length, 1e-5)
 
     def test_overridden_weight(self):
-        rig, target = self.override(self.link(self.build_library(with_ik=True)))
+        rig, _ = self.override(self.link(self.build_library(with_ik=True)))
         before = samples.tip(rig, "Chain.1")
         rig.motus.ik.entries[0].position_weight = 0.0
         bpy.context.view_layer.update()

@@ -6,6 +6,7 @@ import bpy
 import support
 from ik.ik_cases import ARM, REACHABLE, IkTestCase, rigid, state, tentacle, turn
 from mathutils import Euler, Vector
+import itertools
 
 
 class Add(IkTestCase):
@@ -68,7 +69,7 @@ class Add(IkTestCase):
                     count = len(joints) - 1
                     entry = self.reach(f"Bone {count - 1}", target="", make_pole=True, chain_length=count, bend=bend)
                     self.assertSamePose(rig, before, 5e-6)
-                    length = sum((Vector(b) - Vector(a)).length for a, b in zip(joints, joints[1:]))
+                    length = sum((Vector(b) - Vector(a)).length for a, b in itertools.pairwise(joints))
                     self.assertGreater((entry.pole.location - self.tail(rig, "Bone 0")).length, 0.5 * length)
 
     def test_bend_axis(self):

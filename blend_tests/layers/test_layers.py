@@ -309,7 +309,7 @@ class Curves(LayerTestCase):
         for curve in self.actions.curves_for_object(self.throw):
             curve.mute = "UpperArm" in curve.data_path
         self.add(bones="UpperArm.L")
-        walk, throw = self.played(self.walk, 21), None
+        walk = self.played(self.walk, 21)
         self.go(21)
         self.assertSameTurn(self.own("UpperArm.L"), walk["UpperArm.L"])
 

@@ -96,7 +96,8 @@ class Remove(LayerTestCase):
         self.assertSamePoses(self.poses(), poses, 0.0)
 
     def test_keys_follow_their_layer(self):
-        first, second = self.add(), self.add()
+        for _ in range(2):
+            self.add()
         self.rig.motus.layers.entries[1].keyframe_insert("weight", frame=1)
         bpy.ops.motus.layer_move(object="Rig", layer="Throw.001", direction='UP')
         paths = [curve.data_path for curve in self.actions.fcurves(self.rig) if "layers" in curve.data_path]

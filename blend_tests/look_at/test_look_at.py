@@ -208,7 +208,7 @@ class Limits(LookAtTestCase):
         """From frame to frame the gaze moves by little more than the target does."""
         self.look(eyes_weight=1.0)
         last, worst = None, 0.0
-        for step in range(0, 721):
+        for step in range(721):
             self.aim(0.5 * step - 180.0, 15.0, 3.0)
             bpy.context.view_layer.update()
             gaze = self.gaze("Eye.L")

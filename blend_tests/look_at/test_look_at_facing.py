@@ -17,7 +17,7 @@ SPINE = {
     "Hips": ("", (0, 0, 1.0), (0, 0, 1.1)), "Chest": ("Hips", (0, 0, 1.1), (0, 0, 1.5)),
     "Neck": ("Chest", (0, 0, 1.5), (0, 0, 1.6)), "Head": ("Neck", (0, 0, 1.6), (0, 0, 1.8))}
 LEGS = {
-    f"{side}{name}": (parent and side + parent or "Hips", (x, *head), (x, *tail))
+    f"{side}{name}": ((parent and side + parent) or "Hips", (x, *head), (x, *tail))
     for side, x in (("Left", 0.1), ("Right", -0.1)) for name, parent, head, tail in (
         ("UpLeg", "", (0.0, 1.0), (0.0, 0.5)), ("Leg", "UpLeg", (0.0, 0.5), (0.02, 0.08)))}
 FEET = {f"{side}Foot": (f"{side}Leg", (x, 0.02, 0.08), (x, -0.1, 0.02)) for side, x in (("Left", 0.1), ("Right", -0.1))}

@@ -9,6 +9,7 @@ from mathutils import Matrix
 from path.path_cases import (
     CLIMB, PathTestCase, add_bezier, add_points, bernstein, circle_knots, cubic_knots, curve_data, dense, dense_knots,
     length_of, positions_at)
+import itertools
 
 FRACTIONS = (0.0, 0.13, 0.5, 0.77, 1.0)
 
@@ -41,7 +42,7 @@ class Kinds(PathTestCase):
     def test_poly(self):
         corners = [(0, 0, 0), (4, 0, 0), (4, 3, 0), (4, 3, 5)]
         self.points('POLY', corners)
-        car = self.assertFollows(dense(*zip(corners, corners[1:])))
+        car = self.assertFollows(dense(*itertools.pairwise(corners)))
         self.assertAlmostEqual(self.output(car, "length"), 12.0, places=5)
 
     def test_cyclic_poly(self):

@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 import support
 from path.path_cases import PathTestCase, circle_knots
+import itertools
 
 LENGTH = 1e4
 STEPS = 400  # per frame, of the independent integral
@@ -16,7 +17,7 @@ def integral(curve, first, last, jumps=()):
     """Trapezoids between the jumps, in frames times the value."""
     edges = [first, *(jump for jump in sorted(jumps) if first < jump < last), last]
     total = 0.0
-    for start, end in zip(edges, edges[1:]):
+    for start, end in itertools.pairwise(edges):
         # Not at the jumps themselves, where the F-curve is already on its other side.
         count = max(2, round((end - start) * STEPS))
         middles = start + (np.arange(count) + 0.5) * (end - start) / count

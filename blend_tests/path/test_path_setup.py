@@ -293,7 +293,7 @@ class Train(PathTestCase):
 
     def test_gap_from_the_objects_lengths(self):
         self.line(100.0)
-        for index, wagon in enumerate(self.wagons):
+        for index in range(len(self.wagons)):
             mesh = bpy.data.meshes.new("Box")
             mesh.from_pydata([(x, y, 0.0) for x in (-1, 1) for y in (-1.0, 2.0)], [], [(0, 1, 3, 2)])
             box = bpy.data.objects.new(f"Box {index}", mesh)

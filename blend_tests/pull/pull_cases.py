@@ -6,8 +6,8 @@ import numpy as np
 import support
 
 FORMULAS = {
-    'SMOOTH': lambda d, radius: (lambda t: 3 * t**2 - 2 * t**3)(1 - d / radius),
-    'SPHERE': lambda d, radius: (lambda t: np.sqrt(2 * t - t**2))(1 - d / radius),
+    'SMOOTH': lambda d, radius: np.polyval((-2, 3, 0, 0), 1 - d / radius),
+    'SPHERE': lambda d, radius: np.sqrt(np.polyval((-1, 2, 0), 1 - d / radius)),
     'ROOT': lambda d, radius: np.sqrt(1 - d / radius),
     'LINEAR': lambda d, radius: 1 - d / radius,
     'SHARP': lambda d, radius: (1 - d / radius) ** 2,

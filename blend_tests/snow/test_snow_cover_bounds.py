@@ -2,7 +2,6 @@
 
 from unittest import mock
 
-import bpy
 import support
 from snow.cover_cases import FALLING, CoverTestCase, layer, state
 from snow.snow_cases import go_to

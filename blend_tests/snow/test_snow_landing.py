@@ -17,8 +17,7 @@ FALLING = {"start_speed": 2.0, "lifetime": 4.0, "rate": 60.0}
 class LandingCase(SnowTestCase):
     def board(self, name, place, size=(4.0, 4.0)):
         """A square mesh about a place, level."""
-        board = self.mesh(name, [(size[0] * (x - 0.5), size[1] * (y - 0.5), 0.0) for x, y, _ in SQUARE], [(0, 1, 2, 3)], place)
-        return board
+        return self.mesh(name, [(size[0] * (x - 0.5), size[1] * (y - 0.5), 0.0) for x, y, _ in SQUARE], [(0, 1, 2, 3)], place)
 
     def gathered(self, *objects):
         """A collection with these alone."""

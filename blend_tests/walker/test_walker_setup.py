@@ -334,7 +334,7 @@ class Edits(cases.WalkerTestCase):
                 np.testing.assert_allclose(cases.places(found), wanted, atol=1e-5)
 
     def test_an_override_walks(self):
-        spider = cases.spider()
+        cases.spider()
         path = self.save()
         linked = self.load(path, True, "Spider")
         self.scene = bpy.context.scene

@@ -16,7 +16,7 @@ import bpy
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-import demo_plan  # noqa: E402  (found by the line above)
+import demo_plan
 
 
 @dataclass(frozen=True)

@@ -1,6 +1,6 @@
 """What `./motus demo` renders, in which order, and how long each part of it may take. Knows nothing of Blender.
 
-    demo_plan.py [NAME...]    ends with status 2, and a sentence, if there is no demo scene of that name
+demo_plan.py [NAME...]    ends with status 2, and a sentence, if there is no demo scene of that name
 """
 
 import argparse

@@ -58,6 +58,7 @@ def render_all(folder):
 
 
 def figure(x, name):
+    """A rig at x, in the pose of the walk."""
     rig = stage.link(bpy.data.objects.new(name, bpy.data.armatures.new(name)))
     bpy.context.view_layer.objects.active = rig
     bpy.ops.object.mode_set(mode='EDIT')

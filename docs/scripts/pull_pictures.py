@@ -60,7 +60,7 @@ def _render_falloffs(file):
         bpy.ops.motus.pick_pull(
             object=grid.name, location=(0.0, 0.0, 0.0), displacement=(0.0, 0.0, HEIGHT), radius=1.0, unit='LOCAL',
             falloff=falloff, distance='STRAIGHT', mirror=set(), scale_factor=0.0, **more)
-        edge = sorted((tuple(vertex.co) for vertex in grid.data.vertices if vertex.co.y < 1e-6))
+        edge = sorted(tuple(vertex.co) for vertex in grid.data.vertices if vertex.co.y < 1e-6)
         stage.add_tube([place + Vector(point) + Vector((0.0, -0.01, 0.0)) for point in edge], 0.016, line)
         stage.add_text(name, place + Vector((0.0, -0.4, -0.33)), 0.22)
     stage.add_camera(scene, (0.0, -11.0, 3.30), (0.0, 0.0, 0.32), width=3.0 * CELL.x + 0.25)

@@ -8,6 +8,7 @@ import math
 import struct
 import sys
 from pathlib import Path
+import itertools
 
 FOLDER = Path(__file__).resolve().parents[2] / "addon" / "motus"
 SIZE = 255
@@ -41,7 +42,7 @@ def quad(corners, colors):
 def below(points):
     """The body under the surface, fading downwards."""
     found = []
-    for (x0, y0), (x1, y1) in zip(points, points[1:]):
+    for (x0, y0), (x1, y1) in itertools.pairwise(points):
         corners = ((x0, 16.0), (x1, 16.0), (x1, y1), (x0, y0))
         found += quad(corners, (FADING, FADING, BODY, BODY))
     return found
@@ -57,7 +58,7 @@ def stroke(points):
         across = (-along[1] / length * THICK / 2.0, along[0] / length * THICK / 2.0)
         edges.append(((x + across[0], y + across[1]), (x - across[0], y - across[1])))
     found = []
-    for (upper0, lower0), (upper1, lower1) in zip(edges, edges[1:]):
+    for (upper0, lower0), (upper1, lower1) in itertools.pairwise(edges):
         found += quad((lower0, lower1, upper1, upper0), (WHITE,) * 4)
     return found
 
@@ -115,6 +116,7 @@ ICONS = {"pull/window/icons/pick_pull.dat": pick_pull, "ik/dragging/icons/drag_c
 
 
 def main(folder):
+    """Writes the icons into `folder`."""
     for name, drawn in ICONS.items():
         path = Path(folder) / name
         path.parent.mkdir(parents=True, exist_ok=True)

@@ -59,7 +59,9 @@ class MOTUS_OT_dynamics_add(FindsValues, DynamicsKeywords, _OnProperty, bpy.type
         min=0.0, soft_max=0.2, unit='TIME_ABSOLUTE', precision=3)
     # Not in presets, which keep all that is saved: each of these ways says what frequency and damping say as well.
     overshoot: bpy.props.FloatProperty(
-        name="Overshoot", description="How far the motion goes beyond a step, as a part of the step; with Settling in place of frequency and damping", default=0.2, min=0.0, max=0.95, options={'SKIP_SAVE'})
+        name="Overshoot",
+        description="How far the motion goes beyond a step, as a part of the step; with Settling in place of frequency and damping",
+        default=0.2, min=0.0, max=0.95, options={'SKIP_SAVE'})
     settling: bpy.props.FloatProperty(
         name="Settling", description="Time until the motion comes to rest", default=1.0, min=filters.LEAST_SETTLING,
         unit='TIME_ABSOLUTE', options={'SKIP_SAVE'})

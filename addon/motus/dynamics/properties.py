@@ -79,7 +79,8 @@ class MOTUS_PG_dynamics_entry(DynamicsKeywords, bpy.types.PropertyGroup):
         name="Bone", description="Bone that has the dynamics; empty for the object itself, or a property", update=rewire,
         override=OVERRIDABLE)
     data_path: bpy.props.StringProperty(
-        name="Property", description="Data path of the property that has the dynamics; empty for the object itself, or its bone", update=rewire, override=OVERRIDABLE)
+        name="Property", description="Data path of the property that has the dynamics; empty for the object itself, or its bone",
+        update=rewire, override=OVERRIDABLE)
     index: bpy.props.IntProperty(
         name="Index", description="Index of a number in an array property; -1 for all of them", default=-1, min=-1, update=rewire,
         options=set(), override=OVERRIDABLE)

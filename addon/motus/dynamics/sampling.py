@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 from ..core import scene_time
 from ..core.lazy import numpy as np
 from ..core.tracks.keys import union
+import itertools
 
 RATE = 192.0
 """Samples in a second, about: between them an input is taken for linear, by which it is 3e-5 of its amplitude off at 2 Hz."""
@@ -74,7 +75,7 @@ def between(tracks, start, end, scene):
     bounds = union([track.bounds(start, end) for track in tracks] or [[start, end]])
     length = min(1.0 / RATE, PIECE / RATE) * fps * max(1.0, (end - start) / (PIECE * fps))
     found = [start]
-    for low, high in zip(bounds, bounds[1:]):
+    for low, high in itertools.pairwise(bounds):
         parts = max(1, math.ceil((high - low) / length - 1e-6))
         found += [low + (high - low) * part / parts for part in range(1, parts)] + [high]
     return found

@@ -282,7 +282,7 @@ def _weights(settings):
 def _to_local(owner, moves, is_in_world):
     """Moves of an object in the axes that its sink adds them in, from those of the world, or of its own location."""
     parent = owner.parent
-    if parent is None or not is_in_world and parent == transforms.parent_of(owner):
+    if parent is None or (not is_in_world and parent == transforms.parent_of(owner)):
         return moves
     if not is_in_world:
         bone = transforms.parent_of(owner)

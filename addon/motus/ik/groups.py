@@ -77,8 +77,8 @@ def survey(owner):
     animated = chains.animated_paths(owner, "stretch")
     result = []
     for index, entry, chain in present:
-        stretches = entry.stretch > 0.0 or bool(animated) and any(
-            path + "stretch" in animated for path in chains.prefixes(owner, index))
+        stretches = entry.stretch > 0.0 or (bool(animated) and any(
+            path + "stretch" in animated for path in chains.prefixes(owner, index)))
         result.append(Found(entry, chain, stretches, _children(owner, chain, taken) if stretches else []))
     return result
 

@@ -123,7 +123,7 @@ class MOTUS_OT_ik_add(operators.FindsValues, OfABone, IkKeywords, bpy.types.Oper
         changes["pole"], changes["pole_bone"] = pole or (None, "")
         turned = before.pole_angle if before else 0.0
         with setup.at_once(rig):
-            entry = setup.add(rig, bone, changes)
+            setup.add(rig, bone, changes)
         if self.make_pole and pole is None:
             _make_pole(context, rig, bone, turned, self.make_control_bone)
 

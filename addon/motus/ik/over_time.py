@@ -134,7 +134,7 @@ _AWAY = 1.0
 def _goal(pair):
     """(object, bone or "") of a target or pole; None where it is not there."""
     obj, bone = pair
-    if obj is None or deleted.is_deleted(obj) or obj.pose and bone and bone not in obj.pose.bones:
+    if obj is None or deleted.is_deleted(obj) or (obj.pose and bone and bone not in obj.pose.bones):
         return None
     return obj, bone if obj.pose else ""
 

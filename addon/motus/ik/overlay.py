@@ -11,6 +11,7 @@ from ..core.overlay import Batch, Overlay, Switch
 from . import chains, status
 from .goals import controls, placing
 from .goals import places as goal_places
+import itertools
 
 STEPS = 64  # of a circle
 LEAST_RESIDUAL = 1e-4  # of the chain's length: less is not drawn
@@ -79,7 +80,7 @@ def _circles(rig, chain, entry, joints, reach):
     reach: as it was reported; 0 where nothing was.
     """
     normal = placing.bend_normal(joints, PLAIN_BEND) or placing.hinge_normal(rig, chain, entry.hinge_angle)
-    links = [(end - start).length for start, end in zip(joints, joints[1:])]
+    links = [(end - start).length for start, end in itertools.pairwise(joints)]
     total = sum(links)
     if total == 0.0:  # a rig that is scaled to nothing
         return []

@@ -106,7 +106,7 @@ class Playing:
         self._laps = [_laps(*pair, at) for at, pair in zip(frames, played)]
 
     def lay(self, frame, settings, basis, locations, rotations, scales, laid):
-        """As lay() above; settings: of these layers. laid: (n, 16) float32, filled."""
+        """Fills `laid`, (n, 16) float32, as the function above does; settings: of these layers."""
         wired, given = self._wired, [None] * len(self._clips)
         basis[wired.unknown] = _EYE
         if self._asks_curves:

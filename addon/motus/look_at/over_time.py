@@ -99,6 +99,6 @@ class _Head:
 def _target(entry):
     """(object, bone or "") of what a head looks at; None where it is not there."""
     target, bone = pointed(entry, "target"), entry.target_bone
-    if target is None or deleted.is_deleted(target) or target.pose and bone and bone not in target.pose.bones:
+    if target is None or deleted.is_deleted(target) or (target.pose and bone and bone not in target.pose.bones):
         return None
     return target, bone if target.pose else ""

@@ -4,6 +4,7 @@ from mathutils import Vector
 
 from ..core import axes
 from .properties import DEFAULT_GAP
+import itertools
 
 NO_LENGTH = 1e-6  # m
 
@@ -14,7 +15,7 @@ def touching_gaps(train, forward_axis):
     Between what has no extent, such as lights, it is DEFAULT_GAP.
     """
     extents = [_extent(obj, Vector(axes.vector(forward_axis))) for obj in train]
-    gaps = [front - rear for (rear, _), (_, front) in zip(extents, extents[1:])]
+    gaps = [front - rear for (rear, _), (_, front) in itertools.pairwise(extents)]
     return [gap if gap > NO_LENGTH else DEFAULT_GAP for gap in gaps]
 
 

@@ -2,7 +2,8 @@
 
 import math
 from dataclasses import dataclass
-from typing import Any, Callable, Optional
+from typing import Any
+from collections.abc import Callable
 
 from ..core import native
 from ..core.file.choices import chosen
@@ -36,8 +37,8 @@ class Motion:
     timing: Any
     time: float
     offset: float = 0.0
-    problem: Optional[Problem] = None
-    clock: Optional[Callable] = None
+    problem: Problem | None = None
+    clock: Callable | None = None
 
     @property
     def distance(self):

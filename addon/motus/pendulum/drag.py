@@ -65,7 +65,7 @@ class Held:
 
     def _bent(self, goal):
         lengths = parts.lengths(self._settings)
-        upper, lower = self._angles
+        upper, _ = self._angles
         # The elbow stays on its side of the line from the pivot to the end.
         end, elbow = _reach(self._settings, self._angles), lengths[0] * _direction(upper)
         side = 1.0 if end.cross(elbow).y >= 0.0 else -1.0

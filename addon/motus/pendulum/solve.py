@@ -2,7 +2,8 @@
 
 import functools
 import math
-from typing import Callable, NamedTuple
+from typing import NamedTuple
+from collections.abc import Callable
 
 from ..core import deleted, native
 from ..core.refusals import INFINITE
@@ -50,7 +51,7 @@ class Swing(NamedTuple):
 
     def has_rods(self, numbers):
         """Whether it has rods of all of these numbers, one or more: where one is missing, none is turned."""
-        return 0 <= min(numbers) and max(numbers) < self.each * self.count
+        return min(numbers) >= 0 and max(numbers) < self.each * self.count
 
 
 def solve(context, pivot, influence):

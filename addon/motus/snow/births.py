@@ -115,7 +115,7 @@ def wind_tracks(owner):
 
 def _span(extent, first, last):
     """Frames over which the motion is read: all of a short one, or the blocks that hold what is asked for."""
-    start, end = extent if extent else (last, last)
+    start, end = extent or (last, last)
     if not end - start <= LONGEST:
         start = min(max(start, BLOCK * math.floor(first / BLOCK)), BLOCK * math.floor(last / BLOCK))
         end = max(min(end, BLOCK * (math.floor(last / BLOCK) + 1)), start)

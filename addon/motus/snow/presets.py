@@ -72,7 +72,7 @@ def put(settings, identifier, scene):
 
 def kind_of(settings):
     """Label of the preset that an emitter's settings are those of; "" where they are of one's own."""
-    for identifier, label, _, numbers, gradient in KINDS:
+    for _, label, _, numbers, gradient in KINDS:
         if all(_is_alike(getattr(settings, name), numbers.get(name, _default(settings.bl_rna.properties[name])))
                for name in _of_a_kind(settings)) and _is_gradient(settings.stops, gradient):
             return label

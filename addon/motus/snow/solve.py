@@ -106,6 +106,6 @@ def _faces(context, placed, surface):
 
 
 def _look_problem(settings):
-    is_missing = settings.look == 'OBJECT' and pointed(settings, "flake") is None or (
+    is_missing = (settings.look == 'OBJECT' and pointed(settings, "flake") is None) or (
         settings.look == 'COLLECTION' and pointed(settings, "flakes") is None)
     return NO_FLAKES if is_missing else None

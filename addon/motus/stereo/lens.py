@@ -27,7 +27,7 @@ def of(camera, render, frame=None):
     focal_length, width, height = (moving[name] if name in moving else getattr(camera, name) for name in ANIMATED)
     pixel_aspect = render.pixel_aspect_x / render.pixel_aspect_y
     aspect = render.resolution_x * pixel_aspect / render.resolution_y
-    fits_width = camera.sensor_fit == 'HORIZONTAL' or camera.sensor_fit == 'AUTO' and aspect >= 1.0
+    fits_width = camera.sensor_fit == 'HORIZONTAL' or (camera.sensor_fit == 'AUTO' and aspect >= 1.0)
     if fits_width:
         return Lens(focal_length, width, aspect, 1.0)
     fitted = height if camera.sensor_fit == 'VERTICAL' else width

@@ -56,7 +56,7 @@ class MOTUS_OT_stereo_rig_add(FindsValues, StereoKeywords, bpy.types.Operator):
             targets.check_free(targets.camera_for(context, ""))
 
     def invoke(self, context, _event):
-        self.make_camera = self.make_camera or not self.object and targets.lacks_camera(context)
+        self.make_camera = self.make_camera or (not self.object and targets.lacks_camera(context))
         # By hand: a rig that fits what the camera sees.
         if not any(self.is_given(name) for name in ("convergence", "focus", *LENGTHS, *PARALLAXES)):
             self._fit(context)

@@ -77,4 +77,4 @@ def is_walking(obj, feet=frozenset()):
 
 
 def _is_part(walker, obj, feet):
-    return has_settings(walker, obj) and (is_owner(walker, obj) or leader_of(walker, obj) is not None) or obj.original in feet
+    return (has_settings(walker, obj) and (is_owner(walker, obj) or leader_of(walker, obj) is not None)) or obj.original in feet

@@ -182,7 +182,7 @@ def _is_elsewhere(owner, poses, seconds):
     if len(times) == 1:
         return False
     row = min(np.searchsorted(times, seconds), len(times) - 1)
-    rests = seconds > times[-1] and poses.known[1] == EVER[1] or seconds < times[0] and poses.known[0] == EVER[0]
+    rests = (seconds > times[-1] and poses.known[1] == EVER[1]) or (seconds < times[0] and poses.known[0] == EVER[0])
     return (times[row] == seconds or rests) and _differs(owner, poses.matrices[row])
 
 

@@ -74,7 +74,8 @@ class WalkerKeywords:
     damping: _number(
         "Damping", "Damping of the body over its feet; below 1 the body overshoots and swings", 1.0, min=0.0, max=100.0, soft_max=2.0)
     jump: _number(
-        "Jump", "A body that goes further than this from one frame to the next jumps, and its feet with it; 0 takes four strides", 0.0, min=0.0, soft_max=10.0, subtype='DISTANCE')
+        "Jump", "A body that goes further than this from one frame to the next jumps, and its feet with it; 0 takes four strides",
+        0.0, min=0.0, soft_max=10.0, subtype='DISTANCE')
     forward_axis: _choice("Forward", "Axis of the body that points ahead", AXES, 'POS_Y')
     up_axis: _choice("Up", "Axis of the body that points away from the ground", AXES, 'POS_Z')
     influence: _factor(

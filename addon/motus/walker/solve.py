@@ -61,7 +61,7 @@ def _fault(found, noted):
 def _stand(context, places, noted):
     """Put the feet where they stand."""
     legs_of, bones = noted.legs, noted.bones
-    if len(legs_of) != len(context.locations) or len(legs_of) and legs_of[-1] >= len(places):
+    if len(legs_of) != len(context.locations) or (len(legs_of) and legs_of[-1] >= len(places)):
         raise Damaged("another number of feet")
     context.locations[:] = places[legs_of]
     if len(bones):

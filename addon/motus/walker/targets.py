@@ -117,7 +117,7 @@ def _chains(owner):
         settings = of_owner(system, owner).entries[entry.name]
         target = pointed(settings, "target")
         own = target == owner and settings.target_bone in owner.pose.bones
-        if target is None or settings.is_muted or target.pose and not own:
+        if target is None or settings.is_muted or (target.pose and not own):
             continue
         bones = _upwards(owner, entry)
         found.append((entry.name, setup.Leg(

@@ -91,7 +91,7 @@ class StrokeTest(StrokesTestCase):
         for count in (1, 4):
             support.empty_scene()
             grid = cases.new_grid()
-            for vertex in range(0, 220):
+            for vertex in range(220):
                 grid.data.vertices[vertex].hide = True
             before, after = self.pull(grid, stroke((230,) * count, way=(0.0, 0.0, 0.2)))
             self.assertEqual(np.abs(after - before)[:220].max(), 0.0)

@@ -90,7 +90,7 @@ class Picking(SessionTestCase):
             session = self.session(obj, unit=unit, radius=0.5, strength=0.01)
             measured = self.in_world(obj, self.places(obj)) if unit == 'WORLD' else self.places(obj)
             beyond = 0
-            for dab in range(2):
+            for _ in range(2):
                 for index in range(60):
                     u, v = 0.5 + 7.0 * (0.618 * index % 1.0), 0.5 + 7.0 * (0.755 * index % 1.0)
                     hit = session.pick((0.2 * (u + 3.0 * v), 0.3 * v, 5.0), DOWN)

@@ -142,7 +142,7 @@ class Adjusting(unittest.TestCase):
 
     def test_shift_is_finer(self):
         adjustment = self.adjustment(radius=1.0)
-        meaning, value = self.handle(adjustment, event('MOUSEMOVE', mouse_x=125, shift=True))
+        _, value = self.handle(adjustment, event('MOUSEMOVE', mouse_x=125, shift=True))
         self.assertAlmostEqual(value, 1.05)
 
     def test_radius_stays_above_zero(self):
@@ -173,7 +173,7 @@ class Adjusting(unittest.TestCase):
     def test_typed_in_the_scenes_unit(self):
         support.empty_scene()
         bpy.context.scene.unit_settings.scale_length = 0.01
-        meaning, value = self.handle(self.adjustment(), event('FOUR'))
+        _, value = self.handle(self.adjustment(), event('FOUR'))
         self.assertAlmostEqual(value, 400.0, places=3)
 
     def test_wheel(self):
@@ -195,7 +195,7 @@ class CursorShape(unittest.TestCase):
 
     def test_local_lengths_on_a_scaled_object(self):
         """Each point of the circle is as far from the root as the radius, in the object."""
-        matrix = np.array((Matrix.Diagonal((1.0, 3.0, 0.5)) @ Euler((0.3, 0.2, 0.9)).to_matrix()))
+        matrix = np.array(Matrix.Diagonal((1.0, 3.0, 0.5)) @ Euler((0.3, 0.2, 0.9)).to_matrix())
         axes = self.shape().frame((0.0, 0.6, 0.8), matrix)
         points = self.shape().circle(np.zeros(3), axes, 2.0)
         np.testing.assert_allclose(np.linalg.norm(points @ np.linalg.inv(matrix).T, axis=1), 2.0, atol=1e-9)
@@ -278,7 +278,7 @@ class Inset(unittest.TestCase):
             WAY(type='UI', x=880, y=50, width=220, height=700), WAY(type='TOOLS', x=100, y=50, width=60, height=700),
             WAY(type='ASSET_SHELF', x=100, y=50, width=1000, height=90), WAY(type='HEADER', x=100, y=720, width=1000, height=30),
             WAY(type='UI', x=1100, y=50, width=1, height=1), WAY(type='TOOLS', x=0, y=50, width=100, height=700)]
-        x, y, width, height = inset.rectangle(region, around)
+        x, y, width, _ = inset.rectangle(region, around)
         self.assertGreater(x, 60)
         self.assertLess(x + width, 780)
         self.assertGreater(y, 90)

@@ -4,6 +4,7 @@ import bpy
 from window import window_support
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
+import itertools
 
 JOINTS = ((0.0, 0.0, 2.0), (0.1, -0.2, 1.2), (0.0, 0.0, 0.4), (0.1, -0.1, -0.2))
 NEAR = 1.5  # pixels
@@ -18,7 +19,7 @@ def build(with_ik=False):
     rig.select_set(True)
     bpy.ops.object.mode_set(mode='EDIT')
     parent = None
-    for index, (head, tail) in enumerate(zip(JOINTS, JOINTS[1:])):
+    for index, (head, tail) in enumerate(itertools.pairwise(JOINTS)):
         bone = rig.data.edit_bones.new(f"Bone {index}")
         bone.head, bone.tail, bone.parent, bone.use_connect = head, tail, parent, parent is not None
         parent = bone

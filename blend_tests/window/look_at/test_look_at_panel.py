@@ -9,7 +9,7 @@ from mathutils import Vector
 
 sys.path.insert(0, str(support.CLONE / "docs" / "scripts"))
 
-import look_at_figure  # noqa: E402  (found by the line above)
+import look_at_figure
 
 
 def build(target=(0.62, -0.6, 1.62), **keywords):

@@ -38,7 +38,7 @@ def test_follows_while_it_is_dragged():
         yield
         for step in (1, 2):
             window_support.move(x + 60 * step, y + 40 * step)
-            went = yield from window_support.until(lambda: np.linalg.norm(place() - before) > 0.2, seconds=20.0)
+            went = yield from window_support.until(lambda before=before: np.linalg.norm(place() - before) > 0.2, seconds=20.0)
             assert went, (before, place())
             assert (yield from window_support.until(drawn_near, seconds=20.0)), place()
             before = place()

@@ -53,7 +53,7 @@ def start():
     with window_support.override():
         assert bpy.ops.motus.pendulum_drag('INVOKE_DEFAULT') == {'RUNNING_MODAL'}
     yield
-    x, y = (int(round(value)) for value in on_screen())
+    x, y = (round(value) for value in on_screen())
     window_support.move(x, y)
     yield
     button('PRESS', x, y)

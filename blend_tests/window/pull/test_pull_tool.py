@@ -179,7 +179,7 @@ def test_inset_beside_the_sidebar():
     yield from window_support.picture("pull_inset_sidebar")
     region, sidebar = (next(one for one in view.regions if one.type == kind) for kind in ('WINDOW', 'UI'))
     assert sidebar.width > 50
-    x, y, width, height = support.addon("pull.window.inset").rectangle(region, view.regions)
+    x, _, width, _ = support.addon("pull.window.inset").rectangle(region, view.regions)
     assert region.x + x + width <= sidebar.x
     view.spaces.active.show_region_ui = False
     brush().show_inset = False

@@ -1,6 +1,6 @@
 """Inside a Blender with a window: does the steps of the manual's pages.
 
-    blender ... --enable-event-simulate --python driver.py -- X_SERVER_FOLDER [NAME...]
+blender ... --enable-event-simulate --python driver.py -- X_SERVER_FOLDER [NAME...]
 """
 
 import importlib

@@ -36,7 +36,7 @@ def find(screen, words, within=None):
     return left + int(column) + pattern.shape[1] // 2, top - int(row) - pattern.shape[0] // 2
 
 
-@functools.lru_cache(maxsize=None)
+@functools.cache
 def _drawn(words):
     """The words as the interface's font draws them: (height, width) brightness from the top."""
     preferences = bpy.context.preferences

@@ -1,7 +1,6 @@
 """The module as a whole: a second copy of it, the states of threads, and arrays that other threads write into."""
 
 import ctypes
-import importlib.util
 import shutil
 import subprocess
 import sys

@@ -54,7 +54,7 @@ class SnowTest(unittest.TestCase):
         found = snow.evaluate(7.0, out=room)
         np.testing.assert_array_equal(found["position"], snow.evaluate(7.0)["position"])
         self.assertEqual(counts, [len(found["position"])])
-        for wrong in (lambda count: 1, lambda: {}):
+        for wrong in (lambda count: 1, dict):
             with self.assertRaises(TypeError):
                 snow.evaluate(7.0, out=wrong)
 

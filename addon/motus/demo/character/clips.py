@@ -7,6 +7,7 @@ import bpy
 from ...core import actions
 from ..stage.keying import key
 from . import skeleton
+import itertools
 
 STRIDE = 24  # frames of two steps
 THROW_FRAMES, RELEASE = 40, 21
@@ -158,7 +159,7 @@ def _sink(share):
     """How far the hips have sunk at a share of the stride, by straight lines between the keys."""
     share = (share % 0.5)
     keys = (*HIP_SINK, (0.5, HIP_SINK[0][1]))
-    for (first, low), (second, high) in zip(keys, keys[1:]):
+    for (first, low), (second, high) in itertools.pairwise(keys):
         if share <= second:
             return low + (high - low) * (share - first) / (second - first)
     return keys[-1][1]

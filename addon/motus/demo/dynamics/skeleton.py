@@ -46,8 +46,8 @@ def build(context, collection):
     bones = rig.data.edit_bones
     _add(bones, ROOT, None, (0.0, 0.0, 0.0), (0.0, -0.3, 0.0))
     _add(bones, BODY, bones[ROOT], *BODY_BONE)
-    for chain in JOINTS:
-        places, above = way(chain, JOINTS[chain] + 1), bones[BODY]
+    for chain, joints in JOINTS.items():
+        places, above = way(chain, joints + 1), bones[BODY]
         for name, head, tail in zip(names(chain), places, places[1:]):
             above = _add(bones, name, above, head, tail)
             above.inherit_scale = "NONE"  # the body is squashed, what grows on it is not

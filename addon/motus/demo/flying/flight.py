@@ -9,6 +9,7 @@ from mathutils.geometry import interpolate_bezier
 
 from ..places import landscape
 from ..stage import materials, shapes
+import itertools
 
 COURSE_FILE = Path(__file__).with_name("course.svg")
 COURSE_WIDTH = 540.0  # metres from the course's western to its eastern end
@@ -116,7 +117,7 @@ def _chords(spline):
     points = list(spline.bezier_points)
     for point, following in zip(points, [*points[1:], points[0]] if spline.use_cyclic_u else points[1:]):
         way = interpolate_bezier(point.co, point.handle_right, following.handle_left, following.co, 200)
-        yield from zip(way, way[1:])
+        yield from itertools.pairwise(way)
 
 
 def draw_course(course):

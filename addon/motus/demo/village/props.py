@@ -7,6 +7,7 @@ import numpy as np
 
 from ..stage import materials, shapes
 from . import terrain
+import itertools
 
 WARM = (1.0, 0.52, 0.17)
 LANTERNS = ((-1.35, 3.6), (2.6, 16.4))
@@ -59,7 +60,7 @@ def _add_fence(builder, places):
     """Posts, and rails between them."""
     for place in places:
         builder.add(shapes.box((0.15, 0.15, 1.15), place + (0.0, 0.0, 0.45)), smooth=False)
-    for start, end in zip(places, places[1:]):
+    for start, end in itertools.pairwise(places):
         for z in (0.42, 0.80):
             builder.add(_rail(start, end, z, 0.07, 0.10), smooth=False)
 

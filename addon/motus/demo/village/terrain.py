@@ -6,6 +6,7 @@ import numpy as np
 
 from ..places import landscape
 from ..stage import materials, shapes
+import itertools
 
 SEED = 77
 HALF = 90.0  # m, half the side of the land
@@ -32,7 +33,7 @@ def height(x, y):
 def trodden(x, y, path=PATH):
     """How much of a place is path, 0 to 1."""
     nearest = np.full(np.broadcast(x, y).shape, np.inf)
-    for (ax, ay), (bx, by) in zip(path, path[1:]):
+    for (ax, ay), (bx, by) in itertools.pairwise(path):
         along = np.clip(((x - ax) * (bx - ax) + (y - ay) * (by - ay)) / ((bx - ax) ** 2 + (by - ay) ** 2), 0.0, 1.0)
         nearest = np.minimum(nearest, np.hypot(x - ax - along * (bx - ax), y - ay - along * (by - ay)))
     return 1.0 - landscape.smoothstep(nearest, 0.25, 0.75)

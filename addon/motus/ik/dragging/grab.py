@@ -1,4 +1,7 @@
-"""A point of a chain that is pulled to a place: by its target where a solver has it, else by turning its bones. A bone that is a target or a pole is moved whole."""
+"""A point of a chain that is pulled to a place: by its target where a solver has it, else by turning its bones.
+
+A bone that is a target or a pole is moved whole.
+"""
 
 from mathutils import Matrix, Quaternion, Vector
 

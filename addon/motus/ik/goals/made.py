@@ -69,7 +69,7 @@ def _is_bone_needed(rig, bone):
         if target.bone_target == bone or target.data_path.startswith(path):
             return True
     pairs = {(one, bone) for one in rigs}
-    return any(not pairs.isdisjoint(entry.reads) or one in rigs and bone in entry.drives
+    return any(not pairs.isdisjoint(entry.reads) or (one in rigs and bone in entry.drives)
                for system in systems() if system.entries for one in _rigs() for entry in system.entries(one))
 
 

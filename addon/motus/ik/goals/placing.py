@@ -9,6 +9,7 @@ from ...core import libraries
 from .. import chains, forward
 from . import places as goal_places
 from .orientation import frame_of
+import itertools
 
 CONTROL_KEY = "motus_ik_control"
 """Custom property of the empties that are made along with an entry."""
@@ -43,7 +44,7 @@ def _joints_in_rig(rig, chain):
 
 def length(joints):
     """Length of a chain of joints."""
-    return sum((end - start).length for start, end in zip(joints, joints[1:]))
+    return sum((end - start).length for start, end in itertools.pairwise(joints))
 
 
 def bend_normal(joints, least=BENT):
@@ -51,8 +52,8 @@ def bend_normal(joints, least=BENT):
 
     None where they bend by less than `least`, rad.
     """
-    links = [end - start for start, end in zip(joints, joints[1:])]
-    angles = [start.angle(end, 0.0) for start, end in zip(links, links[1:])]
+    links = [end - start for start, end in itertools.pairwise(joints)]
+    angles = [start.angle(end, 0.0) for start, end in itertools.pairwise(links)]
     along = joints[-1] - joints[0]
     normal = sum((along.cross(joint - joints[0]) for joint in joints[1:-1]), Vector())
     if not angles or max(angles) < least or normal.length_squared == 0.0:

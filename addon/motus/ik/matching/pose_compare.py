@@ -68,7 +68,7 @@ def _directions(axes):
     return axes / np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-30)
 
 
-class without_sinks:  # a context, named like a function
+class without_sinks:  # noqa: N801  (a context, named like a function)
     """Lets the chains' bones stand in their animated pose for a while."""
 
     def __init__(self, rig, chosen):

@@ -1,6 +1,6 @@
 """The Mirror modifier's Clipping, as Blender's own tools keep it: what is on a mirror plane stays on it, and nothing crosses it."""
 
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple
 
 from ...core.lazy import numpy as np
 
@@ -11,7 +11,7 @@ class Planes(NamedTuple):
 
     axes: tuple
     within: float
-    space: Optional[Any]
+    space: Any | None
 
 
 def planes(obj):

@@ -141,7 +141,7 @@ def _displacement(mesh, positions, vertex, brush, space):
 def _limits(brush, space):
     """A pin's limits, which are heights along one of the object's own axes."""
     if not (brush.use_minimum or brush.use_maximum):
-        return {name: False for name in ("use_minimum", "use_maximum")}
+        return dict.fromkeys(("use_minimum", "use_maximum"), False)
     found = space.limits(brush)
     if found is None:
         raise Refused(tr("The object is turned, and a pin's limits are along its own axes: choose Local as the unit"))

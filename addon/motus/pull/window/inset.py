@@ -94,7 +94,7 @@ def camera(view_rotation, corners, aspect):
     toward = Vector((math.cos(rise) * math.cos(azimuth), math.cos(rise) * math.sin(azimuth), math.sin(rise)))
     rotation = toward.to_track_quat('Z', 'Y')
     center = sum(corners, Vector()) / len(corners)
-    radius = max(max((corner - center).length for corner in corners), 1e-6)
+    radius = max(1e-6, *((corner - center).length for corner in corners))
     seen = [rotation.inverted() @ (corner - center) for corner in corners]
     distance = max(place.z + BORDER * LENS * max(abs(place.x) / aspect, abs(place.y), 0.1 * radius) for place in seen)
     view = Matrix.LocRotScale(center + distance * toward, rotation, None).inverted()

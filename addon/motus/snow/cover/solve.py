@@ -22,8 +22,8 @@ UNKNOWN = Problem(
 MOVES = Problem("A surface moves: flakes have landed where it is on the present frame", False)
 SOME_WITHOUT = Problem("A surface has no faces, or an emitter no mesh: they are left out", False)
 UNBAKEABLE = Problem("Lying snow is computed on each frame: there is nothing to bake")
-PROBLEMS = (*colliders.PROBLEMS, *view.PROBLEMS, NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT, work.TOO_FINE, work.LESS_SMOOTH,
-            flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
+PROBLEMS = (*colliders.PROBLEMS, *view.PROBLEMS, NO_SURFACE, NO_FACES, NO_SNOW, NOT_FINITE, TOO_MANY, WAITING, UNKNOWN, MOVES, SOME_WITHOUT,
+            work.TOO_FINE, work.LESS_SMOOTH, flakes.NOT_FINITE, flakes.TOO_MANY, flakes.OUT_OF_RANGE)
 
 POINTS = Points(attributes=(("depth", 'FLOAT'),), shape='FACES', capacity=4 * ground.MOST)
 INPUTS = (Geometries("scenery", of=sources.scenery), Setting("influence"))
