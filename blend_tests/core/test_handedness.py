@@ -9,6 +9,7 @@ import math
 import bpy
 import numpy as np
 import support
+from bpy_extras.object_utils import world_to_camera_view
 from ik import ik_cases
 from lattice import lattice_cases
 from layers import layer_cases
@@ -16,6 +17,7 @@ from look_at import look_at_cases
 from mathutils import Euler, Matrix, Vector
 from path import path_cases
 from snow import snow_cases
+from stereo import stereo_cases
 from walker import walker_cases
 
 TURN = Euler((0.4, -0.3, 1.1)).to_matrix().to_4x4()
@@ -298,3 +300,44 @@ class Snowfall(ParentsTestCase):
             along = np.array(world.to_3x3().col[2].normalized())
             self.assertGreater(len(found["age"]), 4)
             self.assertNear(found["position"], np.array(world.translation) + 5.0 * np.outer(found["age"], along), 1e-4)
+
+
+class Cameras(ParentsTestCase):
+    """What a camera sees under the table's parents is what Blender says of it (world_to_camera_view): across, up, and the depth."""
+
+    def camera(self, matrix):
+        """(a camera under parents, camera space as Blender sees it -> world)."""
+        camera = stereo_cases.camera()
+        world = put_under(camera, matrix)
+        return camera, world.normalized()
+
+    def test_stereo_focus_lies_on_the_screen(self):
+        for matrix in self.each():
+            camera, _ = self.camera(matrix)
+            focus = self.link("Focus", location=matrix @ Vector((0.4, 3.0, 0.2)))
+            bpy.ops.motus.stereo_rig_add(object="Camera", focus="Focus")
+            bpy.context.view_layer.update()
+            depth = world_to_camera_view(bpy.context.scene, camera, focus.location).z
+            self.assertNear(stereo_cases.eyes(camera)[1], depth)
+
+    def test_stereo_measures_a_wall(self):
+        for matrix in self.each():
+            camera, seen = self.camera(matrix)
+            wall = stereo_cases.square("Wall", (0.0, 0.0, 0.0))
+            for vertex, (x, y) in zip(wall.data.vertices, ((-9.0, -9.0), (9.0, -9.0), (9.0, 9.0), (-9.0, 9.0))):
+                vertex.co = seen @ Vector((x, y, -4.0))
+            bpy.ops.motus.stereo_rig_add(object="Camera", convergence='BUDGET')
+            bpy.ops.motus.stereo_measure(object="Camera", range='CURRENT')
+            self.assertNear(camera.motus.stereo.near, 4.0)
+
+    def test_plane_of_a_chroma_key_fills_the_picture(self):
+        for matrix in self.each():
+            camera, _ = self.camera(matrix)
+            image = bpy.data.images.new("Screen", 8, 8)
+            image.pixels = [0.1, 0.6, 0.1, 1.0] * 64
+            bpy.ops.motus.chroma_key_setup(clip="Screen", camera="Camera", use_plane=True, plane_distance=7.0)
+            bpy.context.view_layer.update()
+            plane = bpy.context.scene.motus.chroma.plane
+            corners = [world_to_camera_view(bpy.context.scene, camera, plane.matrix_world @ vertex.co) for vertex in plane.data.vertices]
+            self.assertNear(sorted((round(place.x), round(place.y)) for place in corners), [(0, 0), (0, 1), (1, 0), (1, 1)], 0.0)
+            self.assertNear(corners, [(round(place.x), round(place.y), 7.0) for place in corners])

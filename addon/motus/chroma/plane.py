@@ -38,7 +38,9 @@ def add(scene, camera, image, key, distance):
         data.uv = places[loop.vertex_index]
     mesh.materials.append(_material(scene, image, key))
     obj.parent = camera
-    obj.matrix_parent_inverse = Matrix()
+    # A render takes a camera without its scale; the plane must do so too.
+    lengths = (axis.length for axis in camera.matrix_world.to_3x3().col)
+    obj.matrix_parent_inverse = Matrix.Diagonal((*(1.0 / length if length else 1.0 for length in lengths), 1.0))
     obj.hide_render = True
     obj[group.KEY] = True
     return obj

@@ -126,11 +126,11 @@ def eyes(scene, owner, depsgraph):
 
 
 def axis_matrix(matrix):
-    """World to camera, without the camera's scale: right, up, backward."""
-    place, turn, _ = matrix.decompose()
-    found = turn.to_matrix().to_4x4()
-    found.translation = place
-    return found.inverted()
+    """World to camera, as Blender renders it: right, up and backward, in units of the world.
+
+    The camera's scale has no effect, but what mirrors or shears the camera has: its axes are no rotation then.
+    """
+    return matrix.normalized().inverted_safe()
 
 
 def width_in_pixels(render):

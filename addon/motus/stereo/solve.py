@@ -83,6 +83,5 @@ def _by_budget(settings, seen, mode):
 
 
 def depth_of(matrix, place):
-    """Of a place in the world along the axis of a camera; below 0 behind it."""
-    backward = matrix.col[2].xyz.normalized()
-    return -(place - matrix.translation).dot(backward)
+    """Depth of a place in the world before a camera, along the camera's axis; below 0 behind the camera."""
+    return -(rig.axis_matrix(matrix).to_3x3() @ (place - matrix.translation)).z
