@@ -58,7 +58,7 @@ def _loaded(name, check_existing=True):
         raise Refused(str(error)) from error
     if image.name not in known:
         image[group.KEY] = True
-        if not (image.size[0] and image.size[1]):
+        if not (image.size[0] and image.size[1]):  # type: ignore[index]
             bpy.data.images.remove(image)
             raise Refused(tr("{object} cannot be read as a picture").format(object=Path(path).name))
     return image

@@ -83,7 +83,8 @@ def assign(key, setting, value):
     """Set one, if it is there."""
     found = place(key, setting)
     if found is not None:
-        setattr(*found, value)
+        owner, name = found
+        setattr(owner, name, value)
 
 
 def _of_node(key, name, property_name, identifier):

@@ -57,7 +57,7 @@ def apply_measured(node, noted, found, levels):
     note(noted, report)
     place = settings.place_of_input(node, settings.COLOR)
     if place is not None:
-        setattr(*place, (*color, 1.0))
+        setattr(*place, (*color, 1.0))  # type: ignore[call-arg]
     for name, level in zip(("black", "white"), levels):
         settings.assign(node, settings.BY_KEYWORD[name], level)
     shown = pointed(noted, "plane")

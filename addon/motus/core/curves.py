@@ -61,14 +61,14 @@ def read(curve_object, splines, depsgraph, index, matrix):
     is_deformed = bool(curve_object.modifiers or data.shape_keys and not is_edited)
     copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # that of a hidden object is its original one
     if copy is None or copy.has_animated_splines:
-        return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)
+        return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)  # type: ignore[call-arg]
     local = copy.found.get(index)
     if local is None:
         local = copy.found[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
     name, place = ("in world", index), rigs.columns(matrix).tobytes()
     found = copy.found.get(name)
     if found is None or found[0] != place:
-        found = copy.found[name] = place, _in_world(*local, matrix)
+        found = copy.found[name] = place, _in_world(*local, matrix)  # type: ignore[call-arg]
     return found[1]
 
 

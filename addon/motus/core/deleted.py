@@ -108,7 +108,7 @@ def have_collections_changed(depsgraph):
 def _note(*_):
     look()
     for name in _stood:
-        obj = bpy.data.objects[name, None]
+        obj = bpy.data.objects[name, None]  # type: ignore[index]
         if name in _deleted:
             obj[KEY] = True
         else:

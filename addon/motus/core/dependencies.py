@@ -42,7 +42,7 @@ def levels(owner):
         for node in entries:
             found[node] = None if is_loop else below
     # Entries of other owners count as levels between: two owners' groups could wait for each other.
-    steps = sorted({found[node] for node in graph.roots()} - {None})
+    steps = sorted({found[node] for node in graph.roots()} - {None})  # type: ignore[type-var]
     return {node[2:]: None if found[node] is None else steps.index(found[node]) for node in graph.roots()}
 
 

@@ -1,5 +1,7 @@
 """What the handles of systems in the viewport share: one gizmo of an owner's draws and picks all of them, and starts an operator."""
 
+from typing import Any
+
 from . import native, overlay
 
 
@@ -9,9 +11,9 @@ class HandleGroup:
     has: gizmo and operator, identifiers of classes; system(), whose overlay they are a part of; is_owner(obj).
     """
 
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'WINDOW'
-    bl_options = {'PERSISTENT', 'SHOW_MODAL_ALL'}
+    bl_space_type: Any = 'VIEW_3D'
+    bl_region_type: Any = 'WINDOW'
+    bl_options: Any = {'PERSISTENT', 'SHOW_MODAL_ALL'}
 
     @classmethod
     def poll(cls, context):

@@ -29,7 +29,7 @@ def _hovered_index(context):
     manager = context.window_manager
     before = manager.clipboard
     try:
-        if not bpy.ops.ui.copy_data_path_button.poll():
+        if not bpy.ops.ui.copy_data_path_button.poll():  # type: ignore[call-arg]
             return -1
         bpy.ops.ui.copy_data_path_button(full_path=True)
         found = _INDEX.search(manager.clipboard)

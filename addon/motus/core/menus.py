@@ -1,10 +1,12 @@
 """The Motus entries of the Add, Object and Pose menus, system by system; F3 search finds what stands in a menu."""
 
+from typing import Any
+
 import bpy
 
 from . import operators, panels
 
-_entries = {"add": (), "object": (), "pose": ()}
+_entries: dict[str, tuple[Any, ...]] = {"add": (), "object": (), "pose": ()}
 
 
 class MOTUS_MT_add(bpy.types.Menu):

@@ -1,7 +1,9 @@
 """What all operators share: where they work and why not, refusals that are reported, and the redo panel."""
 
 import json
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from typing import Any
 
 import bpy
 
@@ -115,11 +117,11 @@ class Operator:
     keywords that it does not draw, beside those that are plainly for scripts (see is_for_scripts).
     """
 
-    bl_options = {'REGISTER', 'UNDO'}
-    modes = None
+    bl_options: Any = {'REGISTER', 'UNDO'}
+    modes: Modes | None = None
     needs_native = False
-    redo = ()
-    for_scripts = ()
+    redo: tuple[Any, ...] = ()
+    for_scripts: Iterable[str] = ()
 
     @classmethod
     def poll(cls, context):
@@ -217,7 +219,7 @@ class OfAnObject(Operator):
     found(context, name): the object of this name, or the active one, where it has such a set-up; else raises Refused.
     """
 
-    found = None
+    found: Callable[..., Any]
 
     @classmethod
     def check_offer(cls, context):
@@ -232,7 +234,7 @@ class OfARig(Operator):
 
     object: object_keyword("Name of the armature; empty takes the active one")
     modes = OBJECT_OR_POSE_MODE
-    rig_with = None
+    rig_with: Callable[..., Any]
 
     @classmethod
     def check_offer(cls, context):

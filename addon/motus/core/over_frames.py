@@ -2,6 +2,7 @@
 
 import math
 import time
+from typing import Any
 
 import bpy
 
@@ -53,7 +54,8 @@ class Job(Operator):
     closed before its end. result(context) reports what came of them.
     """
 
-    _steps = _timer = None
+    _steps: Any = None
+    _timer: Any = None
 
     def execute(self, context):
         return self._guarded(context, self._run)
@@ -150,7 +152,7 @@ class OverFrames(Job):
     step: bpy.props.FloatProperty(
         name="Step", description="Frames from one to the next, less than one for sub-frames", default=1.0, min=0.001,
         soft_min=0.1, soft_max=10.0)
-    redo = (Rows((
+    redo: tuple[Any, ...] = (Rows((
         "range", Row("frame_start", when=is_one_of("range", 'GIVEN')), Row("frame_end", when=is_one_of("range", 'GIVEN')),
         Row("step", when=is_not("range", 'CURRENT')))),)
 

@@ -89,7 +89,7 @@ class _Panel:
         if bpy.utils.preset_paths(self.preset_subdir):
             if brought:
                 layout.separator()
-            super().draw(context)
+            super().draw(context)  # type: ignore[misc]
             return
         # Blender's own would say that paths are missing.
         manager = context.window_manager

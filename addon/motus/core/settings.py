@@ -1,14 +1,16 @@
 """What every system's settings have, and what happens when they are edited."""
 
+from typing import Any
+
 import bpy
 
 from . import wiring
 from .file.pointers import to_object
 from .system import registered
 
-ANIMATED = {'ANIMATABLE'}
-OVERRIDABLE = {'LIBRARY_OVERRIDABLE'}
-EXTENDABLE = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
+ANIMATED: Any = {'ANIMATABLE'}
+OVERRIDABLE: Any = {'LIBRARY_OVERRIDABLE'}
+EXTENDABLE: Any = {'LIBRARY_OVERRIDABLE', 'USE_INSERTION'}
 """Options of properties: keyed or driven, changed by overrides, and lists that overrides add to."""
 
 NO_KEYS = ". Cannot be keyed: the whole motion follows from it"

@@ -160,7 +160,7 @@ class Geometry(Deformed):
 class Geometries(Deformed):
     """The same of the objects that the function `of` gives for settings: wiring.waited_for() has them then."""
 
-    of: Callable
+    of: Callable  # type: ignore[assignment]
 
     def objects(self, settings):
         return self.of(settings)

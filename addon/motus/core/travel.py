@@ -63,7 +63,7 @@ class Travel:
     def axis_vector(self):
         """World vector along the axis, as long as the number 1 says."""
         found = Vector()
-        found[AXES[self.axis]] = 1.0
+        found[AXES[self.axis]] = 1.0  # type: ignore[index]
         return found
 
     def length_of(self, way):

@@ -1,6 +1,6 @@
 """Panel parts that all systems share."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import bpy
 
@@ -14,8 +14,8 @@ FEWEST = 16
 class Sidebar:
     """Mixin of panels in the 3D view's sidebar."""
 
-    bl_space_type = 'VIEW_3D'
-    bl_region_type = 'UI'
+    bl_space_type: Any = 'VIEW_3D'
+    bl_region_type: Any = 'UI'
     bl_category = TAB
 
 

@@ -258,7 +258,8 @@ def _keep(space, path):
 
 
 def _set(space, path, value):
-    setattr(*_place(space, path), value.object() if isinstance(value, _Named) else value)
+    owner, name = _place(space, path)
+    setattr(owner, name, value.object() if isinstance(value, _Named) else value)
 
 
 def _place(space, path):

@@ -42,7 +42,7 @@ class _OnProperty(datablocks.OfADatablock):
         return True
 
 
-class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Operator):
+class MOTUS_OT_driver_add(_OnProperty, DriverKeywords, Operator, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.driver_add"
     bl_label = "Add Motion Driver"
     bl_description = "Let a property swing, ease or wander by itself"
@@ -148,7 +148,7 @@ def _is_driven(place):
     return tr("{path} has a driver already").format(path=place.path)
 
 
-class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):
+class MOTUS_OT_driver_remove(_OnProperty, Operator, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.driver_remove"
     bl_label = "Remove Motion Driver"
     bl_description = (

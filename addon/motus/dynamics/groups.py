@@ -131,7 +131,7 @@ def groups(owner):
         parts.append((PROPERTIES, (), properties))
     wrong = {LOOPED: sum(level is None for level, _ in placed),
              MISSING: sum(is_missing(owner, entry) for entry in owner.motus.dynamics.entries)}
-    return tuple(_group(owner, key if index else "", *found, wrong) for index, (key, *found) in enumerate(parts))
+    return tuple(_group(owner, key if index else "", *found, wrong) for index, (key, *found) in enumerate(parts))  # type: ignore[call-arg]
 
 
 def channels(entry, thing):

@@ -1,6 +1,8 @@
 """What entries follow, over time: read from tracks, beneath what dynamics themselves make of it."""
 
 import functools
+from collections.abc import Sequence
+from typing import Any
 
 from ..core import scene_time, tracks, wiring
 from ..core.lazy import numpy as np
@@ -41,7 +43,7 @@ class _Input:
     carriers: names whose world tracks count for it, and change though neither the owner nor its keys are edited.
     """
 
-    carriers = ()
+    carriers: Sequence[Any] = ()
 
     @property
     def laid(self):

@@ -18,5 +18,5 @@ def sentence(owner, problem, scene):
         source = unit.input(scene)
         if not source.is_known and bool(source.reason) == (problem == solve.NOT_KNOWN):
             reason = source.reason or next(track.reason for track, _ in source.unknown if not track.is_known)
-            return spoken().format(thing=setup.label(entry), reason=reason.sentence)
+            return spoken().format(thing=setup.label(entry), reason=reason.sentence)  # type: ignore[misc]
     return tr(problem.sentence)

@@ -14,7 +14,7 @@ class ChainRows(NamedTuple):
     """A chain in the rows of a group's results. bones: names, and the effector's where it is none of the chain's."""
 
     name: str
-    index: int
+    index: int  # type: ignore[assignment]  # a tuple has a method of this name
     bones: tuple
     rows: tuple
     is_effector_absolute: bool

@@ -27,7 +27,7 @@ def rotation_values(thing, rotation, last):
         axis = axis.normalized() if axis.length > 0.0 else Vector(last[1:])
         if axis.dot(Vector(last[1:])) < 0.0:
             axis, angle = -axis, -angle
-        return (angle + math.tau * round((last[0] - angle) / math.tau), *axis)
+        return (angle + math.tau * round((last[0] - angle) / math.tau), *axis)  # type: ignore[misc]
     return rotation.to_euler(thing.rotation_mode, Euler(last, thing.rotation_mode))
 
 

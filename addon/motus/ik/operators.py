@@ -1,5 +1,7 @@
 """Operators that add inverse kinematics to bones, and take it back."""
 
+from collections.abc import Sequence
+
 import bpy
 
 from ..core import bone_entries, operators, wiring
@@ -214,7 +216,7 @@ class MOTUS_OT_ik_remove(OfABone, bpy.types.Operator):
         default=False, options={'SKIP_SAVE'})
     redo = (Rows(("remove_controls",)),)
 
-    _made = ()
+    _made: Sequence[str] = ()
 
     def invoke(self, context, event):
         """Ask what becomes of what was made along with the chains, if there is any of it."""

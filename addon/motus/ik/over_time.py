@@ -1,5 +1,7 @@
 """Where the bones of a chain are at any times, for systems that need their past: the solver is asked for each time."""
 
+from typing import Any
+
 from mathutils import Matrix
 
 from ..core import deleted, entry_keys, rigs
@@ -68,7 +70,7 @@ class _Chain:
 
     def _paths(self):
         prefix = entry_keys.animated_prefix(self._owner, "motus.ik.entries", self._owner.motus.ik.entries, self._index)
-        paths = {name: (prefix + name, -1) for name in NUMBERS}
+        paths: dict[Any, tuple[str, int]] = {name: (prefix + name, -1) for name in NUMBERS}
         paths |= {axis: (f"{prefix}rotation_offset", axis) for axis in range(3)}
         return paths | {"influence": ("motus.ik.influence", -1)}
 

@@ -2,6 +2,7 @@
 
 import contextlib
 from itertools import combinations
+from typing import Any
 
 from ..core import native
 from ..core.lazy import numpy as np
@@ -144,7 +145,8 @@ class Held:
         if not displacement.any():
             self.restore()
             return 0.0
-        aim, best = displacement, None
+        aim = displacement
+        best: Any = None
         for _ in range(ROUNDS):
             points = self._points_for(aim)
             self._write(points)

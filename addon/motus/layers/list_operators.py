@@ -44,7 +44,7 @@ class MOTUS_OT_layer_duplicate(OfALayer, bpy.types.Operator):
         setup.duplicate(rig, index)
 
 
-class MOTUS_OT_layer_mask_add(MaskKeywords, OfALayer, bpy.types.Operator):
+class MOTUS_OT_layer_mask_add(MaskKeywords, OfALayer, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.layer_mask_add"
     bl_label = "Add to Mask"
     bl_description = "Let the active layer act on the selected bones too"

@@ -55,7 +55,7 @@ class MaskKeywords:
                 for name in names]
 
 
-class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator):
+class MOTUS_OT_layer_add(operators.FindsValues, MaskKeywords, LayerKeywords, OfARig, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.layer_add"
     bl_label = "Add Layer"
     bl_description = "Lay an action over the rig's own animation, on the selected bones and those below, or on all bones"

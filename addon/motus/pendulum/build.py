@@ -166,7 +166,7 @@ def _material(name, hue):
     """A glossy colour."""
     color = (*colorsys.hsv_to_rgb(hue, SATURATION, VALUE), 1.0)
     material = bpy.data.materials.new(name)
-    material.diffuse_color = color
+    material.diffuse_color = color  # type: ignore[assignment]
     if not material.use_nodes:
         material.use_nodes = True
     shader = next(node for node in material.node_tree.nodes if node.type == 'BSDF_PRINCIPLED')

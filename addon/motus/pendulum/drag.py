@@ -48,7 +48,7 @@ class Held:
         found = self._bent(goal) if self._each == 2 else (build.angle_of(goal),)
         self._settings.angle1 = found[0]
         if self._each == 2:
-            self._settings.angle2 = found[1] - self._number * self._settings.angle_step
+            self._settings.angle2 = found[1] - self._number * self._settings.angle_step  # type: ignore[misc]
             self._settings.velocity2 = 0.0
         self._settings.velocity1 = 0.0
         self._settings.start_frame = max(self._frame, self._before["start_frame"])

@@ -47,7 +47,7 @@ class Swing(NamedTuple):
     each: int
     at: Callable
     way: Callable
-    count: int = 1
+    count: int = 1  # type: ignore[assignment]  # a tuple has a method of this name
 
     def has_rods(self, numbers):
         """Whether it has rods of all of these numbers, one or more: where one is missing, none is turned."""
@@ -142,7 +142,7 @@ def swing_of(settings, scene):
     starts = [(settings.angle1, settings.angle2 + index * settings.angle_step, settings.velocity1, settings.velocity2)
               for index in range(settings.count)]
 
-    def way(times, number=0, **felt):
+    def way(times, number=0, **felt):  # type: ignore[no-redef]
         return native.module.double_pendulum(times, *starts[number], **constants, **felt)
 
     return Swing(2, functools.partial(_fan, starts=starts, constants=constants), way, settings.count)

@@ -110,8 +110,8 @@ def _of_bobs(settings):
         if rod == 0 and thing:
             offsets[number] = thing.location.y
         slots = bob.material_slots if bob else ()
-        if rod == each - 1 and len(slots) and slots[0].material:
-            colors[number] = tuple(slots[0].material.diffuse_color)[:3]
+        if rod == each - 1 and len(slots) and slots[0].material:  # type: ignore[misc]
+            colors[number] = tuple(slots[0].material.diffuse_color)[:3]  # type: ignore[misc]
     return colors, offsets
 
 

@@ -27,5 +27,5 @@ def _longest_side(obj, unit):
     low, high = Vector(obj.bound_box[0]), Vector(obj.bound_box[6])
     sides = high - low
     if unit == 'WORLD':
-        sides = Vector(abs(side * scale) for side, scale in zip(sides, obj.matrix_world.to_scale()))
-    return max(sides)
+        sides = Vector(abs(side * scale) for side, scale in zip(sides, obj.matrix_world.to_scale()))  # type: ignore[call-overload]
+    return max(sides)  # type: ignore[call-overload]

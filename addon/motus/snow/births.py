@@ -25,7 +25,7 @@ class Poses(NamedTuple):
     seconds: Any
     matrices: Any
 
-    __eq__, __hash__ = is_same, hash_of
+    __eq__, __hash__ = is_same, hash_of  # type: ignore[misc]
 
 
 class Winds(NamedTuple):
@@ -35,7 +35,7 @@ class Winds(NamedTuple):
     seconds: Any
     velocities: Any
 
-    __eq__, __hash__ = is_same, hash_of
+    __eq__, __hash__ = is_same, hash_of  # type: ignore[misc]
 
 
 def track(obj, scene):

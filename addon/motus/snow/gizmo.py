@@ -44,7 +44,7 @@ class MOTUS_GT_snow(bpy.types.Gizmo):
             drawing.discs([place, place], [(RADIUS + RIM) * scale, RADIUS * scale],
                           [RIM_COLOR, LIT if is_hovered else COLOR])
             if is_hovered:
-                drawing.text([tr(emitter.motus.snow.bl_rna.properties[setting].name)], *(place + 1.5 * RADIUS * scale), scale)
+                drawing.text([tr(emitter.motus.snow.bl_rna.properties[setting].name)], *(place + 1.5 * RADIUS * scale), scale)  # type: ignore[call-arg]
         gpu.state.blend_set('NONE')
 
 

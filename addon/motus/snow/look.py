@@ -172,7 +172,7 @@ def _material(name, kind, has_tint):
     shader, output = nodes.new(kind), nodes.new("ShaderNodeOutputMaterial")
     output.location.x = 200.0
     links.new(shader.outputs[0], output.inputs["Surface"])
-    shader.inputs["Color"].default_value = material.diffuse_color = 0.92, 0.95, 1.0, 1.0
+    shader.inputs["Color"].default_value = material.diffuse_color = 0.92, 0.95, 1.0, 1.0  # type: ignore[assignment]
     if has_tint:
         tint = nodes.new("ShaderNodeAttribute")
         tint.attribute_name, tint.attribute_type = "tint", 'INSTANCER'

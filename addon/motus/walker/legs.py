@@ -12,7 +12,7 @@ from ..core.system import has_settings, is_owner, leader_of, of_owner, registere
 class Foot(NamedTuple):
     """The foot of a leg that is there. index: of the leg. thing: an Object, or a PoseBone of the owner."""
 
-    index: int
+    index: int  # type: ignore[assignment]  # a tuple has a method of this name
     thing: Any
 
     @property

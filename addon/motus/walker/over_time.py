@@ -126,12 +126,12 @@ class _OnBone:
     @property
     def reason(self):
         """As Channel.reason."""
-        return super().reason or (self._above.reason if self._above else None)
+        return super().reason or (self._above.reason if self._above else None)  # type: ignore[misc]
 
     @property
     def stamp(self):
         """As Channel.stamp."""
-        return together((super().stamp, *((self._above.stamp,) if self._above else ())))
+        return together((super().stamp, *((self._above.stamp,) if self._above else ())))  # type: ignore[misc]
 
     def _each(self, times):
         """Yields (world matrix of the rig, pose of what the bone hangs on or None) of each time."""

@@ -3,6 +3,7 @@
 import hashlib
 import itertools
 import math
+from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
@@ -134,7 +135,7 @@ def read(settings):
     # Where nothing rises and leans, the hips stay where they are moved.
     stays = () if legs.body(owner) else BODY
     values = tuple(0.0 if name in stays else getattr(settings, name) for name in NUMBERS)
-    found = dict(zip(NUMBERS, ((number,) for number in values)))
+    found: dict[str, Iterable[float]] = dict(zip(NUMBERS, ((number,) for number in values)))
     found |= {"length": lengths, "phase": phases, "rest": itertools.chain(*rest), "hip": itertools.chain(*hips)}
     for name, numbers in found.items():
         if not all(abs(number) < INFINITE for number in numbers):
@@ -167,7 +168,7 @@ def body(owner, scene, fps):
     start, end = extent
     known = first if math.isinf(start) else EVER[0], last if math.isinf(end) or fault else EVER[1]
     samples = tracks.kept_by(stamp, ("walker", first, last, fps), lambda: _sampled(track, first, last, fps))
-    return samples and Poses(*samples, known), fault
+    return samples and Poses(*samples, known), fault  # type: ignore[call-arg]
 
 
 def is_moved(owner, scene):
@@ -193,7 +194,7 @@ def _differs(owner, known):
 
 def _standing(owner):
     samples = _digested(np.zeros(1), np.array(owner.matrix_world, float)[None])
-    return samples and Poses(*samples, EVER)
+    return samples and Poses(*samples, EVER)  # type: ignore[call-arg]
 
 
 def _digested(seconds, matrices):

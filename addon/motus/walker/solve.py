@@ -70,7 +70,7 @@ def _stand(context, places, noted):
 
 
 def _lean(context, walker, seconds):
-    lift, turn = leaning.share(*walker.body(seconds), context.settings.influence)
+    lift, turn = leaning.share(*walker.body(seconds), context.settings.influence)  # type: ignore[call-arg]
     owner, body = context.owner, legs.body(context.owner)
     if body is None or len(context.locations) != 1:
         return BODILESS

@@ -32,7 +32,7 @@ def sentence(context, owner, problem):
         planned = found(context, owner)
         troubles = [] if isinstance(planned, Problem) else planned.walker.problems
         if troubles:
-            return _unreached(context, owner, *min(troubles, key=lambda one: one[1]), len(troubles) - 1)
+            return _unreached(context, owner, *min(troubles, key=lambda one: one[1]), len(troubles) - 1)  # type: ignore[call-arg]
     settings = owner.motus.walker
     if problem in {plan.NOT_FINITE, plan.OUT_OF_RANGE}:
         return _about_setting(settings, problem, found(context, owner))

@@ -37,7 +37,7 @@ class Faces(NamedTuple):
     triangles: Any
     area: float
 
-    __eq__, __hash__ = is_same, hash_of
+    __eq__, __hash__ = is_same, hash_of  # type: ignore[misc]
 
     @property
     def bytes(self):
@@ -51,7 +51,7 @@ class Placed(NamedTuple):
     faces: Any
     matrix: Any
 
-    __eq__, __hash__ = is_same, hash_of
+    __eq__, __hash__ = is_same, hash_of  # type: ignore[misc]
 
     @property
     def area(self):

@@ -25,7 +25,7 @@ class Number(NamedTuple):
 
     holder: Any
     name: str
-    index: int
+    index: int  # type: ignore[assignment]  # a tuple has a method of this name
     type: str
     least: float
     most: float

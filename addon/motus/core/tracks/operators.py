@@ -46,7 +46,7 @@ class _OfATrack(OfADatablock, Operator):
         return own_track(thing) if self.transform == 'OWN' else world_track(thing, scene)
 
 
-class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):
+class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.track_record"
     bl_label = "Record"
     bl_description = "Go through the frames and keep in the file the motion that cannot be read from keys, such as that of constraints"
@@ -91,7 +91,7 @@ class MOTUS_OT_track_record(OverFrames, _OfATrack, bpy.types.Operator):
             kept.restore()
 
 
-class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):
+class MOTUS_OT_track_clear(_OfATrack, bpy.types.Operator):  # type: ignore[misc]
     bl_idname = "motus.track_clear"
     bl_label = "Clear Recording"
     bl_description = "Remove the recorded samples from the file"

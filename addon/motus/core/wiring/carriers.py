@@ -1,6 +1,7 @@
 """The hubs: a group's solver and outbox are carried by the mesh of a hidden object that stands in no collection."""
 
 import hashlib
+from typing import Any
 
 import bpy
 
@@ -97,11 +98,11 @@ def signature(system, owner, groups):
                member.is_relative, _bone(member.thing) in driven) for member in group.members],
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
-    ways = uses_attribute(system), has_outlet(system, owner), rows.can_share(system, owner)
+    ways: tuple[Any, ...] = uses_attribute(system), has_outlet(system, owner), rows.can_share(system, owner)
     properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
                   for group in groups for one in group.properties]
     if waits_apart(owner, groups):
-        ways += way_to_wait(owner, groups), properties
+        ways = *ways, way_to_wait(owner, groups), properties
     return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
 
 

@@ -275,7 +275,7 @@ def _release_overrides():
 def _heal_edited(depsgraph):
     edited = [copies.original_of(update.id, bpy.data.armatures, depsgraph)
               for update in depsgraph.updates if isinstance(update.id, bpy.types.Armature)]
-    edited = {armature for armature in edited if armature is not None and not armature.is_editmode}
+    edited = {armature for armature in edited if armature is not None and not armature.is_editmode}  # type: ignore[assignment]
     _heal_joined({armature for armature in edited if _bone_counts.get(_key(armature)) != len(armature.bones)})
     touched = [(system, owner) for system, owner in (_attached() if edited else ())
                if system.groups is not None and not edited.isdisjoint(_armatures(system, owner))]

@@ -5,6 +5,8 @@ that form anew, and room for as many points as there are: fresh memory, which ne
 evaluated before shares, so that the solver can fill it where it lies.
 """
 
+from typing import Any
+
 import bmesh
 
 from .. import capabilities, native, node_groups
@@ -35,7 +37,8 @@ class Room:
 
     def __init__(self, system, carrier, _inputs, context):
         self._system, self._made, self._carrier, self._settings = system, system.makes_points, carrier, context.settings
-        self._found, self._staged = None, ()
+        self._found: dict[str, Any] | None = None
+        self._staged: list[Any] = []
         self.is_full = False
         context.points = self._points
 

@@ -40,7 +40,7 @@ class Note(NamedTuple):
 
     slot: int
     path: str
-    index: int
+    index: int  # type: ignore[assignment]  # a tuple has a method of this name
     base: float
 
 

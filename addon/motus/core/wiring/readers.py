@@ -24,7 +24,7 @@ class Reader(NamedTuple):
     data_path: str
     array_index: int
     variable: str
-    index: int
+    index: int  # type: ignore[assignment]  # a tuple has a method of this name
     output: str
 
 

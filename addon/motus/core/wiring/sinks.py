@@ -41,7 +41,7 @@ def _driven_by_outboxes(system, obj):
         constraint = _resolve(obj, path) if slot else None
         if constraint is None or constraint.type not in marks.OLD_KINDS:
             continue
-        carrier, key, index = slot
+        carrier, key, index = slot  # type: ignore[misc]
         if system.groups is not None and outbox.info(system, carrier, key) is None:
             continue  # nobody knows what the slot is
         if index == outbox.WEIGHT or index >= outbox.FIRST_OUTPUT + len(outputs.output_names(system, carrier, key)):

@@ -103,7 +103,7 @@ def throw(rig, hand="R"):
     """The throw, of the upper body alone, by the right or the left hand."""
     for (name, axis), keys in THROW.items():
         if hand == "L":
-            name, keys = _mirrored(name), [(frame, angle if axis == 0 else -angle) for frame, angle in keys]
+            name, keys = _mirrored(name), [(frame, angle if axis == 0 else -angle) for frame, angle in keys]  # type: ignore[assignment]
         _key_turns(rig.pose.bones[name], axis, keys)
     action = _named(rig, "Throw")
     whip = [name if hand == "R" else _mirrored(name) for name in WHIP]

@@ -94,7 +94,7 @@ def _deck_mesh(timber):
         width = DECK_X[1] - DECK_X[0]
         _add_beam(builder, (width, 0.09, 0.16), (DECK_X[0] + width / 2, y, -PLANK_THICKNESS - 0.08), RAILS_DARK)
     for x in (DECK_X[0] + 0.12, DECK_X[1] - 0.12):
-        for y in (DECK_Y[0] + 0.3, DECK_Y[1] - 0.12):
+        for y in (DECK_Y[0] + 0.3, DECK_Y[1] - 0.12):  # type: ignore[assignment]
             _add_beam(builder, (0.18, 0.18, 11.0), (x, y, -5.7), POSTS)
     return builder.build("Deck", timber)
 
@@ -112,7 +112,7 @@ def _railing_mesh(timber):
         _add_beam(builder, (RAIL_SIZE * 1.4, side, depth), (RAIL_X, NEWEL_Y + side / 2, height - 0.0004), PLANKS_LIGHT)
     for x in np.arange(RAIL_X + 0.13, DECK_X[1], 0.13):
         _add_baluster(builder, x, RAIL_Y)
-    for y in np.arange(NEWEL_Y + 0.13, RAIL_Y - 0.06, 0.13):
+    for y in np.arange(NEWEL_Y + 0.13, RAIL_Y - 0.06, 0.13):  # type: ignore[assignment]
         _add_baluster(builder, RAIL_X, y)
     return builder.build("Railing", timber)
 

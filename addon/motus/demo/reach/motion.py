@@ -50,7 +50,7 @@ def key_pose(rig):
         radians = [(frame, [math.radians(angle) for angle in turn]) for frame, turn in turns]
         key_cycle(bones[name], "rotation_euler", radians)
     blinks = [(frame + step, turn) for frame in BLINKS for step, turn in BLINK]
-    for name, turns in (
+    for name, turns in (  # type: ignore[assignment]
         ("spine.003", BREATH), ("upper_arm.L", UPPER_ARM_SWING), ("index.L", INDEX_TURN), ("fingers.L", FINGERS_TURN),
         ("lid.L", blinks), ("lid.R", blinks),
     ):

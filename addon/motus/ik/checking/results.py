@@ -70,7 +70,7 @@ def _kind(why):
 def _was_checked(entry, frame):
     if not _lies_in(entry.check_range, frame):
         return False
-    steps = (frame - float(_RUN.match(entry.check_range)[1])) / entry.check_step
+    steps = (frame - float(_RUN.match(entry.check_range)[1])) / entry.check_step  # type: ignore[index]
     return abs(steps - round(steps)) * entry.check_step < _SAME_FRAME
 
 

@@ -113,7 +113,7 @@ def pole_place(rig, entry, depsgraph, turned):
     chain = chains.find(rig, entry)
     root = evaluated.matrix_world @ evaluated.pose.bones[chain.bones[0]].head
     found = forward.solver_of(rig, entry.name, depsgraph)
-    pole = _pole_of_solution(*found, entry, root, turned) if found else root
+    pole = _pole_of_solution(*found, entry, root, turned) if found else root  # type: ignore[call-arg]
     return Vector(pole) if all(map(math.isfinite, pole)) else root  # of a rig that is scaled to nothing
 
 

@@ -131,8 +131,8 @@ class MOTUS_OT_ik_switch_target(OfABone, bpy.types.Operator):
             raise Refused(tr("The range is empty: the end frame has to come after the start frame"))
         times = [scene_time.keys_time(context.scene, frame) for frame in (self.frame_start, self.frame_end)]
         if blend_trigger.driver_of(rig, entry):
-            return blend_trigger.switch(rig, entry, goal, None, *times, self.interpolation)
-        return blend_keys.switch(rig, entry, goal, *times, self.interpolation)
+            return blend_trigger.switch(rig, entry, goal, None, *times, self.interpolation)  # type: ignore[call-arg]
+        return blend_keys.switch(rig, entry, goal, *times, self.interpolation)  # type: ignore[call-arg]
 
     def _by_trigger(self, rig, entry, goal):
         values = self.trigger_start, self.trigger_end

@@ -28,7 +28,7 @@ def root(row, positions, anchors, size):
     """
     marked = anchors.get(row.anchor, ()) if row.anchor else ()
     if len(marked) == 1:
-        return int(marked[0]), OK
+        return int(marked[0]), OK  # type: ignore[misc]
     candidates = np.asarray(marked) if len(marked) else np.arange(len(positions))
     near = candidates[_distances(positions[candidates], row.place) <= TOLERANCE * size]
     if len(near) == 1:

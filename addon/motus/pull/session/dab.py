@@ -56,7 +56,7 @@ class Session:
         _refuse_strange(self.current)
         self._surface = Surface(self.mesh)
         self._puller = Puller(self.mesh, self._surface, self.space)
-        self._given = ()
+        self._given: tuple[Any, ...] = ()
         self._begin()
 
     def begin_again(self, context, obj, brush):
@@ -82,7 +82,7 @@ class Session:
         self._history = History()
         self._unwritten = []
         self._spares = []  # shapes for sweeps to fill, in turn; see _spare()
-        self._last_moved = NONE_MOVED
+        self._last_moved: Any = NONE_MOVED
 
     # --- Where it pulls ---------------------------------------------------------------------------------------------
 
@@ -341,9 +341,9 @@ class Session:
         after = self._spare() if is_on_top or self._is_kept(self.current) else self.current
         if is_on_top and room is not None and not self._unwritten:
             # It holds the shape already, and has just been through the processor.
-            moved = self._puller.sweep(room, *numbers, start, room, after)
+            moved = self._puller.sweep(room, *numbers, start, room, after)  # type: ignore[call-arg]
         else:
-            moved = self._puller.sweep(source, *numbers, start, after, room)
+            moved = self._puller.sweep(source, *numbers, start, after, room)  # type: ignore[call-arg]
         self.current = after
         return moved
 

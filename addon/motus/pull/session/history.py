@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from ...core.lazy import numpy as np
 
 
-last_shapes = None
+last_shapes: tuple[Any, ...] | None = None
 """Of the last session that pulled anything: (object's name, shape before its last stroke, shape after it)."""
 
 

@@ -1,10 +1,10 @@
 """A picking tree that follows the vertices it is over."""
 
 import math
+from typing import Any
 
 from ...core import native
 from ...core.lazy import numpy as np
-
 
 MOST_PARTS = 256
 """Lists of moved vertices that are kept until the tree is asked; more than that cost more than a whole refit."""
@@ -19,7 +19,7 @@ class Tree:
 
     def __init__(self):
         self._picker = None
-        self._moved = []
+        self._moved: list[Any] | None = []
         self._drift = 0.0  # no vertex has moved further since the last refit
 
     @property

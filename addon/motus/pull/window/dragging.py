@@ -60,7 +60,7 @@ class Dragging(Travel):
     def axis_vector(self):
         """World vector along the axis; its length in the brush's unit is 1."""
         unit = Vector()
-        unit[AXIS_INDEX[self.axis]] = 1.0
+        unit[AXIS_INDEX[self.axis]] = 1.0  # type: ignore[index]
         return self._session.to_world_vector(unit)
 
     def length_of(self, way):

@@ -140,7 +140,7 @@ def _draw_view(context, place):
         context.scene, context.view_layer, context.space_data, context.region, *matrices,
         do_color_management=capabilities.has_textures_in_display_colors())
     # Making a buffer leaves the window bound, which Blender overwrites with the viewport.
-    with viewport.bind():
+    with viewport.bind():  # type: ignore[func-returns-value]
         gpu.state.depth_mask_set(False)
         gpu.state.blend_set('NONE')
         draw_texture_2d(buffer.texture_color, (x, y), width, height)

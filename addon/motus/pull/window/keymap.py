@@ -1,11 +1,13 @@
 """Keys of the tool in the toolbar."""
 
+from typing import Any
+
 
 def _stroke(button, **options):
     """A stroke that begins with a press. options: modifiers of the keymap item, and switches of the operator."""
     modifiers = {name: options.pop(name) for name in ("ctrl", "shift") if name in options}
-    properties = [("is_stroke", True), *options.items()]
-    return "motus.pick_pull", {"type": button, "value": 'PRESS', **modifiers}, {"properties": properties}
+    properties: list[tuple[str, Any]] = [("is_stroke", True), *options.items()]
+    return "motus.pick_pull", {"type": button, "value": 'PRESS', **modifiers}, {"properties": properties}  # type: ignore[misc]
 
 
 def _adjust(key, number, steps=0, **modifiers):

@@ -29,7 +29,7 @@ def value(context, brush, name):
     return length(context, number)
 
 
-def pair(context, brush, name, entry: NumberEntry = None):
+def pair(context, brush, name, entry: NumberEntry | None = None):
     """A number with its label; what is being typed in place of the number."""
     shown = f"{entry.text}|" if entry is not None and entry.is_open else value(context, brush, name)
     return f"{label(LABELS[name])} {shown}"

@@ -1,6 +1,7 @@
 """Where along the mouse's way the dabs of a stroke fall, and how strong a pen makes them. Without Blender's data."""
 
 import math
+from typing import Any
 
 SPACING = 0.1
 """Of the radius: from one dab to the next."""
@@ -40,7 +41,8 @@ class Way:
 
     def __init__(self, find, radius_of):
         self._find, self._radius_of = find, radius_of
-        self._place = self._found = None
+        self._place: Any = None
+        self._found: Any = None
         self._left = 0.0
         self._is_idle = False
 

@@ -51,7 +51,7 @@ def _new():
     noise.inputs["Detail"].default_value = 4.0
     bump.inputs["Strength"].default_value = BUMP
     bump.inputs["Distance"].default_value = 0.02
-    shader.inputs["Base Color"].default_value = material.diffuse_color = COLOR
+    shader.inputs["Base Color"].default_value = material.diffuse_color = COLOR  # type: ignore[assignment]
     shader.inputs["Roughness"].default_value = 0.65
     for source, target in (
             (place.outputs["Position"], noise.inputs["Vector"]), (noise.outputs[0], bump.inputs["Height"]),

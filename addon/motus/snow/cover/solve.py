@@ -55,7 +55,7 @@ def solve(context, scenery, influence):
         # What was worked out before stays until the problem is mended.
         before = None if found.blocking else work.latest(name)
         if before:
-            _fill(context, *before, influence)
+            _fill(context, *before, influence)  # type: ignore[call-arg]
         return found
     _fill(context, plan, found, influence)
     return fault or found.fault
@@ -101,7 +101,7 @@ def _plan(context, settings, scenery):
         return None, NO_SNOW
     lain_on = [meshes.placed(scenery[one.object], seen.matrix(one, scenery)) for one in surfaces]
     fault = SOME_WITHOUT if any(one is None for one in lain_on) else None
-    lain_on = tuple(one for one in lain_on if one is not None)
+    lain_on = tuple(one for one in lain_on if one is not None)  # type: ignore[assignment]
     if not lain_on:
         return None, NO_FACES
     if any(stillness.moves(scenery[obj], scene) for one in surfaces for obj in (one.object, *one.instancers)):

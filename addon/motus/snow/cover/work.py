@@ -42,7 +42,7 @@ class Fall(NamedTuple):
     wind: Any
     faces: Any
     angles: Any
-    count: float
+    count: float  # type: ignore[assignment]  # a tuple has a method of this name
     end: float
     start_frame: float
 
