@@ -1,5 +1,6 @@
-"""clang-tidy over the library and the bindings: tidy.py BUILD_FOLDER CACHE_FOLDER
+"""clang-tidy over the library and the bindings.
 
+tidy.py BUILD_FOLDER CACHE_FOLDER
 A source that has passed passes again without clang-tidy, as long as nothing has changed that its findings depend on: its own text and that of
 all it includes, how it is compiled, .clang-tidy, and clang-tidy itself. CACHE_FOLDER has an empty file for each such state that has passed.
 The bindings are compiled once for each Python; they are checked with this machine's alone, whose headers clang can read.

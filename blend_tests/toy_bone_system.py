@@ -187,8 +187,11 @@ def unregister():
 
 
 def new_rig(name="Rig", chains=2, length=2):
-    """An armature: a root, and chains "A.0", "A.1", ..., "B.0", ... on it, each bone connected but the first, each chain
-    with a child "A.end" of its last bone and a child "A.side" of its first."""
+    """An armature: a root, and chains "A.0", "A.1", ..., "B.0", ...
+
+    on it, each bone connected but the first, each chain with a child "A.end" of its last bone and a child "A.side" of its
+    first.
+    """
     rig = toy_system.new_object(name, data=bpy.data.armatures.new(name))
     bpy.context.view_layer.objects.active = rig
     bpy.ops.object.mode_set(mode='EDIT')

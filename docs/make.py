@@ -1,5 +1,6 @@
-"""Makes the generated parts of the manual: the operator page and the pictures. `./motus docs` runs it inside Blender, `./motus docs operators`
-for the page alone.
+"""Makes the generated parts of the manual: the operator page and the pictures.
+
+`./motus docs` runs it inside Blender, `./motus docs operators` for the page alone.
 
 What is seen in a window is made by `./motus docs steps`, also the insets in the pictures of the demo scenes: steps.py.
 """

@@ -1,5 +1,6 @@
-"""The manual's steps, in a Blender with a window, on an X server without a screen: python3 docs/steps.py [NAME...]
+"""The manual's steps, in a Blender with a window, on an X server without a screen.
 
+python3 docs/steps.py [NAME...]
 NAME: of a page whose steps are done, such as pendulum. Writes docs/pictures/NAME_steps.png. The name inset stands for the overlays in the
 corners of the demo scenes' pictures.
 """

@@ -1,4 +1,7 @@
-"""Tests of the ./motus command itself: python3 .ci/tests/run.py [PATTERN...]"""
+"""Tests of the ./motus command itself.
+
+python3 .ci/tests/run.py [PATTERN...]
+"""
 
 import sys
 from pathlib import Path

@@ -109,8 +109,11 @@ def new_scene(chains, bones, kind, add):
 
 
 def costs(chains, bones, kind):
-    """Frame times, us, (rounds, SYSTEMS). The scenes stand side by side and take turns, so that what changes the machine's
-    speed for seconds (in a virtual one: how far apart its cores are) is the same for all that are compared."""
+    """Frame times, us, (rounds, SYSTEMS).
+
+    The scenes stand side by side and take turns, so that what changes the machine's speed for seconds (in a virtual one: how
+    far apart its cores are) is the same for all that are compared.
+    """
     support.empty_scene()
     scenes = [new_scene(chains, bones, kind, add) for add in SYSTEMS.values()]
     begin, rounds = time.perf_counter(), []

@@ -1,5 +1,6 @@
-"""Tests in Blender's window, on an X server without a screen: python3 blend_tests/window/run.py VERSION [PATTERN...]
+"""Tests in Blender's window, on an X server without a screen.
 
+python3 blend_tests/window/run.py VERSION [PATTERN...]
 One Blender (driver.py) runs all test_*.py beside and below this file, and a further one what is left where a test crashes or hangs. Pictures of the
 window are left in out/window/VERSION/.
 """

@@ -1,4 +1,6 @@
-"""Render the demo scenes, as demo_plan.py says. Run inside Blender with the add-on enabled:
+"""Render the demo scenes, as demo_plan.py says.
+
+Run inside Blender with the add-on enabled:
 
     blender -b --python demo_film.py -- [NAME...] [--output FOLDER] [--quick]
 

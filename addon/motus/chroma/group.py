@@ -181,8 +181,10 @@ def _masks(sheet, edge, core):
 
 
 def _foreground(sheet, straight, alpha, inside):
-    """(picture without the screen's share, factor of it): where the matte is above alpha more of the picture stays, and where it is
-    below, what stays is scaled with it."""
+    """(picture without the screen's share, factor of it).
+
+    Where the matte is above alpha more of the picture stays, and where it is below, what stays is scaled with it.
+    """
     sheet.frame("Foreground: Picture - (1 - Alpha) Screen")
     greater = sheet.math("Alpha or Matte", 'MAXIMUM', alpha, inside)
     rest = sheet.math("1 - Alpha", 'SUBTRACT', 1.0, greater)

@@ -13,8 +13,11 @@ _KEYING = "Key"
 
 
 class Setting(NamedTuple):
-    """One setting of the key. keyword: of the operator, too. old_socket, old_property: identifier of the input of the node Keying that groups of
-    older versions have, and property of that node before 4.5."""
+    """One setting of the key.
+
+    keyword: of the operator, too. old_socket, old_property: identifier of the input of the node Keying that groups of older
+    versions have, and property of that node before 4.5.
+    """
 
     keyword: str
     label: str

@@ -12,10 +12,9 @@ from .scenes import SCENES
 
 
 class MOTUS_OT_demo_scene(Operator, bpy.types.Operator):
-    """Build an example of a system in a new scene and show it; your own scenes stay as they are"""
-
     bl_idname = "motus.demo_scene"
     bl_label = "Demo Scene"
+    bl_description = "Build an example of a system in a new scene and show it; your own scenes stay as they are"
 
     system: bpy.props.EnumProperty(
         name="System",

@@ -76,8 +76,9 @@ def motus_noise(frame, speed=1.0, seed=0):
 
 
 def motus_second_order(self, data_path, index, frame, f=1.0, zeta=0.5, r=0.0):
-    """What follows the keys of a property of the same datablock by second-order dynamics, of the frequency f in Hz, the
-    damping zeta and the response r. index: in an array.
+    """What follows the keys of a property of the same datablock by second-order dynamics.
+
+    f: the frequency, Hz. zeta: the damping. r: the response. index: in an array.
 
     Also on that property itself: its keys are followed then. At rest up to the scene's first frame.
     """

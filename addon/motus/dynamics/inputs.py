@@ -208,7 +208,7 @@ class ValueInput(_Input):
         return next((track.reason for track in self.tracks if track.reason), None)
 
     def values(self, frames):
-        """(n, numbers)"""
+        """Their values, (n, numbers)."""
         return np.stack([track.values(frames) for track in self.tracks], axis=1)
 
 

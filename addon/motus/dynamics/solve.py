@@ -119,8 +119,10 @@ def _made(context):
 
 
 class Asked(NamedTuple):
-    """Whose stamps tell changes beyond those of the owner itself: names of what carries it, as those of inputs; paths of properties;
-    names of bones that other systems lay poses over."""
+    """What has stamps that tell changes beyond those of the owner itself.
+
+    Names of what carries the owner, as those of inputs; paths of properties; names of bones that other systems lay poses over.
+    """
 
     carriers: tuple
     paths: tuple

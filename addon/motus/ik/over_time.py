@@ -113,7 +113,7 @@ class _Chain:
         return wired, rigs.names_of(owner)
 
     def _settings(self, wired, numbers, is_there):
-        """(n, len(IkPlan.SETTINGS))"""
+        """Their values, (n, len(IkPlan.SETTINGS))."""
         found = np.repeat(wired.settings, len(is_there), axis=0)
         for name in reading.ANIMATED:
             found[:, wired.columns[name]] = numbers[name]

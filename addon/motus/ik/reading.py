@@ -62,8 +62,11 @@ def _source(rig, text):
 
 
 class _Settings(NamedTuple):
-    """What the entries say, group by group. numbers: as in Gathered, settings. muted: rows. weights: of the rotation, None where no
-    entry takes one; offsets: (C, 3) with it. has_limits: whether an entry keeps its bones' limits."""
+    """What the entries say, group by group.
+
+    numbers: as in Gathered, settings. muted: rows. weights: of the rotation, None where no entry takes one; offsets: (C, 3)
+    with it. has_limits: whether an entry keeps its bones' limits.
+    """
 
     numbers: Any
     muted: Any

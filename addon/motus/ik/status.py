@@ -41,8 +41,10 @@ def added(entry):
 
 
 def sentence(context, owner, entry):
-    """(icon, sentence in the user's language) of why an entry does not reach, or of a pole or limits that do not count;
-    the sentence is "" where all is well."""
+    """(icon, sentence in the user's language) of why an entry does not reach, or of a pole or limits that do not count.
+
+    The sentence is "" where all is well.
+    """
     found = report(owner, entry.name, context.view_layer.depsgraph)
     if found is None or _is_second(owner, entry):
         return 'ERROR', _unwired(owner, entry)
@@ -148,8 +150,10 @@ def _has_limits(bone):
 
 
 def fault(found, entry):
-    """(what is left, why, of check_results.WHY) of a Report, or of None; 'NONE' where the target is reached, or where
-    nothing but softness keeps the chain off."""
+    """(what is left, why, of check_results.WHY) of a Report, or of None.
+
+    'NONE' where the target is reached, or where nothing but softness keeps the chain off.
+    """
     if is_animated(entry):
         return 0.0, 'ANIMATED'
     if found is None or found.reason in reasons.UNWANTED:

@@ -61,8 +61,11 @@ class Clip:
         return self._found("pose", frame, lambda: self.native.pose(frame, self.given(frame)))
 
     def laps(self, begin, end, reference):
-        """What LayerStack.solve() wants of bones that go around; None without any. begin, end: of what is played, as it is played.
-        reference: frame of the reference; None if that is no pose of the action."""
+        """What LayerStack.solve() wants of bones that go around; None without any.
+
+        begin, end: of what is played, as it is played. reference: frame of the reference; None if that is no pose of the
+        action.
+        """
         if not self.native.spins:
             return None
         start = begin if reference is None else reference

@@ -101,8 +101,10 @@ def remove_from_mask(rig, index, place):
 
 
 def slot_of(rig, action):
-    """Identifier of the slot by which a layer plays an action: the rig's own one, or one of its name, that animates its bones;
-    else ""."""
+    """Identifier of the slot by which a layer plays an action.
+
+    The rig's own one, or one of its name, that animates its bones; else "".
+    """
     if action is None or not capabilities.has_slotted_actions():
         return ""
     own, bones = actions.slot_identifier(rig), rig.data.bones.keys()

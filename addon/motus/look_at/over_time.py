@@ -68,7 +68,7 @@ class _Head:
         return together((self._target is not None, self.inputs.stamp))
 
     def turns(self, times):
-        """(n, bones, 4)"""
+        """Quaternions, (n, bones, 4)."""
         return once(self._owner, ("look_at", self._index), times, lambda: self._solved(times))
 
     def _solved(self, times):

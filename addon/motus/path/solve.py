@@ -87,8 +87,10 @@ def _mirrored(context):
 
 
 def _turn_mirrored(rotations, which, settings):
-    """Of a mirrored object Blender's constraints take the rotation for that of a matrix whose axes all point the opposite way: half a
-    turn about the axis across brings forward and up to where they belong."""
+    """Turn mirrored members by half a turn about the axis across, which brings forward and up to where they belong.
+
+    Of a mirrored object Blender's constraints take the rotation for that of a matrix whose axes all point the opposite way.
+    """
     across = ({"X", "Y", "Z"} - {chosen(settings, name)[-1] for name in ("forward_axis", "up_axis")}).pop()
     half_turn = np.array(HALF_TURNS[across])
     for index in which:

@@ -36,8 +36,10 @@ def node(brush):
 
 
 def samples(brush, count=CURVE_SAMPLES):
-    """Forces at equal steps from the radius to the root: float32 (count,). Smooth, as ensure() makes it, where there is no
-    curve yet."""
+    """Forces at equal steps from the radius to the root: float32 (count,).
+
+    Smooth, as ensure() makes it, where there is no curve yet.
+    """
     steps = np.linspace(0.0, 1.0, count)
     found = node(brush)
     if found is None:

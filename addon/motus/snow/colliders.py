@@ -61,8 +61,10 @@ def parts(settings, scene, left_out=()):
 
 
 def record(emitter, view_layer):
-    """Let flakes land on the colliders as they are now, whatever these do later. Returns whether there were any faces; if not,
-    what was recorded before stays."""
+    """Let flakes land on the colliders as they are now, whatever these do later.
+
+    Returns whether there were any faces; if not, what was recorded before stays.
+    """
     settings = emitter.motus.snow
     # Colliders are evaluated for flakes that land on them.
     before, settings.recorded = pointed(settings, "recorded"), None

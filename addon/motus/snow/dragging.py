@@ -52,8 +52,10 @@ def places(emitter):
 
 
 def pick(emitter, region, matrix, mouse, near):
-    """(setting, place in the world, place in the region) of the handle nearest to a place of the region, `near` pixels at most; or
-    None. matrix: the view's perspective matrix."""
+    """(setting, place in the world, place in the region) of the handle nearest to a place of the region.
+
+    None if there is none within `near` pixels. matrix: the view's perspective matrix.
+    """
     settings, points = places(emitter)
     best = None
     for setting, point in zip(settings, points):

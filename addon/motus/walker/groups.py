@@ -66,8 +66,11 @@ def _channels(owner, body):
 
 
 class Noted(NamedTuple):
-    """What a group notes. legs: those of the members, rising. bones: rows of the members that are bones. lacks: how many legs have no
-    foot. is_bodiless: whether the body that is named is not there."""
+    """What a group notes.
+
+    legs: those of the members, rising. bones: rows of the members that are bones. lacks: how many legs have no foot.
+    is_bodiless: whether the body that is named is not there.
+    """
 
     legs: Any
     bones: Any

@@ -52,8 +52,11 @@ EVER = -math.inf, math.inf
 
 
 class Poses(NamedTuple):
-    """Where the body is over time. digest: of the samples, which is the same in the viewport and on each frame of a render. known:
-    (first, last) frame up to which it goes on as the samples say."""
+    """Where the body is over time.
+
+    digest: of the samples, which is the same in the viewport and on each frame of a render. known: (first, last) frame up to
+    which it goes on as the samples say.
+    """
 
     digest: bytes
     seconds: Any
@@ -81,8 +84,11 @@ class Numbers(NamedTuple):
 
 
 class Plan(NamedTuple):
-    """walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from.
-    has_problems: whether walker.problems has any."""
+    """A walk that is planned.
+
+    walker: the native Walker. fault: Problem or None. known: as of Poses. stamp: of all that the plan was made from.
+    has_problems: whether walker.problems has any.
+    """
 
     walker: Any
     fault: Any

@@ -1,5 +1,8 @@
-"""Owners wired as version 1 of the wiring did it where no hub was needed: solver and outbox on the owner itself, Limit and
-Transformation constraints on what it drives, an anchor. Files may still hold such."""
+"""Owners wired as version 1 of the wiring did it where no hub was needed.
+
+Solver and outbox on the owner itself, Limit and Transformation constraints on what it drives, an anchor. Files may still
+hold such.
+"""
 
 import json
 

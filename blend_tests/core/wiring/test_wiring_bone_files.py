@@ -1,5 +1,7 @@
-"""Driven rigs in other files and other Blenders: reopened, appended, linked, overridden, without Auto Run, without the
-add-on."""
+"""Driven rigs in other files and other Blenders.
+
+Reopened, appended, linked, overridden, without Auto Run, without the add-on.
+"""
 
 import json
 

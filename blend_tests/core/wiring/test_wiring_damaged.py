@@ -1,5 +1,7 @@
-"""Files in which what Motus keeps was changed by somebody else: nothing crashes, nothing raises, the panel says so, and
-Refresh and Remove repair it."""
+"""Files in which what Motus keeps was changed by somebody else.
+
+Nothing crashes, nothing raises, the panel says so, and Refresh and Remove repair it.
+"""
 
 import random
 

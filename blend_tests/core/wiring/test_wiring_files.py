@@ -1,5 +1,7 @@
-"""Wired scenes in other files and other Blenders: reopened, appended, linked, overridden, without Auto Run, without the
-add-on, rendered."""
+"""Wired scenes in other files and other Blenders.
+
+Reopened, appended, linked, overridden, without Auto Run, without the add-on, rendered.
+"""
 
 import json
 import subprocess

@@ -1,5 +1,7 @@
-"""Files in which owners carry their solvers themselves, as an older version wired them: they go on working, and what is local
-is wired as today when the file is opened."""
+"""Files in which owners carry their solvers themselves, as an older version wired them.
+
+They go on working, and what is local is wired as today when the file is opened.
+"""
 
 from unittest import mock
 

@@ -1,4 +1,7 @@
-"""Tests of the binding, without Blender: ./motus python native/tests/python/run.py [PATTERN...]"""
+"""Tests of the binding, without Blender.
+
+./motus python native/tests/python/run.py [PATTERN...]
+"""
 
 import sys
 from pathlib import Path

@@ -76,8 +76,9 @@ def world_matrix(target, bone=""):
 
 
 def blend(found, entries, further, off):
-    """Replace targets by the mixture of two of them, where an entry's blend says so; one that is missing counts as the one
-    before it.
+    """Replace targets by the mixture of two of them, where an entry's blend says so.
+
+    One that is missing counts as the one before it.
 
     An entry whose own target is missing is off until its blend has left that. Returns whether another one is missing.
     """

@@ -38,8 +38,10 @@ def set_positions(mesh, flat, moved=None):
 
 
 def own_positions(mesh):
-    """The mesh's own memory, float32 (n, 3), to be written at once; None where this Blender gives no way to it, or for a
-    mesh without vertices."""
+    """The mesh's own memory, float32 (n, 3), to be written at once.
+
+    None where this Blender gives no way to it, or for a mesh without vertices.
+    """
     attribute = mesh.attributes.get("position")
     if attribute is None or not len(attribute.data):
         return None

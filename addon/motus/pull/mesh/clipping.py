@@ -6,8 +6,11 @@ from ...core.lazy import numpy as np
 
 
 class Planes(NamedTuple):
-    """Of one modifier: planes across these axes. within: how near to them counts as on them. space: 4x4, from the object's space to
-    that of the planes; None where these are alike."""
+    """Of one modifier: planes across these axes.
+
+    within: how near to them counts as on them. space: 4x4, from the object's space to that of the planes; None where these
+    are alike.
+    """
 
     axes: tuple
     within: float

@@ -88,8 +88,10 @@ class ObjectMesh:
         return arrays.group_weights(self.mesh, group.index)
 
     def write(self, positions, moved=None):
-        """Put positions (n, 3) into the mesh and tag it. moved: indices of those that differ, in any
-        order; all, if None."""
+        """Put positions (n, 3) into the mesh and tag it.
+
+        moved: indices of those that differ, in any order; all, if None.
+        """
         flat = positions.reshape(-1)
         if self.key is None:
             arrays.set_positions(self.mesh, flat, moved)

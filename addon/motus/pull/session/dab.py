@@ -203,8 +203,10 @@ class Session:
         return self.repeat(Done('DRAG', vertex, local, self.brush.radius), write)
 
     def smooth(self, vertex, strength=0.5, pressure=1.0, write=True):
-        """Even the surface out around a vertex; what is pulled afterwards starts from the result, whether or not it
-        accumulates. False where there is nothing to do."""
+        """Even the surface out around a vertex.
+
+        What is pulled afterwards starts from the result, whether or not it accumulates. False where there is nothing to do.
+        """
         brush = self.brush
         if brush.use_pressure_strength:
             strength *= pressure
@@ -322,9 +324,9 @@ class Session:
         self._changed(changed, write, room)
 
     def _pull(self, dab, write, is_on_top):
-        """Let what is current be what a dab makes of it, or of the base, by one pass over all vertices or by the tree,
-        whichever takes less time.
+        """Let what is current be what a dab makes of it, or of the base.
 
+        One pass over all vertices does it or the tree, whichever takes less time.
         Returns (what has moved, or None for all, the mesh's memory where that is filled too).
         """
         numbers = dab.vertex, dab.displacement, self.brush, dab.radius
@@ -387,8 +389,11 @@ class Session:
         return self.mesh.room() if write else None
 
     def _changed(self, parts, write, room=None, at_most=math.inf):
-        """parts: lists of indices; None among them means all. room: of the mesh, which has been filled with what is
-        current. at_most: how far a vertex has moved, in the object."""
+        """Let the mesh and the trees know what has moved.
+
+        parts: lists of indices; None among them means all. room: of the mesh, which has been filled with what is current.
+        at_most: how far a vertex has moved, in the object.
+        """
         self._is_fresh = False
         for moved in parts:
             self._surface.moved(moved, at_most)

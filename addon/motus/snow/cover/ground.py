@@ -13,8 +13,11 @@ KEPT = 3
 
 
 class Ground(NamedTuple):
-    """collider: the native SnowCollider of the surfaces and what shelters them. layer: the SnowLayer of the surfaces alone,
-    whose vertices come first among the vertex_count ones of the collider."""
+    """What snow lies on.
+
+    collider: the native SnowCollider of the surfaces and what shelters them. layer: the SnowLayer of the surfaces alone,
+    whose vertices come first among the vertex_count ones of the collider.
+    """
 
     collider: Any
     layer: Any

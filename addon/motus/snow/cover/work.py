@@ -33,8 +33,11 @@ LESS_SMOOTH = Problem(
 
 
 class Fall(NamedTuple):
-    """What falls from one emitter. keywords: of flakes.made(). count: of flakes, about. end: seconds of its time, which starts at a
-    frame, up to which flakes count."""
+    """What falls from one emitter.
+
+    keywords: of flakes.made(). count: of flakes, about. end: seconds of its time, which starts at a frame, up to which
+    flakes count.
+    """
 
     keywords: tuple
     acceleration: tuple

@@ -16,6 +16,8 @@ INTERFACE = {
     "Settings copied to 1 other": "Ajustes copiados a 1 más",
     "Settings copied to {count} others": "Ajustes copiados a {count} más",
     "Chosen Entry": "Entrada elegida",
+    "Build an example of a system in a new scene and show it; your own scenes stay as they are":
+        "Crea un ejemplo de un sistema en una escena nueva y lo muestra; las escenas propias quedan como están",
     "Demo Scene": "Escena de demostración",
     "X, Y or Z locks an axis, Shift is precise, a number sets the length; Esc or the right button cancels":
         "X, Y o Z fija un eje, Mayús da precisión, un número da la longitud; Esc o el botón derecho cancela",
