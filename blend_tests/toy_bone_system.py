@@ -213,7 +213,7 @@ def new_rig(name="Rig", chains=2, length=2):
 
 
 def chain_name(chain):
-    """"A", "B", ..., "A1", ..."""
+    """Name of a chain: "A", "B", ..., "A1", ..."""
     return chr(ord("A") + chain % 26) + (str(chain // 26) if chain >= 26 else "")
 
 
