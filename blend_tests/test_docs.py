@@ -336,7 +336,7 @@ class LabelsTest(support.SceneTestCase):
 
 def labels_shown(folder, settings):
     """What the rows of a system's panels call the settings below bpy.types.Object.motus; what is an operator's alone is left out."""
-    core, rows, groups = support.addon("core.rows"), [], {}
+    core, rows, groups = support.addon("core.interface.rows"), [], {}
 
     def gather_rows(thing):
         if isinstance(thing, tuple):

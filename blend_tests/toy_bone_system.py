@@ -10,9 +10,9 @@ import support
 import toy_system
 from mathutils import Matrix, Quaternion
 
-core = support.addon("core.system")
+core = support.addon("core.declare")
 settings = support.addon("core.settings")
-dependencies = support.addon("core.dependencies")
+dependencies = support.addon("core.wiring.attaching.levels")
 
 solve_calls = 0
 """How often solve() was called."""

@@ -3,7 +3,7 @@
 import bpy
 import support
 
-core = support.addon("core.system")
+core = support.addon("core.declare")
 settings = support.addon("core.settings")
 NO_TARGET = core.Problem("The dials need a target")
 

@@ -6,7 +6,7 @@ import numpy as np
 import support
 import toy_points_system as sparks
 
-core = support.addon("core.system")
+core = support.addon("core.declare")
 
 
 def sheet(frame, origin):

@@ -9,7 +9,7 @@ import bpy
 import numpy as np
 import support
 
-core = support.addon("core.system")
+core = support.addon("core.declare")
 settings = support.addon("core.settings")
 TRAIL, TRAIL_POINTS = 0.3, 4
 

@@ -3,7 +3,7 @@
 import bpy
 import support
 
-core = support.addon("core.system")
+core = support.addon("core.declare")
 settings = support.addon("core.settings")
 NO_GROUND = core.Problem("There is no ground to rest on")
 

@@ -7,9 +7,9 @@ import bpy
 import support
 from mathutils import Matrix, Quaternion, Vector
 
-core = support.addon("core.system")
+core = support.addon("core.declare")
 settings = support.addon("core.settings")
-dependencies = support.addon("core.dependencies")
+dependencies = support.addon("core.wiring.attaching.levels")
 NO_TARGET = core.Problem("Nothing to sway with")
 
 

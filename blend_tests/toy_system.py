@@ -10,9 +10,9 @@ import bpy
 import support
 from mathutils import Euler, Quaternion, Vector
 
-core = support.addon("core.system")
+core = support.addon("core.declare")
 settings = support.addon("core.settings")
-deleted = support.addon("core.deleted")
+deleted = support.addon("core.file.deleted")
 TILT = Euler((0.3, -0.2, 0.1)).to_quaternion()
 STEP = 0.25
 

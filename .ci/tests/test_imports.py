@@ -42,7 +42,7 @@ class Imports(unittest.TestCase):
     def test_all_are_seen(self):
         self.assertGreater(len(self.graph), 100)
         self.assertIn("core.wiring", self.graph["core.settings"])
-        self.assertIn("core.lazy", self.graph["core.curves"])
+        self.assertIn("core.lazy", self.graph["path.curves"])
 
     def test_no_circle(self):
         try:

@@ -42,7 +42,7 @@ def key(rig, name, seed):
     generator = np.random.default_rng(seed)
     rig.animation_data_clear()
     rig.pose.bones[0].keyframe_insert("location", frame=1)
-    bag = support.addon("core.actions").assign_copy(rig, name)
+    bag = support.addon("core.blender.actions").assign_copy(rig, name)
     for curve in list(bag.fcurves):
         bag.fcurves.remove(curve)
     for bone in rig.pose.bones:

@@ -116,7 +116,7 @@ def filmed_of(pictures, folder, fps):
     scene.frame_start, scene.frame_end, scene.render.fps = 1, len(pictures), fps
     image.source = 'SEQUENCE'
     compositor = support.addon("chroma.compositor")
-    nodes = support.addon("core.node_groups")
+    nodes = support.addon("core.blender.node_groups")
     tree = compositor.prepared(scene, scene.motus.chroma)
     node = nodes.add_node(tree, "CompositorNodeImage")
     node.image, node.frame_duration, node.frame_start = image, len(pictures), 1

@@ -10,8 +10,8 @@ import support
 
 compositor = support.addon("chroma.compositor")
 settings = support.addon("chroma.settings")
-capabilities = support.addon("core.capabilities")
-nodes = support.addon("core.node_groups")
+capabilities = support.addon("core.blender.capabilities")
+nodes = support.addon("core.blender.node_groups")
 
 
 def footage(folder, color=cases.GREEN, size=(60, 40), name="footage.png"):

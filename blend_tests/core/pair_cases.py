@@ -92,7 +92,7 @@ def add(system, kind, beside=""):
 
 def sentences(owner):
     """What panels say is wrong: all problems of the owner's systems."""
-    wiring, registered = support.addon("core.wiring"), support.addon("core.system").registered
+    wiring, registered = support.addon("core.wiring"), support.addon("core.declare").registered
     depsgraph = bpy.context.evaluated_depsgraph_get()
     found = [wiring.problem(system, owner, depsgraph) for name, system in registered.items()
              if hasattr(system, "solve") and getattr(getattr(owner.motus, name, None), "is_active", False)]
@@ -158,7 +158,7 @@ def _mesh():
 def _rig():
     rig = look_at_cases.build_rig(BONES, "Owner")
     walk = layer_cases.turning("Walk", layer_cases.WALKING, 1, 40)
-    actions = support.addon("core.actions")
+    actions = support.addon("core.blender.actions")
     actions.assign(rig, walk, actions.slots_for_objects(walk)[0].identifier if hasattr(walk, "slots") else "")
     return rig
 

@@ -36,7 +36,7 @@ def numbers(group, stands, path=""):
 
 def owners():
     """(system, owner) of the file."""
-    declared = support.addon("core.system")
+    declared = support.addon("core.declare")
     return [(system, obj) for system in declared.systems() for obj in bpy.data.objects if declared.is_owner(system, obj)]
 
 
@@ -93,7 +93,7 @@ class WrongNumbersTest(support.SceneTestCase):
             stands[name] = value
 
     def test_the_panel_says_so(self):
-        wiring, system = support.addon("core.wiring"), support.addon("core.system").registered["layers"]
+        wiring, system = support.addon("core.wiring"), support.addon("core.declare").registered["layers"]
         puppet = bpy.data.objects["Puppet"]
         puppet.motus.layers.entries[0].feather = 1
         entry = stored(puppet)["layers"]["entries"][0]
@@ -109,7 +109,7 @@ class WrongNumbersTest(support.SceneTestCase):
 class FiniteTest(support.SceneTestCase):
     @support.in_one_blender
     def test_arrays(self):
-        finite = support.addon("core.wiring.finite")
+        finite = support.addon("core.measures.finite")
         for dtype in (np.float32, np.float64):
             self.assertTrue(finite.is_finite(np.full((3, 4), 1e30, dtype)))
             self.assertTrue(finite.is_finite(np.zeros((0, 3), dtype)))
@@ -121,5 +121,5 @@ class FiniteTest(support.SceneTestCase):
 
     @support.in_one_blender
     def test_influences(self):
-        share = support.addon("core.wiring.finite").share
+        share = support.addon("core.measures.finite").share
         self.assertEqual([share(value) for value in (math.nan, -1.0, 0.25, 7.0, math.inf)], [0.0, 0.0, 0.25, 1.0, 1.0])

@@ -5,7 +5,7 @@ import weakref
 import bpy
 import support
 
-copies = support.addon("core.copies")
+copies = support.addon("core.evaluated.copies")
 
 
 class Held:
@@ -100,7 +100,7 @@ class CopiesTest(support.SceneTestCase):
         """Also when keys are added to an action that was there."""
         self.thing.keyframe_insert("location", frame=1)
         self.assertFalse(copies.of(self.evaluated()).has_animated_settings)
-        for curve in support.addon("core.actions").fcurves(self.thing)[:1]:
+        for curve in support.addon("core.blender.actions").fcurves(self.thing)[:1]:
             curve.keyframe_points.insert(5, 1.0)
         self.thing.motus.path.keyframe_insert("influence", frame=1)
         self.assertTrue(copies.of(self.evaluated()).has_animated_settings)

@@ -7,7 +7,7 @@ class Labels(support.SceneTestCase):
         super().setUp()
         self.obj = bpy.data.objects.new("Cube", bpy.data.meshes.new("Cube"))
         bpy.context.scene.collection.objects.link(self.obj)
-        self.label_of = support.addon("core.datablocks").label_of
+        self.label_of = support.addon("core.blender.datablocks").label_of
 
     def test_channels(self):
         self.assertEqual(self.label_of(self.obj, "location", 2), "Location Z")

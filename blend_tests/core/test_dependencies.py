@@ -6,7 +6,7 @@ import toy_bone_system
 import toy_system
 from core.wiring.bone_cases import BoneTestCase, drive
 
-dependencies = support.addon("core.dependencies")
+dependencies = support.addon("core.wiring.attaching.levels")
 wiring = support.addon("core.wiring")
 
 
@@ -251,7 +251,7 @@ class GroupDataTest(BoneTestCase):
             seen["group"] = context.group
             return None
 
-        core = support.addon("core.system")
+        core = support.addon("core.declare")
         system = dataclasses.replace(
             toy_bone_system.SYSTEM, solve=solve,
             groups=lambda owner: (core.Group(key="b", data=data, members=(

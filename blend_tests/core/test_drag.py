@@ -21,7 +21,7 @@ class GoneTest(unittest.TestCase):
     def test_the_drag_ends_and_says_why(self):
         for event in (types.SimpleNamespace(type='ESC', value='PRESS'), types.SimpleNamespace(type='LEFTMOUSE', value='RELEASE')):
             texts, reports = [], []
-            drag = support.addon("core.drag").PointDrag()
+            drag = support.addon("core.interface.dragging.drag").PointDrag()
             drag._held, drag._has_moved, drag._finish = Gone(), True, lambda _context: Gone().restore()
             drag._travel = types.SimpleNamespace(
                 is_confirmed_by=lambda _event: False,

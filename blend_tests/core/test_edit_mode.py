@@ -143,13 +143,13 @@ class Curves(PathTestCase):
         begin(curve)
         for height in (2.0, 4.0):
             bpy.ops.transform.translate(value=(0.0, 0.0, 2.0))
-            lines, = support.addon("core.overlay").batches(bpy.context)
+            lines, = support.addon("core.interface.overlay").batches(bpy.context)
             np.testing.assert_allclose(lines.points[:, 2], height, atol=1e-5)
         end()
 
     def test_what_is_not_edited_is_read_once(self):
         """Playing on in Object Mode reads a curve once for each copy of it, as before."""
-        curves = support.addon("core.curves")
+        curves = support.addon("path.curves")
         self.line(9.0)
         car, read = self.follow(timing='SPEED', speed=1.0), []
         self.at(car, 1)

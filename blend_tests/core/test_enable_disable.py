@@ -194,7 +194,7 @@ class LiveSceneTest(support.SceneTestCase):
         """Editors that list an F-curve switch it off where they do not find what it animates."""
         keyed = bpy.data.objects["Keyed"]
         support.disable()
-        for curve in support.addon("core.actions").fcurves(keyed):
+        for curve in support.addon("core.blender.actions").fcurves(keyed):
             curve.is_valid = False
             self.assertFalse(curve.is_valid)
         self.scrub()
@@ -273,7 +273,7 @@ class ClearedTest(unittest.TestCase):
         self.assert_goes_and_comes()
 
     def test_draw_handlers(self):
-        overlay, cursor = support.addon("core.overlay"), support.addon("pull.window.cursor")
+        overlay, cursor = support.addon("core.interface.overlay"), support.addon("pull.window.cursor")
         bpy.types.SpaceView3D.draw_handler_remove(overlay._handler[0], 'WINDOW')
         bpy.types.WindowManager.draw_cursor_remove(cursor._handle[0])
         self.assert_goes_and_comes()

@@ -6,10 +6,10 @@ import bpy
 import live_scenes
 import support
 
-core = support.addon("core.operators")
-panels = support.addon("core.panels")
-system = support.addon("core.system")
-over_frames = support.addon("core.over_frames")
+core = support.addon("core.interface.operators")
+panels = support.addon("core.interface.panels")
+system = support.addon("core.declare")
+over_frames = support.addon("core.interface.over_frames")
 package = support.addon().__name__
 
 
@@ -301,7 +301,7 @@ class Menus(support.SceneTestCase):
 
     def setUp(self):
         super().setUp()
-        self.menus = support.addon("core.menus")
+        self.menus = support.addon("core.interface.menus")
 
     def draw(self, kind):
         layout = Layout()
@@ -459,7 +459,7 @@ class Baked(support.SceneTestCase):
             self.assertEqual(on, ["motus.unbake"] if is_main else [])
             if is_main:
                 self.assertIn("Baked 3-7", layout.named("label"))
-        overlay = support.addon("core.overlay")
+        overlay = support.addon("core.interface.overlay")
         if owner_system.overlay is not None:
             for other in system.registered.values():
                 if other.overlay is not None:

@@ -56,7 +56,7 @@ def counting():
 
 def owners():
     """(system, owner) of the file."""
-    declared = support.addon("core.system")
+    declared = support.addon("core.declare")
     for name, system in declared.registered.items():
         if isinstance(system, declared.System):
             for obj in bpy.data.objects:
@@ -96,7 +96,7 @@ def values(group, name):
 
 def is_keyed(owner, path):
     """Whether the scene keys a setting already."""
-    actions = support.addon("core.actions")
+    actions = support.addon("core.blender.actions")
     return any(curve.data_path == path for player in actions.players(owner) for curve in actions.curves_of(player))
 
 

@@ -61,9 +61,9 @@ def steps_that_raise(error, after, closed):
 
 
 def operators():
-    return (support.addon("core.bake.operators").MOTUS_OT_bake, support.addon("ik.checking.operators").MOTUS_OT_ik_check,
+    return (support.addon("core.interface.baking").MOTUS_OT_bake, support.addon("ik.checking.operators").MOTUS_OT_ik_check,
             support.addon("ik.matching.operators").MOTUS_OT_ik_match_fk,
-            support.addon("core.tracks.operators").MOTUS_OT_track_record)
+            support.addon("core.interface.tracks.operators").MOTUS_OT_track_record)
 
 
 class TidyTest(unittest.TestCase):
@@ -130,7 +130,7 @@ class ProgressTest(unittest.TestCase):
 
     def setUp(self):
         self.now = 0.0
-        module = support.addon("core.over_frames")
+        module = support.addon("core.interface.over_frames")
         clock = module.time
         module.time = types.SimpleNamespace(perf_counter=lambda: self.now)
         self.addCleanup(setattr, module, "time", clock)

@@ -77,7 +77,7 @@ class Pairs(support.SceneTestCase):
     def test_an_edited_layer_is_followed(self):
         owner, _ = self.made("rig", "layers", "dynamics")
         before = cases.seen((20,))
-        for curve in support.addon("core.actions").curves_for_object(bpy.data.actions["Wave"]):
+        for curve in support.addon("core.blender.actions").curves_for_object(bpy.data.actions["Wave"]):
             if "UpperArm" in curve.data_path:
                 for point in curve.keyframe_points:
                     point.co.y *= 0.5 if curve.array_index else 1.0

@@ -7,9 +7,9 @@ import live_scenes
 import numpy as np
 import support
 
-actions = support.addon("core.actions")
+actions = support.addon("core.blender.actions")
 history = support.addon("drivers.history")
-solving = support.addon("core.wiring.solving")
+solving = support.addon("core.wiring.solving.solving")
 
 FRAME, AWAY = 25, 60
 READERS = {

@@ -17,7 +17,7 @@ def spaces():
 class Kept(support.SceneTestCase):
     def setUp(self):
         super().setUp()
-        self.viewports = support.addon("core.viewports")
+        self.viewports = support.addon("core.interface.view.viewports")
         self.addCleanup(self.viewports.PerViewport.of_all, self.viewports.PerViewport.clear)
 
     def camera(self, name):

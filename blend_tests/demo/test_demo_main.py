@@ -75,7 +75,7 @@ class MainScene(unittest.TestCase):
 
     def test_nothing_is_wrong(self):
         """No panel has anything to complain about, in the middle of the walk and of the flight."""
-        wiring, systems = support.addon("core.wiring"), support.addon("core.system").systems()
+        wiring, systems = support.addon("core.wiring"), support.addon("core.declare").systems()
         for frame in (30, 150):
             self.scene.frame_set(frame)
             depsgraph = bpy.context.evaluated_depsgraph_get()

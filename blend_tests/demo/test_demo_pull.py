@@ -86,7 +86,7 @@ class PulledFromClay(unittest.TestCase):
         system, depsgraph = support.addon("pull").SYSTEM, bpy.context.evaluated_depsgraph_get()
         for thing in (self.land, self.head):
             self.assertIsNone(wiring.problem(system, thing, depsgraph))
-            keyed = {curve.data_path for curve in support.addon("core.actions").fcurves(thing)}
+            keyed = {curve.data_path for curve in support.addon("core.blender.actions").fcurves(thing)}
             for index, pin in enumerate(thing.motus.pull.pins):
                 with self.subTest(pin=pin.name, of=thing.name):
                     found = wiring.output(system, thing, f"pin{index}", depsgraph)

@@ -258,7 +258,7 @@ class FollowedKeys(DriverTestCase):
 
     def wanted(self, frame, numbers, fps=24.0):
         """By the filter over the F-curve, sampled more finely than the driver does."""
-        curve = support.addon("core.actions").find(self.cube, "location", 0)
+        curve = support.addon("core.blender.actions").find(self.cube, "location", 0)
         frames = [1.0 + part / 32.0 for part in range(32 * 150)]
         track = native().Track(native().SecondOrder(*numbers), [(one - 1.0) / fps for one in frames],
                                [[curve.evaluate(one)] for one in frames])
@@ -281,7 +281,7 @@ class FollowedKeys(DriverTestCase):
         for frame, (own, _) in zip(frames, found):
             if frame in played:
                 self.assertEqual(played[frame], own)
-        curve = support.addon("core.actions").find(self.cube, "location", 0)
+        curve = support.addon("core.blender.actions").find(self.cube, "location", 0)
         curve.keyframe_points[2].co.y = 5.0
         curve.update()
         self.assertAlmostEqual(self.value(45), self.wanted(45, numbers), delta=5e-3)

@@ -29,7 +29,7 @@ def key(thing, path, rows, prefix="", interpolation=None):
         setattr(thing, path, value)
         thing.keyframe_insert(path, frame=frame)
     if interpolation:
-        curves = support.addon("core.actions").fcurves(thing.id_data)
+        curves = support.addon("core.blender.actions").fcurves(thing.id_data)
         for curve in (one for one in curves if one.data_path == prefix + path):
             for point in curve.keyframe_points:
                 point.interpolation = interpolation

@@ -109,7 +109,7 @@ class DynamicsTest(support.SceneTestCase):
         for frame, weight in ((20, 0.0), (28, 1.0)):
             entry.weight = weight
             entry.keyframe_insert("weight", frame=frame)
-        support.addon("core.actions").find(ball, entry.path_from_id("weight")).keyframe_points[0].interpolation = 'LINEAR'
+        support.addon("core.blender.actions").find(ball, entry.path_from_id("weight")).keyframe_points[0].interpolation = 'LINEAR'
         own = np.array(cases.STEP[20])
         np.testing.assert_allclose(cases.place(ball, 24), 0.5 * (full + own), atol=1e-5)
         np.testing.assert_allclose(cases.place(ball, 19.99), cases.own(ball)(np.array([19.99])).locations[0], atol=1e-4)

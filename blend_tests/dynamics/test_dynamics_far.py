@@ -16,7 +16,7 @@ MOST = 50_000
 def repeated(name="Ball"):
     """An empty whose keys are repeated for ever."""
     ball = moved(name, {1: (0.0, 0.0, 0.0), 11: (3.0, 1.0, 0.0), 1 + PERIOD: (0.0, 0.0, 0.0)})
-    for curve in support.addon("core.actions").fcurves(ball):
+    for curve in support.addon("core.blender.actions").fcurves(ball):
         curve.modifiers.new('CYCLES')
         curve.update()
     return ball

@@ -127,7 +127,7 @@ class DynamicsPropertiesTest(support.SceneTestCase):
         self.assertAlmostEqual(value(obj.data, 1), value(obj.data, 40), places=4)
         self.assertGreater(abs(value(obj.data, 1)), 1e-3)
         entry.use_loop, entry.jump = False, 0.3
-        for curve in support.addon("core.actions").fcurves(obj.data):
+        for curve in support.addon("core.blender.actions").fcurves(obj.data):
             for point in curve.keyframe_points:
                 point.interpolation = 'CONSTANT'
         obj.data.update_tag()

@@ -157,7 +157,7 @@ class DynamicsSettingsTest(support.SceneTestCase):
 
     def test_endless_input(self):
         ball = cases.moved(rows={1: (0.0, 0.0, 0.0), 13: (1.0, 0.0, 0.0), 25: (0.0, 0.0, 0.0)})
-        for curve in support.addon("core.actions").fcurves(ball):
+        for curve in support.addon("core.blender.actions").fcurves(ball):
             curve.modifiers.new('CYCLES')
         cases.key(ball, "location", {1: (0.0, 0.0, 0.0)})
         cases.add(ball, style='HEAVY')

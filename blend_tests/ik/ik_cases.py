@@ -154,7 +154,7 @@ def state(obj):
     """All of a rig that a system could leave a trace in."""
     animation = obj.animation_data
     action = animation.action if animation else None
-    curves = support.addon("core.actions").fcurves(obj)
+    curves = support.addon("core.blender.actions").fcurves(obj)
     return {
         "matrix": np.array(obj.matrix_world).tolist(),
         "bones": {bone.name: {

@@ -151,7 +151,7 @@ class Removing(Controls):
         before = len(self.arm_rig.data.bones)
         bpy.ops.motus.ik_remove(object="Rig", remove_controls=True)
         self.assertEqual(len(self.arm_rig.data.bones), before - 2)
-        paths = {curve.data_path for curve in support.addon("core.actions").fcurves(self.arm_rig)}
+        paths = {curve.data_path for curve in support.addon("core.blender.actions").fcurves(self.arm_rig)}
         self.assertEqual(paths, {'pose.bones["Hand"].location'})
 
     def test_they_stay_by_default(self):

@@ -15,7 +15,7 @@ class Copies(IkTestCase):
 
     def setUp(self):
         super().setUp()
-        self.copies = support.addon("core.copies")
+        self.copies = support.addon("core.evaluated.copies")
         self.rig_object = self.crowd()
         self.settings = self.rig_object.motus.ik
         for frame in (1, 2, 3):
@@ -141,7 +141,7 @@ class Copies(IkTestCase):
         other = bpy.data.scenes.new("Other")
         for name in ("Target 2", "Target 0", "Rig", "Target 1"):
             other.collection.objects.link(bpy.data.objects[name])
-        support.addon("core.wiring.attaching").refresh(support.addon("core.system").registered["ik"], self.rig_object)
+        support.addon("core.wiring.attaching.attach").refresh(support.addon("core.declare").registered["ik"], self.rig_object)
         self.assertIn(self.copies.KEY, other)
         expected = self.poses(self.rig_object, 30.5)
         bpy.context.window.scene = other
@@ -184,7 +184,7 @@ class Copies(IkTestCase):
         self.scene.frame_set(2)
 
         def edit():
-            curve = support.addon("core.actions").fcurves(rig)[0]
+            curve = support.addon("core.blender.actions").fcurves(rig)[0]
             curve.data_path, curve.array_index = self.settings.path_from_id() + ".influence", 0
             rig.location.x = 0.0
         self.run_edit(edit)
@@ -248,7 +248,7 @@ class Copies(IkTestCase):
         action = self.rig_object.animation_data.action
 
         def take_away():
-            for curves in support.addon("core.actions").all_fcurves(action):
+            for curves in support.addon("core.blender.actions").all_fcurves(action):
                 for curve in [one for one in curves if "Arm 1" in one.data_path]:
                     curves.remove(curve)
         self.run_edit(take_away)

@@ -52,7 +52,7 @@ class IkOverTime(solved_cases.Solved, IkTestCase):
         for action in bpy.data.actions:
             self.assertEqual(list(action.keys()), [])
         before = solved_cases.world(cup, 24)
-        for curve in support.addon("core.actions").fcurves(self.arm_rig):
+        for curve in support.addon("core.blender.actions").fcurves(self.arm_rig):
             curve.keyframe_points[-1].co.y += 0.5
         bpy.context.view_layer.update()
         edited = solved_cases.world(cup, 24)

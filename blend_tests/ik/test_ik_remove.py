@@ -63,7 +63,7 @@ class Remove(IkTestCase):
         rig.driver_add("motus.ik.entries[2].pole_angle").driver.expression = "0.5"
         bpy.ops.motus.ik_remove(object="Rig", bone="Bone 3")
         self.assertEqual([entry.name for entry in rig.motus.ik.entries], ["Bone 1", "Bone 5"])
-        curves = support.addon("core.actions").fcurves(rig)
+        curves = support.addon("core.blender.actions").fcurves(rig)
         values = {curve.data_path: round(curve.evaluate(1), 6) for curve in curves}
         self.assertEqual(values, {"motus.ik.entries[0].softness": 0.1, "motus.ik.entries[1].softness": 0.3})
         self.assertIn("motus.ik.entries[1].pole_angle", [curve.data_path for curve in rig.animation_data.drivers])
@@ -81,10 +81,10 @@ class Remove(IkTestCase):
         other = rig.copy()
         self.scene.collection.objects.link(other)
         other.animation_data.action = rig.animation_data.action
-        paths = [curve.data_path for curve in support.addon("core.actions").fcurves(other)]
+        paths = [curve.data_path for curve in support.addon("core.blender.actions").fcurves(other)]
         bpy.ops.motus.ik_remove(object="Rig", bone="Bone 1")
-        self.assertEqual([curve.data_path for curve in support.addon("core.actions").fcurves(other)], paths)
-        self.assertEqual([curve.data_path for curve in support.addon("core.actions").fcurves(rig)],
+        self.assertEqual([curve.data_path for curve in support.addon("core.blender.actions").fcurves(other)], paths)
+        self.assertEqual([curve.data_path for curve in support.addon("core.blender.actions").fcurves(rig)],
                          ["motus.ik.entries[0].softness"])
 
     def keyed(self, name="softness"):
@@ -106,7 +106,7 @@ class Remove(IkTestCase):
 
     @staticmethod
     def curves_of(strip):
-        curves = support.addon("core.actions").curves_of(strip)
+        curves = support.addon("core.blender.actions").curves_of(strip)
         return {curve.data_path: round(curve.evaluate(1), 6) for curve in curves}
 
     LEFT = {"motus.ik.entries[0].softness": 0.1, "motus.ik.entries[1].softness": 0.3}
@@ -138,7 +138,7 @@ class Remove(IkTestCase):
         with bpy.data.libraries.load(library, link=True) as (found, chosen):
             chosen.actions = found.actions
         linked, = chosen.actions
-        actions = support.addon("core.actions")
+        actions = support.addon("core.blender.actions")
         actions.assign(rig, linked, actions.slot_identifier(rig))
         strip = rig.animation_data.nla_tracks.new().strips.new("Strip", 1, linked)
         rig.animation_data.action_influence = 0.5

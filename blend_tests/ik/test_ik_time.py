@@ -174,7 +174,7 @@ class Keyed(IkTestCase):
         for frame in (1, 11):
             entry.keyframe_insert("chain_length", frame=frame)
         self.evaluated(rig, 1)
-        curve, = support.addon("core.actions").fcurves(rig)
+        curve, = support.addon("core.blender.actions").fcurves(rig)
         curve.keyframe_points[1].co.y = 4.0  # as in the graph editor, where nobody is told
         problem = lambda: self.wiring.problem(self.system, rig, bpy.context.evaluated_depsgraph_get())  # noqa: E731
         self.evaluated(rig, 11)

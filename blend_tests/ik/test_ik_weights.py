@@ -170,7 +170,7 @@ class Rotation(IkTestCase):
     def test_baking_names_what_keyframes_cannot_hold(self):
         rig = self.arm()
         self.reach("Hand", use_tail=False)
-        job, systems = support.addon("core.bake.job"), [support.addon("core.system").registered["ik"]]
+        job, systems = support.addon("core.bake.job"), [support.addon("core.declare").registered["ik"]]
         self.assertEqual(job.inexact(rig, systems), [])
         self.reach("Hand", use_tail=False, stretch=1.0)
         self.assertIn("Hand", job.inexact(rig, systems))
@@ -214,4 +214,4 @@ def _angle(first, second):
 
 def _curves(rig):
     import support
-    return support.addon("core.actions").fcurves(rig)
+    return support.addon("core.blender.actions").fcurves(rig)

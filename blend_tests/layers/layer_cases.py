@@ -23,8 +23,8 @@ def new_action(name, keys):
     """An action for an object. keys: {(data path, index): [(frame, value), ...]}."""
     action = bpy.data.actions.new(name)
     holder = bpy.data.objects.new(name, None)
-    support.addon("core.actions").assign(holder, action)
-    bag = support.addon("core.actions").assign_copy(holder, name)
+    support.addon("core.blender.actions").assign(holder, action)
+    bag = support.addon("core.blender.actions").assign_copy(holder, name)
     made = holder.animation_data.action
     for (path, index), points in keys.items():
         curve = bag.fcurves.new(path, index=index)
@@ -55,7 +55,7 @@ class LayerTestCase(LookAtTestCase):
     def setUp(self):
         super().setUp()
         self.system = support.addon("layers").SYSTEM
-        self.actions = support.addon("core.actions")
+        self.actions = support.addon("core.blender.actions")
         self.walk, self.throw = turning("Walk", WALKING), turning("Throw", THROWING)
         self.play(self.rig, self.walk)
         bpy.context.view_layer.update()

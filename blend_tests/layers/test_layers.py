@@ -46,7 +46,7 @@ class Masks(LayerTestCase):
         self.assertSameTurn(self.own("LowerArm.L"), walk["LowerArm.L"])
 
     def test_collections(self):
-        if support.addon("core.capabilities").has_bone_collections():
+        if support.addon("core.blender.capabilities").has_bone_collections():
             collection = self.rig.data.collections.new("Arms")
             collection.assign(self.rig.data.bones["UpperArm.L"])
         else:

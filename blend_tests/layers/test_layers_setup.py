@@ -26,7 +26,7 @@ class Add(LayerTestCase):
         self.assertIn("current frame", bpy.ops.motus.layer_add.get_rna_type().properties["start"].description)
 
     def test_the_slot_that_animates_the_rig(self):
-        if not support.addon("core.capabilities").has_slotted_actions():
+        if not support.addon("core.blender.capabilities").has_slotted_actions():
             self.skipTest("actions have no slots")
         action = bpy.data.actions.new("Shot")
         strip = action.layers.new("Layer").strips.new(type='KEYFRAME')

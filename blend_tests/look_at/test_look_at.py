@@ -247,7 +247,7 @@ class Time(LookAtTestCase):
         for frame, weight in ((1, 0.0), (21, 1.0)):
             entry.weight = weight
             entry.keyframe_insert("weight", frame=frame)
-        curve = support.addon("core.actions").find(self.rig, entry.path_from_id("weight"))
+        curve = support.addon("core.blender.actions").find(self.rig, entry.path_from_id("weight"))
         for key in curve.keyframe_points:
             key.interpolation = 'LINEAR'
         for frame in (11, 1, 21, 6):

@@ -261,12 +261,12 @@ class Remove(LookAtTestCase):
         bpy.ops.motus.look_at_remove(object="Two", bone="HeadA")
         self.go(2)
         self.assertEqual([entry.weight for entry in rig.motus.look_at.entries], [0.75])
-        paths = [curve.data_path for curve in support.addon("core.actions").curves_of(strip)]
+        paths = [curve.data_path for curve in support.addon("core.blender.actions").curves_of(strip)]
         self.assertEqual(paths, ["motus.look_at.entries[0].weight"])
 
     @staticmethod
     def curves(rig):
-        return support.addon("core.actions").fcurves(rig)
+        return support.addon("core.blender.actions").fcurves(rig)
 
     def test_baking_and_back(self):
         self.aim(40)

@@ -35,7 +35,7 @@ class KeyedCase(PathTestCase):
         for frame, value in values:
             car.motus.path.speed = value
             car.keyframe_insert("motus.path.speed", frame=frame)
-        self.curve = support.addon("core.actions").find(car, "motus.path.speed")
+        self.curve = support.addon("core.blender.actions").find(car, "motus.path.speed")
         for key in self.curve.keyframe_points:
             key.interpolation = interpolation
         self.curve.update()
@@ -111,7 +111,7 @@ class KeyedSpeed(KeyedCase):
     def test_cost(self):
         car = self.keyed([(1 + 25 * index, 3.0 + index % 4) for index in range(11)], 'BEZIER')
         curve = support.addon("path.keyed").find(car, car.motus.path, "speed")
-        keys = support.addon("core.tracks.keys")
+        keys = support.addon("core.animation.keys")
         best = min(_seconds(lambda: keys.integral(curve, 1.0, 251.0)) for _ in range(20))
         self.assertLess(best, 2e-3, "an order of magnitude above what it should take")
         print(f"250 frames of a keyed speed: {best * 1e3:.3f} ms")
@@ -144,7 +144,7 @@ class FarStart(KeyedCase):
         return result
 
     def integral_from(self, first, last):
-        return self.counted(lambda curve: support.addon("core.tracks.keys").integral(curve, first, last))
+        return self.counted(lambda curve: support.addon("core.animation.keys").integral(curve, first, last))
 
     def cyclic(self, before, after, count=0):
         self.keyed([(10.0, 2.0), (14.25, 30.0), (20.0, 5.0)], 'BEZIER')
@@ -209,7 +209,7 @@ class FarStart(KeyedCase):
         line.use_additive, line.coefficients = True, (0.0, 0.01)
         wanted = 2.0 * (1.0 + 9e5) + 25.0 + 0.5 * 0.01 * (11.0 ** 2 - 9e5 ** 2)
         self.assertAlmostEqual(self.integral_from(-9e5, 11.0) / wanted, 1.0, places=5)
-        self.assertEqual(len(support.addon("core.tracks.keys").bounds(self.curve, -5.0, 5.0)), 11)
+        self.assertEqual(len(support.addon("core.animation.keys").bounds(self.curve, -5.0, 5.0)), 11)
 
     def test_keys_far_apart(self):
         for interpolation in ('LINEAR', 'SINE', 'BEZIER'):
@@ -326,7 +326,7 @@ class ByHand(PathTestCase):
         for frame, value in ((1, 0.0), (25, 0.25)):
             car.motus.path.distance_factor = value
             car.keyframe_insert("motus.path.distance_factor", frame=frame)
-        for key in support.addon("core.actions").find(car, "motus.path.distance_factor").keyframe_points:
+        for key in support.addon("core.blender.actions").find(car, "motus.path.distance_factor").keyframe_points:
             key.interpolation = 'CONSTANT'
         before = self.at(car, 20)
         target = self.at(car, 60)

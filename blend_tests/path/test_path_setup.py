@@ -162,7 +162,7 @@ class Remove(PathTestCase):
 
     def test_nothing_is_left_in_a_file_of_an_older_blender(self):
         """Of whose settings Blender 5 makes a custom property too, which keeps alive what they point to."""
-        if not support.addon("core.capabilities").keeps_settings_apart():
+        if not support.addon("core.blender.capabilities").keeps_settings_apart():
             self.skipTest("settings are one with custom properties")
         self.cubic()
         car = self.follow()

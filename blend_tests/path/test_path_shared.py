@@ -12,7 +12,7 @@ FRAMES = (1, 60, 12.5, 97, 30)
 class SharedTestCase(PathTestCase):
     def setUp(self):
         super().setUp()
-        self.hub_lookup = support.addon("core.wiring.hub_lookup")
+        self.hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
         self.line(20.0)
 
     def cars(self, count=4, **keywords):
@@ -50,14 +50,14 @@ class Sharing(SharedTestCase):
     def test_one_call_a_frame(self):
         self.cars()
         self.at(bpy.data.objects["Car 0"], 3)
-        kind = support.addon("core.wiring.solving").RowsSolver
+        kind = support.addon("core.wiring.solving.solving").RowsSolver
         with mock.patch.object(kind, "solve", autospec=True, side_effect=kind.solve) as solve:
             bpy.context.scene.frame_set(5)
         self.assertEqual(solve.call_count, 1)
 
     def test_same_bits_as_alone(self):
         keywords = {"orientation": 'BANKING', "extend": 'LOOP', "lag_rate": 0.3}
-        rows = support.addon("core.wiring.rows")
+        rows = support.addon("core.wiring.attaching.sharing")
         self.cubic(name="Bend")
         found = []
         for is_shared in (True, False):
@@ -151,13 +151,13 @@ class Leaving(SharedTestCase):
         for frame, offset in ((1, 0.0), (97, 8.0)):
             cars[1].motus.path.offset = offset
             cars[1].keyframe_insert("motus.path.offset", frame=frame)
-        curve = support.addon("core.actions").find(cars[1], "motus.path.offset")
+        curve = support.addon("core.blender.actions").find(cars[1], "motus.path.offset")
         for frame in (60, 25):
             wanted = curve.evaluate(frame) + 1.1 * (frame - 1) / 24
             self.assertAlmostEqual(self.at(cars[1], frame).translation.x, wanted, places=4)
         self.assertFalse(self.is_shared(cars[1]))
         self.assertRuns(cars[2], 1.2, 1.0)
-        support.addon("core.actions").remove(cars[1], ("motus.path.",))
+        support.addon("core.blender.actions").remove(cars[1], ("motus.path.",))
         cars[1].motus.path.offset = 0.5
         self.at(cars[1], 3)
         bpy.context.view_layer.update()

@@ -202,7 +202,7 @@ class Said(PathTestCase):
         car = self.follow()
         car.location.x = -3.0
         bpy.context.view_layer.objects.active = car
-        overlay = support.addon("core.overlay")
+        overlay = support.addon("core.interface.overlay")
         nan = float("nan")
         for name in ("offset", "duration", "speed", "start_frame", "distance_factor", "bank_strength", "gravity", "lag_rate",
                      "influence"):

@@ -19,7 +19,7 @@ def eased(u, ease_in, ease_out):
 
 
 def set_interpolation(car, path, interpolation):
-    for key in support.addon("core.actions").find(car, path).keyframe_points:
+    for key in support.addon("core.blender.actions").find(car, path).keyframe_points:
         key.interpolation = interpolation
 
 

@@ -65,7 +65,7 @@ class EditViews(PathTestCase):
 class Overlay(PathTestCase):
     def setUp(self):
         super().setUp()
-        self.overlay = support.addon("core.overlay")
+        self.overlay = support.addon("core.interface.overlay")
 
     def batches(self, obj):
         for other in self.scene.objects:

@@ -26,7 +26,7 @@ class Clock(PendulumTestCase):
             self.pivot.keyframe_insert(f"motus.pendulum.{name}", frame=frame)
         if interpolation:
             import support
-            curve = support.addon("core.actions").find(self.pivot, f"motus.pendulum.{name}")
+            curve = support.addon("core.blender.actions").find(self.pivot, f"motus.pendulum.{name}")
             for point in curve.keyframe_points:
                 point.interpolation = interpolation
 

@@ -19,7 +19,7 @@ def native():
 
 
 def actions():
-    return support.addon("core.actions")
+    return support.addon("core.blender.actions")
 
 
 def wiring():

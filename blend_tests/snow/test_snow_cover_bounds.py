@@ -68,7 +68,7 @@ class Bounds(CoverTestCase):
         self.assertEqual(state(self.snow_cover), before)
 
     def test_smoothing_has_as_many_rounds_as_a_frame_has_time_for(self):
-        native, bounds = support.addon("core.native").module, support.addon("core.bounds")
+        native, bounds = support.addon("core.native").module, support.addon("core.measures.bounds")
         rounds = []
 
         def made(*arguments, smoothing, **keywords):
@@ -91,7 +91,7 @@ class Bounds(CoverTestCase):
         self.emitter.keyframe_insert("location", frame=1)
         self.emitter.location.x = 1.0
         self.emitter.keyframe_insert("location", frame=50)
-        for curve in support.addon("core.actions").fcurves(self.emitter):
+        for curve in support.addon("core.blender.actions").fcurves(self.emitter):
             curve.modifiers.new('CYCLES')
             curve.update()
         go_to(100)

@@ -45,7 +45,7 @@ class Landing(LandingCase):
         emitter = self.add(collider="Meadow", rate=600.0)
         go_to(100)
         every = flakes(emitter)["position"]
-        bounds, landings = support.addon("core.bounds"), support.addon("snow.landings")
+        bounds, landings = support.addon("core.measures.bounds"), support.addon("snow.landings")
         support.addon("snow.flakes").made.cache_clear()
         emitter.motus.snow.seed += 1
         emitter.motus.snow.seed -= 1
@@ -341,7 +341,7 @@ class Moving(LandingCase):
 
         def scene_time(obj):
             group = bpy.data.node_groups.new("Time", 'GeometryNodeTree')
-            support.addon("core.node_groups").add_sockets(group, (
+            support.addon("core.blender.node_groups").add_sockets(group, (
                 ("Geometry", 'INPUT', "NodeSocketGeometry"), ("Geometry", 'OUTPUT', "NodeSocketGeometry")))
             start, end = group.nodes.new("NodeGroupInput"), group.nodes.new("NodeGroupOutput")
             group.links.new(start.outputs[0], end.inputs[0])

@@ -159,7 +159,7 @@ class Setup(SnowTestCase):
         emitter = self.add(**MANY)
         emitter.select_set(True)
         go_to(30)
-        features = support.addon("core.system").registered.values()
+        features = support.addon("core.declare").registered.values()
         self.assertEqual([one.name for one in features if one.settings and emitter.motus.is_property_set(one.name)], ["snow"])
 
     def test_a_changed_material_survives_another_look(self):
@@ -191,7 +191,7 @@ class Setup(SnowTestCase):
         go_to(40)
         before = instances(emitter)
         wiring().set_points_material(system(), emitter, None)
-        nodes, group = support.addon("core.node_groups"), bpy.data.node_groups.new("Motus Flakes", 'GeometryNodeTree')
+        nodes, group = support.addon("core.blender.node_groups"), bpy.data.node_groups.new("Motus Flakes", 'GeometryNodeTree')
         group["motus_flakes"] = "Motus Flakes"
         nodes.add_sockets(group, (("Flake", 'INPUT', "NodeSocketObject"),))
         older = emitter.modifiers.new("Motus Flakes", 'NODES')

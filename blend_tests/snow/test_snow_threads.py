@@ -26,7 +26,7 @@ class Collections(CoverTestCase):
         emitter = self.add(**FALLING | {"colliders": scenery.name})
         cover = self.cover("", collection=scenery.name)
         go_to(60)
-        gathered, asked = support.addon("core.gathered"), []
+        gathered, asked = support.addon("core.scenery.gathered"), []
         meshes = gathered.meshes
 
         def noted(collection, *arguments):

@@ -363,7 +363,7 @@ class Output(StereoTestCase):
         self.assertEqual((both.interlace_type, both.use_interlace_swap), ('ROW_INTERLEAVED', False))
 
     def test_camera_views_stay_plain(self):
-        views = support.addon("core.viewports").all_spaces()
+        views = support.addon("core.interface.view.viewports").all_spaces()
         self.assertTrue(views)
         views[0].stereo_3d_camera = 'RIGHT'  # as somebody has chosen
         bpy.context.scene.render.use_multiview = False

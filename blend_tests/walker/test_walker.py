@@ -115,7 +115,7 @@ class Steps(cases.WalkerTestCase):
         cases.go_to(50)
         before = cases.plan_of(spider).walker.steps
         self.scene.render.fps_base = 0.5
-        for curve in support.addon("core.actions").fcurves(spider):
+        for curve in support.addon("core.blender.actions").fcurves(spider):
             for point in curve.keyframe_points:
                 point.co.x *= 2.0
             curve.update()

@@ -148,7 +148,7 @@ class Bodies(cases.WalkerTestCase):
 
     def test_no_numbers_in_its_keys(self):
         spider = cases.spider()
-        curve = next(one for one in support.addon("core.actions").fcurves(spider) if one.data_path == "location")
+        curve = next(one for one in support.addon("core.blender.actions").fcurves(spider) if one.data_path == "location")
         curve.keyframe_points[1].co.y = math.nan
         curve.update()
         cases.go_to(50)

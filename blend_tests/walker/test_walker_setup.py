@@ -389,7 +389,7 @@ class Panel(cases.WalkerTestCase):
     def test_keys_are_not_gone_through_at_each_redraw(self):
         spider = cases.spider()
         self.labels(spider)
-        keys = support.addon("core.tracks.keys")
+        keys = support.addon("core.animation.keys")
         with mock.patch.object(keys, "extent", wraps=keys.extent) as asked:
             self.assertIn("Exact at any frame", self.labels(spider))
         self.assertEqual(asked.call_count, 0)

@@ -69,7 +69,7 @@ class Motions(cases.WalkerTestCase):
         spider = cases.spider(ahead=0.0)
         plan = support.addon("walker.plan")
         cases.key_places(spider, {0: (0.0, 0.0, 0.0), 30_000: (0.0, 20_000.0, 0.0)})
-        for curve in support.addon("core.actions").fcurves(spider):
+        for curve in support.addon("core.blender.actions").fcurves(spider):
             for key in curve.keyframe_points:
                 key.interpolation = 'LINEAR'
         cases.go_to(5000)
@@ -87,7 +87,7 @@ class Motions(cases.WalkerTestCase):
                 spider.update_tag()
                 cases.go_to(frame)
                 stamps.add(tracks.world_track(cases.evaluated(spider), self.scene).stamp)
-                self.assertNotIsInstance(cases.plan_of(spider), support.addon("core.system").Problem)
+                self.assertNotIsInstance(cases.plan_of(spider), support.addon("core.declare").Problem)
         self.assertEqual(len(stamps), 2)
         self.assertEqual(made.call_count, 0)
 

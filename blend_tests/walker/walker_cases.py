@@ -127,7 +127,7 @@ def body_of(owner):
 
 def set_raw(owner, name, number):
     """Write into a walker's settings what Blender itself would not take, as a file may hold it."""
-    apart = support.addon("core.capabilities").keeps_settings_apart()
+    apart = support.addon("core.blender.capabilities").keeps_settings_apart()
     (owner.bl_system_properties_get() if apart else owner)["motus"]["walker"][name] = number
     owner.update_tag()
 

@@ -38,7 +38,7 @@ def choose(rig, *names):
 @contextlib.contextmanager
 def noted():
     """{operator: [(words, bones)]} of the buttons that were drawn since; words are "" where the button is grey."""
-    entries, found = support.addon("core.bone_entries"), {}
+    entries, found = support.addon("core.interface.bone_entries"), {}
     draw = entries.draw_add
 
     def noting(layout, identifier, icon, words, bones=()):

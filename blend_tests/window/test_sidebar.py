@@ -55,7 +55,7 @@ def test_messages_fit_into_the_sidebar():
     sidebar, lines = window_support.region('UI'), _Lines()
     with bpy.context.temp_override(window=window_support.window(), area=window_support.area(), region=sidebar):
         for sentence in SENTENCES:
-            support.addon("core.ui").draw_message(lines, sentence, 'INFO')
+            support.addon("core.interface.ui").draw_message(lines, sentence, 'INFO')
     assert " ".join(lines) == " ".join(SENTENCES)
     widest = max(window_support.text_width(line) for line in lines)
     assert widest <= sidebar.width - AROUND * scale, (widest, sidebar.width, lines)

@@ -88,7 +88,7 @@ def open_tab(category):
     yield
     drawn = drawn_panels(category)
     sidebar = region('UI')
-    if support.addon("core.capabilities").has_panel_category():
+    if support.addon("core.blender.capabilities").has_panel_category():
         sidebar.active_panel_category = category
         sidebar.tag_redraw()  # as a click on the tab does; 4.3 does not where a script has chosen it
         yield from until(lambda: drawn)

@@ -42,7 +42,7 @@ def _spider(index, gait):
     for frame, y in ((1 - LAST, -2.0), (LAST, 2.0)):
         spider.location.y = y
         spider.keyframe_insert("location", frame=frame)
-    for curve in support.addon("core.actions").fcurves(spider):
+    for curve in support.addon("core.blender.actions").fcurves(spider):
         for point in curve.keyframe_points:
             point.interpolation = 'LINEAR'
     return spider

@@ -1,6 +1,6 @@
 """Chroma key: footage in front of a green or blue screen over a background, by nodes of the compositor."""
 
-from ..core.system import Feature
+from ..core.declare import Feature
 from . import operators, panel, properties
 
 # Blender's own nodes do the keying: nothing here is solved.

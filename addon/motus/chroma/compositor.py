@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import actions, capabilities, node_groups
+from ..core.blender import actions, capabilities, node_groups
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import footage, group, settings

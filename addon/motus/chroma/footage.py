@@ -7,7 +7,7 @@ from pathlib import Path
 
 import bpy
 
-from ..core import actions
+from ..core.blender import actions
 from ..core.lazy import numpy as np
 from ..core.refusals import Refused
 from ..core.translations import tr

@@ -6,7 +6,7 @@ alpha = clamp(1 - gain m(C) / m(S)), and the foreground C - (1 - alpha) S, premu
 
 import bpy
 
-from ..core import capabilities, node_groups
+from ..core.blender import capabilities, node_groups
 from . import settings
 from .sheet import Sheet
 

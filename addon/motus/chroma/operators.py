@@ -2,9 +2,9 @@
 
 import bpy
 
-from ..core.operators import OBJECT_MODE, Operator
+from ..core.interface.operators import OBJECT_MODE, Operator
+from ..core.interface.rows import Row, Rows, is_given
 from ..core.refusals import Refused, check_finite
-from ..core.rows import Row, Rows, is_given
 from ..core.translations import tr
 from . import analysis, compositor, footage, group, masks, plane, scene_settings, settings, setup, viewing
 from .properties import LIMITS, UNDERNEATH, VIEWS

@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..core import panels, ui
 from ..core.file.pointers import pointed
+from ..core.interface import panels, ui
 from ..core.translations import tr
 from . import analysis, compositor, group, operators, scene_settings, settings, setup, viewing
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import bpy
 from mathutils import Matrix
 
-from ..core import capabilities
+from ..core.blender import capabilities
 from . import footage, group
 
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import datablocks
+from ..core.blender import datablocks
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused
 from ..core.translations import tr

@@ -1,6 +1,6 @@
 """A node group as a sheet of arithmetic: labelled frames from left to right, nodes in columns, and the group's inputs in each frame."""
 
-from ..core import capabilities, node_groups
+from ..core.blender import capabilities, node_groups
 
 _ROWS, _COLUMN, _ROW, _GAP = 7, 220.0, 70.0, 90.0
 MOST_BLUR = 100

@@ -1,7 +1,8 @@
 """The key in the viewport: by the compositor, where Blender has it there, and else on the plane before the camera."""
 
-from ..core import capabilities, viewports
+from ..core.blender import capabilities
 from ..core.file.pointers import pointed
+from ..core.interface.view import viewports
 from . import setup
 
 _COMPOSITOR = "shading.use_compositor"

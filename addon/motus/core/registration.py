@@ -2,8 +2,12 @@
 
 import bpy
 
-from . import (
-    bake, bone_entries, deleted, handlers, menus, overlay, panels, playback, preferences, read_keys, settings, system, teardown, tracks, translations, ui, viewports, wiring)
+from . import bake, declare, settings, tracks, translations, wiring
+from .blender import handlers, teardown
+from .evaluated import read_keys
+from .file import deleted
+from .interface import bone_entries, menus, overlay, panels, preferences, ui
+from .interface.view import playback, viewports
 from .scenery import meshes
 
 _undo = []
@@ -29,8 +33,8 @@ def _register(systems, extra_classes, extra_add_menu):
     # Property groups before the groups that point to them, and all of them before the panels that draw them.
     _register_classes(settings.classes)
     for one in systems:
-        system.registered[one.name] = one
-        _undo.append(lambda name=one.name: system.registered.pop(name))
+        declare.registered[one.name] = one
+        _undo.append(lambda name=one.name: declare.registered.pop(name))
         _register_classes(one.classes)
     _register_classes(
         preferences.classes + ui.classes + bake.classes + tracks.classes + panels.classes_of_core + bone_entries.classes + menus.classes + extra_classes)

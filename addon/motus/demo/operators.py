@@ -4,9 +4,9 @@ from importlib import import_module
 
 import bpy
 
-from ..core.operators import Operator
+from ..core.interface.operators import Operator
+from ..core.interface.rows import Rows
 from ..core.refusals import Refused
-from ..core.rows import Rows
 from ..core.translations import tr
 from .scenes import SCENES
 

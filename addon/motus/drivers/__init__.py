@@ -1,7 +1,7 @@
 """Motion drivers: functions for any driver expression, and operators that put them on any property."""
 
-from ..core import graph
-from ..core.system import Feature
+from ..core.declare import Feature
+from ..core.interface.view import graph
 from . import functions, menu, operators, panel
 
 FEATURE = Feature(

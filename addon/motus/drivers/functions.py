@@ -10,8 +10,10 @@ import math
 import bpy
 from bpy.app.handlers import persistent
 
-from ..core import handlers, native, scene_time
-from ..core.per_thread import keep_state
+from ..core import native
+from ..core.blender import handlers
+from ..core.evaluated.per_thread import keep_state
+from ..core.measures import scene_time
 from ..core.refusals import INFINITE
 from . import history
 

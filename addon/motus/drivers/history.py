@@ -1,7 +1,10 @@
 """The keys of a property, followed by second-order dynamics."""
 
-from ..core import actions, native, read_keys, scene_time, tracks
+from ..core import native, tracks
+from ..core.blender import actions
+from ..core.evaluated import read_keys
 from ..core.lazy import numpy as np
+from ..core.measures import scene_time
 from ..core.refusals import Refused
 from ..core.translations import tr
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import hovered
+from ..core.interface.view import hovered
 from . import expressions
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove
 

@@ -2,8 +2,10 @@
 
 import bpy
 
-from ..core import capabilities, datablocks, hovered, units
-from ..core.operators import Operator
+from ..core.blender import capabilities, datablocks
+from ..core.interface.operators import Operator
+from ..core.interface.view import hovered
+from ..core.measures import units
 from ..core.refusals import Refused, check_finite, check_local
 from ..core.translations import tr
 from . import expressions, history, places, preview

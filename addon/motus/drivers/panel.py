@@ -1,7 +1,8 @@
 """The motion drivers of the active object, and of its data and materials."""
 
-from ..core import native, operators, panels, ui
-from ..core.datablocks import collection_of, label_of
+from ..core import native
+from ..core.blender.datablocks import collection_of, label_of
+from ..core.interface import operators, panels, ui
 from ..core.refusals import Refused
 from . import expressions, history, places, preview
 from .operators import MOTUS_OT_driver_add, MOTUS_OT_driver_remove

@@ -6,7 +6,7 @@ from typing import Any
 
 import bpy
 
-from ..core import datablocks
+from ..core.blender import datablocks
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import expressions

@@ -1,6 +1,8 @@
 """The graph in the dialog of motus.driver_add."""
 
-from ..core import graph, native, ui
+from ..core import native
+from ..core.interface import ui
+from ..core.interface.view import graph
 from ..core.lazy import numpy as np
 from . import expressions
 

@@ -1,6 +1,6 @@
 """Dynamics: objects and bones follow their animation as a mass on a spring does, exact at any frame."""
 
-from ..core.system import System
+from ..core.declare import System
 from . import groups, menu, operators, over_time, panel, presets, properties, solve
 
 SYSTEM = System(

@@ -4,12 +4,14 @@ import functools
 from collections.abc import Sequence
 from typing import Any
 
-from ..core import scene_time, tracks, wiring
+from ..core import tracks, wiring
+from ..core.animation import keys
+from ..core.declare import registered
+from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
+from ..core.measures import scene_time
 from ..core.refusals import Refused
-from ..core.system import registered
-from ..core.tracks import keys, laid, rotations, transforms
-from ..core.tracks.question import answered
+from ..core.tracks import laid, rotations, transforms
 from . import filters, sampling
 from .sampling import Samples
 
@@ -115,7 +117,7 @@ def _span_of(entry, found, scene, reach):
 
 
 def price_of(source):
-    """What a piece of an input costs; see core/bounds.py."""
+    """What a piece of an input costs; see core/measures/bounds.py."""
     return sampling.RATE * sampling.PIECE * sum(track.price for track in source.tracks)
 
 

@@ -2,7 +2,8 @@
 
 import bpy
 
-from ..core import actions, hovered
+from ..core.blender import actions
+from ..core.interface.view import hovered
 from . import setup, targets
 from .operators import MOTUS_OT_dynamics_add, MOTUS_OT_dynamics_remove
 

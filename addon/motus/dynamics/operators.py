@@ -3,7 +3,7 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_OR_POSE_MODE, FindsValues, Operator, object_keyword
+from ..core.interface.operators import OBJECT_OR_POSE_MODE, FindsValues, Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
 from . import filters, rows, setup, styles, targets, told

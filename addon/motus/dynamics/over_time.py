@@ -2,15 +2,17 @@
 
 import functools
 
-from ..core import bounds, entry_keys, native, rigs, scene_time, tracks
+from ..core import native, rigs, tracks
+from ..core.animation.channel import Channel
+from ..core.animation.reason import Reason
+from ..core.animation.strips import together
+from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
+from ..core.measures import bounds, scene_time
+from ..core.settings import entry_keys
 from ..core.tracks import rotations
-from ..core.tracks.animation import Channel
-from ..core.tracks.question import answered
-from ..core.tracks.reason import Reason
 from ..core.tracks.rig_inputs import RigInputs, kept, once, stamp_of
 from ..core.tracks.solved import turned
-from ..core.tracks.strips import together
 from . import groups, inputs, motion, sampling, setup
 from .properties import KEYWORDS
 

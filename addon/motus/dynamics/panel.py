@@ -2,7 +2,9 @@
 
 import bpy
 
-from ..core import bone_entries, graph, native, panels, tracks, ui, widths
+from ..core import native, tracks
+from ..core.interface import bone_entries, panels, ui
+from ..core.interface.view import graph, widths
 from ..core.lazy import numpy as np
 from ..core.translations import OWN_SENSE, counted, tr
 from . import filters, presets, rows, styles, told

@@ -1,8 +1,8 @@
 """Presets of an entry's settings."""
 
-from ..core import presets
-from ..core.bone_entries import selected
-from ..core.presets import Preset
+from ..core.interface import presets
+from ..core.interface.bone_entries import selected
+from ..core.interface.presets import Preset
 from . import filters, styles
 
 ENTRY = "bpy.context.object.motus.dynamics.entries[bpy.context.object.motus.dynamics.active_entry]"

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import bone_entries
+from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import filters, styles
 

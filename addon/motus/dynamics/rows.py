@@ -1,6 +1,6 @@
 """The rows of an entry's settings: in the panels, and for the keywords in the redo panel."""
 
-from ..core.rows import Row, Rows, is_one_of
+from ..core.interface.rows import Row, Rows, is_one_of
 from ..core.translations import OWN_SENSE
 
 

@@ -3,9 +3,9 @@
 import math
 from typing import Any, NamedTuple
 
-from ..core import scene_time
+from ..core.animation.keys import union
 from ..core.lazy import numpy as np
-from ..core.tracks.keys import union
+from ..core.measures import scene_time
 import itertools
 
 RATE = 192.0

@@ -1,7 +1,8 @@
 """Giving dynamics and taking them back: plain functions behind the operators."""
 
-from ..core import datablocks, entries
-from ..core.system import registered
+from ..core.blender import datablocks
+from ..core.declare import registered
+from ..core.settings import entries
 from . import inputs
 
 

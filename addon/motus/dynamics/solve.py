@@ -6,11 +6,15 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ..core import bounds, copies, native, rigs, scene_time, stored, wiring
+from ..core import native, rigs, wiring
+from ..core.animation import strips
+from ..core.declare import Problem, registered, systems
+from ..core.evaluated import copies
+from ..core.evaluated.question import answered
+from ..core.file import stored
 from ..core.lazy import numpy as np
-from ..core.system import Problem, registered, systems
-from ..core.tracks import own_track, strips, transforms, world_track
-from ..core.tracks.question import answered
+from ..core.measures import bounds, scene_time
+from ..core.tracks import own_track, transforms, world_track
 from . import inputs, motion, sampling
 from .groups import LOOPED, MISSING, PLAN, PROPERTIES, Unit
 

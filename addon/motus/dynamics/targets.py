@@ -2,10 +2,14 @@
 
 import re
 
-from ..core import actions, dependencies, libraries, scene_time, wiring
+from ..core import wiring
+from ..core.blender import actions
+from ..core.declare import systems
+from ..core.file import libraries
+from ..core.measures import scene_time
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
-from ..core.system import systems
 from ..core.translations import tr
+from ..core.wiring.attaching import levels
 from . import inputs, setup
 from .groups import unit_reads
 
@@ -176,7 +180,7 @@ def check_no_loop(owner, names, follow):
     for name in names:
         if name and follow == 'WORLD':
             for obj, bone in unit_reads(owner, name):
-                if dependencies.depends(obj, bone, owner, [name]):
+                if levels.depends(obj, bone, owner, [name]):
                     raise Refused(tr("What {bone} hangs on moves with it").format(bone=name))
 
 

@@ -1,6 +1,6 @@
 """Inverse kinematics: chains of bones that reach for targets, with weights, poles, limits, softness and stretch."""
 
-from ..core.system import System
+from ..core.declare import System
 from . import groups, operators, over_time, overlay, panel, presets, properties, solve
 from .checking import operators as checking_operators
 from .dragging import operators as dragging_operators

@@ -3,8 +3,9 @@
 import itertools
 from typing import NamedTuple
 
-from ..core import actions, entry_keys
-from ..core.system import systems
+from ..core.blender import actions
+from ..core.declare import systems
+from ..core.settings import entry_keys
 
 
 class Chain(NamedTuple):

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core import over_frames
+from ..core.interface import over_frames
 from ..core.refusals import check_posed
 from .operators import OfABone
 from .targets import rig_with_ik

@@ -6,10 +6,11 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from ..core import dependencies, rigs
-from ..core.entries import unwired
+from ..core import rigs
+from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.file.pointers import pointed
-from ..core.system import BonesOwn, Entry, Group, Member, Transform
+from ..core.settings.entries import unwired
+from ..core.wiring.attaching import levels
 from . import chains
 
 OUTPUTS = ("residual", "angle", "reason", "distance", "reach")
@@ -44,7 +45,7 @@ def entries(owner):
 
 def groups(owner):
     """One group for the entries of each level: they are solved by one call."""
-    levels = dependencies.levels(owner)
+    levels = levels.levels(owner)
     by_level = {}
     for found in survey(owner):
         level = levels.get(("ik", found.entry.name))

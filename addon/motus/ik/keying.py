@@ -5,10 +5,10 @@ import math
 import bpy
 from mathutils import Euler, Quaternion, Vector
 
-from ..core import actions
 from ..core.bake.sampling import rotation_path
-from ..core.datablocks import Named
-from ..core.frames import assign
+from ..core.blender import actions
+from ..core.blender.datablocks import Named
+from ..core.blender.frames import assign
 from ..core.lazy import numpy as np
 from .curve_cut import SAME_FRAME, around, beside, cut, hold
 

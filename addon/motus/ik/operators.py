@@ -4,10 +4,11 @@ from collections.abc import Sequence
 
 import bpy
 
-from ..core import bone_entries, operators, wiring
+from ..core import wiring
 from ..core.file.pointers import pointed
+from ..core.interface import bone_entries, operators
+from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_evaluated, check_finite, check_local, check_no_tweak_mode
-from ..core.rows import Rows
 from ..core.translations import tr
 from . import chains, rows, setup, status, targets
 from .goals import control_bones, made, placing

@@ -4,13 +4,15 @@ from typing import Any
 
 from mathutils import Matrix
 
-from ..core import deleted, entry_keys, rigs
+from ..core import rigs
+from ..core.animation.strips import together
+from ..core.evaluated.question import answered
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
+from ..core.settings import entry_keys
 from ..core.tracks import rotations
-from ..core.tracks.question import answered
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
-from ..core.tracks.strips import together
 from . import groups, reading
 from .goals import places as goal_places
 from .wired import Wired

@@ -4,10 +4,10 @@ import math
 
 from mathutils import Quaternion
 
-from ..core import deleted
+from ..core.file import deleted
 from ..core.file.pointers import pointed
+from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay, Switch
 from . import chains, status
 from .goals import controls, placing
 from .goals import places as goal_places

@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..core import bone_entries, panels, ui
 from ..core.file.pointers import pointed
+from ..core.interface import bone_entries, panels, ui
 from ..core.translations import tr
 from . import limits_panel, presets, rows, status, targets, tools_panel
 from .setup import system

@@ -1,8 +1,8 @@
 """Presets of a chain's settings."""
 
-from ..core import presets
-from ..core.bone_entries import selected
-from ..core.presets import Preset
+from ..core.interface import presets
+from ..core.interface.bone_entries import selected
+from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 ENTRY = "bpy.context.object.motus.ik.entries[bpy.context.object.motus.ik.active_entry]"

@@ -4,8 +4,8 @@ import math
 
 import bpy
 
-from ..core import bone_entries
 from ..core.file.pointers import to_object
+from ..core.interface import bone_entries
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import chains
 from .checking import results as check_results

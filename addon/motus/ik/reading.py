@@ -6,11 +6,12 @@ the arrays that are there already.
 
 from typing import Any, NamedTuple
 
-from ..core import copies, native, rigs
+from ..core import native, rigs
+from ..core.evaluated import copies
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from .goals import places as goal_places
 from .goals import stations
+from .goals import places as goal_places
 from .groups import PLAN
 from .reasons import MUTED
 from .wired import RigChanged, Wired

@@ -1,7 +1,7 @@
 """The rows of a chain's settings: in the panels, and for the keywords in the redo panel."""
 
 from ..core.file.pointers import pointed
-from ..core.rows import Row, Rows, is_positive
+from ..core.interface.rows import Row, Rows, is_positive
 from ..core.translations import OWN_SENSE
 
 

@@ -1,8 +1,8 @@
 """Inverse kinematics: one call of the native module for all entries of a group."""
 
+from ..core.declare import Problem
+from ..core.file.stored import Damaged
 from ..core.lazy import numpy as np
-from ..core.stored import Damaged
-from ..core.system import Problem
 from . import reading
 from .groups import OUTPUTS
 from .reasons import MUTED

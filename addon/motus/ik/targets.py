@@ -1,6 +1,6 @@
 """What an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-from ..core import deleted, libraries
+from ..core.file import deleted, libraries
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr

@@ -1,6 +1,6 @@
 """The tools of inverse kinematics, as its panels draw them."""
 
-from ..core import ui
+from ..core.interface import ui
 from ..core.translations import tr
 from . import status
 from .checking import results as check_results

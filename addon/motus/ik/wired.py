@@ -1,6 +1,7 @@
 """What is known of a group's chains from when they were wired: it is worked out once, not at every frame."""
 
-from ..core import native, rigs, stored
+from ..core import native, rigs
+from ..core.file import stored
 from ..core.lazy import numpy as np
 from .groups import OUTPUTS
 

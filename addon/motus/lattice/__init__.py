@@ -1,6 +1,6 @@
 """Lattice: fitted around objects or vertices, and pulled by points of what it deforms."""
 
-from ..core.system import Feature
+from ..core.declare import Feature
 from . import operators, panel, properties, pull_operator
 
 # Blender's own modifier does the deforming: nothing here is solved.

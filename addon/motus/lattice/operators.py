@@ -2,9 +2,9 @@
 
 import bpy
 
-from ..core.operators import OBJECT_MODE, OBJECT_OR_EDIT_MODE, Operator, object_keyword, select_only
+from ..core.interface.operators import OBJECT_MODE, OBJECT_OR_EDIT_MODE, Operator, object_keyword, select_only
+from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_finite, named
-from ..core.rows import Rows
 from ..core.translations import tr
 from . import fitting, pulling, removal, targets
 from .properties import FitKeywords

@@ -1,6 +1,6 @@
 """The panel of lattices, in the sidebar's tab and in the object's own properties."""
 
-from ..core import panels, ui
+from ..core.interface import panels, ui
 from ..core.translations import tr
 from . import removal, targets
 

@@ -4,12 +4,12 @@ import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
-from ..core.drag import PointDrag
-from ..core.operators import OBJECT_MODE, Operator
+from ..core.interface.dragging.drag import PointDrag
+from ..core.interface.operators import OBJECT_MODE, Operator
+from ..core.interface.rows import Row, Rows, is_given
+from ..core.interface.ui import length
 from ..core.refusals import Refused, check_finite, named
-from ..core.rows import Row, Rows, is_given
 from ..core.translations import tr
-from ..core.ui import length
 from . import picking, pulling, removal
 
 REACHED = 1e-3

@@ -1,6 +1,6 @@
 """Layers: actions laid over a rig's own animation, each on the bones of a mask, by a weight that can be keyed."""
 
-from ..core.system import System
+from ..core.declare import System
 from . import flattening, groups, list_operators, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(

@@ -2,7 +2,9 @@
 
 import math
 
-from ..core import actions, copies, native, read_keys
+from ..core import native
+from ..core.blender import actions
+from ..core.evaluated import copies, read_keys
 from ..core.lazy import numpy as np
 
 LARGEST_CACHE = 64

@@ -3,12 +3,13 @@
 import bpy
 from mathutils import Matrix
 
-from ..core import actions, rigs
+from ..core import rigs
 from ..core.bake.keys import write_curves
 from ..core.bake.sampling import Track
-from ..core.frames import Kept, depsgraph_of, go_to
-from ..core.operators import OBJECT_OR_POSE_MODE, object_keyword
-from ..core.over_frames import OverFrames
+from ..core.blender import actions
+from ..core.blender.frames import Kept, depsgraph_of, go_to
+from ..core.interface.operators import OBJECT_OR_POSE_MODE, object_keyword
+from ..core.interface.over_frames import OverFrames
 from ..core.refusals import Refused, check_no_tweak_mode, check_posed
 from ..core.translations import tr
 from ..core.wiring import driven_bones

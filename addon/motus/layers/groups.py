@@ -2,9 +2,10 @@
 
 import json
 
-from ..core import dependencies, rigs
-from ..core.system import BonesOwn, Entry, Group, Member, Transform
+from ..core import rigs
+from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.wiring import driven_bones
+from ..core.wiring.attaching import levels
 from . import mask
 
 PLAN = "plan"
@@ -36,7 +37,7 @@ def entries(owner):
 
 def groups(owner):
     """One group for the bones of each level."""
-    driven, levels = driven_bones(owner), dependencies.levels(owner)
+    driven, levels = driven_bones(owner), levels.levels(owner)
     by_level, looped = {0: []}, 0
     found = masked(owner)
     for name in found:

@@ -2,8 +2,8 @@
 
 import bpy
 
+from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_no_tweak_mode
-from ..core.rows import Rows
 from ..core.translations import tr
 from . import setup, targets
 from .operators import MaskKeywords, OfALayer

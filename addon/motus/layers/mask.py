@@ -1,6 +1,6 @@
 """Which bones of a rig the mask of a layer names, and how much of the layer each of them takes."""
 
-from ..core import capabilities
+from ..core.blender import capabilities
 from ..core.lazy import numpy as np
 
 

@@ -2,9 +2,11 @@
 
 import bpy
 
-from ..core import operators, scene_time, wiring
+from ..core import wiring
+from ..core.interface import operators
+from ..core.interface.rows import Row, Rows
+from ..core.measures import scene_time
 from ..core.refusals import check_finite, check_local, check_no_tweak_mode
-from ..core.rows import Row, Rows
 from ..core.translations import tr
 from . import rows, setup, targets
 from .properties import KEYWORDS, LayerKeywords

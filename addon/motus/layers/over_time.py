@@ -2,13 +2,16 @@
 
 import math
 
-from ..core import entry_keys, read_keys, rigs
+from ..core import rigs
+from ..core.animation import keys
+from ..core.animation.strips import together
+from ..core.evaluated import read_keys
+from ..core.evaluated.question import answered
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.tracks import keys, rotations
-from ..core.tracks.question import answered
+from ..core.settings import entry_keys
+from ..core.tracks import rotations
 from ..core.tracks.rig_inputs import RigInputs, SolvedBone, kept, once
-from ..core.tracks.strips import together
 from ..core.tracks.transforms import Own
 from ..core.wiring import driven_bones
 from . import groups, solve

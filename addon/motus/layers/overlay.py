@@ -1,9 +1,9 @@
 """What the viewport shows of the active layer: the bones of its mask in outline, the brighter the more of it they take."""
 
 from ..core import native, rigs
+from ..core.declare import is_owner
+from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay
-from ..core.system import is_owner
 from . import mask, panel
 from .setup import system
 

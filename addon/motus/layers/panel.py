@@ -2,10 +2,11 @@
 
 import bpy
 
-from ..core import capabilities, panels, ui
-from ..core.entries import active
+from ..core.blender import capabilities
+from ..core.declare import is_owner
 from ..core.file.pointers import pointed
-from ..core.system import is_owner
+from ..core.interface import panels, ui
+from ..core.settings.entries import active
 from ..core.translations import tr
 from . import mask, presets, rows
 from .setup import system

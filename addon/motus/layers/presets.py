@@ -1,8 +1,8 @@
 """Presets of a layer's settings."""
 
-from ..core import presets
-from ..core.entries import active
-from ..core.presets import Preset
+from ..core.interface import presets
+from ..core.interface.presets import Preset
+from ..core.settings.entries import active
 
 ENTRY = "bpy.context.object.motus.layers.entries[bpy.context.object.motus.layers.active_entry]"
 OF_A_STYLE = "mode", "speed", "after", "blend_in", "blend_out", "reference", "in_armature", "feather"

@@ -2,8 +2,9 @@
 
 import re
 
-from ..core import actions, capabilities, entries, entry_keys
-from ..core.system import registered
+from ..core.blender import actions, capabilities
+from ..core.declare import registered
+from ..core.settings import entries, entry_keys
 from .properties import KEYWORDS
 from .targets import LIST
 

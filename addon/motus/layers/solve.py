@@ -1,10 +1,11 @@
 """Layers: what a group's solver reads of Blender, and the one call of the native module."""
 
-from ..core import native, rigs, stored
+from ..core import native, rigs
+from ..core.declare import Problem
+from ..core.file import stored
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.system import Problem
 from . import clips, mask
 from .groups import LOOPED, PLAN
 

@@ -2,9 +2,10 @@
 
 import bpy
 
-from ..core import actions, capabilities, libraries
+from ..core.blender import actions, capabilities
+from ..core.declare import has_settings, registered
+from ..core.file import libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
-from ..core.system import has_settings, registered
 from ..core.translations import tr
 from . import mask
 from .properties import MOST_LAYERS

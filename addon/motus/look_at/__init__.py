@@ -1,6 +1,6 @@
 """Look At: spine, head and eyes of a rig share the turn to a target, each by its weight and within its limits."""
 
-from ..core.system import System
+from ..core.declare import System
 from . import groups, operators, over_time, overlay, panel, presets, properties, solve
 
 SYSTEM = System(

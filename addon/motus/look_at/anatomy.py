@@ -2,8 +2,8 @@
 
 from mathutils import Vector
 
-from ..core import axes
 from ..core.file.choices import chosen
+from ..core.measures import axes
 
 LONGEST_SPINE = 4  # the neck and three bones of the spine
 LEG_REACH = 0.25  # of a bone's height above the lowest one: limbs that hang lower are legs

@@ -2,8 +2,8 @@
 
 from mathutils import Vector
 
-from ..core import axes
-from ..core.system import has_settings, of_owner, systems
+from ..core.declare import has_settings, of_owner, systems
+from ..core.measures import axes
 from . import names
 
 FORWARD, UP = 'NEG_Y', 'POS_Z'

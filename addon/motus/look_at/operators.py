@@ -4,9 +4,10 @@ import functools
 
 import bpy
 
-from ..core import bone_entries, operators, wiring
-from ..core.axes import AXES, LABELS
+from ..core import wiring
 from ..core.file.pointers import pointed
+from ..core.interface import bone_entries, operators
+from ..core.measures.axes import AXES, LABELS
 from ..core.refusals import Refused, check_bone, check_finite, check_local, check_no_tweak_mode
 from ..core.translations import tr
 from . import anatomy, facing, names, rows, setup, targets

@@ -2,11 +2,11 @@
 
 from mathutils import Vector
 
-from ..core import axes
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
+from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay
+from ..core.measures import axes
 from . import anatomy, panel, reasons
 
 GAZE_COLOR = (0.25, 0.85, 0.45, 0.9)

@@ -4,8 +4,9 @@ import math
 
 import bpy
 
-from ..core import bone_entries, panels, ui, wiring
+from ..core import wiring
 from ..core.file.pointers import pointed
+from ..core.interface import bone_entries, panels, ui
 from ..core.translations import OWN_SENSE, tr
 from . import names, presets, reasons, rows
 from .groups import OUTPUTS, shared_bone

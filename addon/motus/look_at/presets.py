@@ -2,9 +2,9 @@
 
 import math
 
-from ..core import presets
-from ..core.bone_entries import selected
-from ..core.presets import Preset
+from ..core.interface import presets
+from ..core.interface.bone_entries import selected
+from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 ENTRY = "bpy.context.object.motus.look_at.entries[bpy.context.object.motus.look_at.active_entry]"

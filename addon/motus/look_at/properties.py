@@ -4,9 +4,9 @@ import math
 
 import bpy
 
-from ..core import bone_entries
-from ..core.axes import AXES
 from ..core.file.pointers import to_object
+from ..core.interface import bone_entries
+from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 from . import facing
 

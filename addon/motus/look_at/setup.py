@@ -2,10 +2,12 @@
 
 import bpy
 
-from ..core import entries, libraries, needed
+from ..core.blender import needed
+from ..core.declare import registered
+from ..core.file import libraries
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
-from ..core.system import registered
+from ..core.settings import entries
 from . import anatomy, facing
 
 DISTANCE = 6.0  # of the head bone's length: where a target is made

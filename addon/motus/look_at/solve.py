@@ -1,9 +1,10 @@
 """Look At: what a group's solver reads of Blender, and the one call of the native module."""
 
-from ..core import deleted, native, rigs, stored
+from ..core import native, rigs
+from ..core.declare import Problem
+from ..core.file import deleted, stored
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.system import Problem
 from . import reasons
 from .groups import LOOPED, OUTPUTS, PLAN
 

@@ -1,9 +1,11 @@
 """Which rig, head and target an operator works on: by name from scripts, else by selection. Refusals are sentences."""
 
-from ..core import dependencies, libraries, wiring
+from ..core import wiring
+from ..core.declare import systems
+from ..core.file import libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
-from ..core.system import systems
 from ..core.translations import tr
+from ..core.wiring.attaching import levels
 from . import anatomy, names
 from .properties import ANY_BODY_LENGTH
 
@@ -130,7 +132,7 @@ def _is_constrained(bone):
 
 def check_loop(rig, head, driven, target, target_bone):
     """Refuse a target that moves with the bones that turn."""
-    if target and dependencies.depends(target, target_bone, rig, driven):
+    if target and levels.depends(target, target_bone, rig, driven):
         raise Refused(tr("{target} moves with {head}, so {head} cannot look at it").format(
             target=f"{target.name}: {target_bone}" if target_bone else target.name, head=head))
 

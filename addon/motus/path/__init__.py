@@ -1,8 +1,7 @@
 """Follow Path: objects on curves by arc length, with ease, banking, trains and meeting pins."""
 
-from ..core.system import System
-from . import (
-    bezier, edit_views, lists, members, operators, over_time, overlay, panel, presets, properties, solve, train)
+from ..core.declare import System
+from . import bezier, edit_views, lists, members, operators, over_time, overlay, panel, presets, properties, solve, train
 
 SYSTEM = System(
     name="path",

@@ -3,12 +3,12 @@
 import bpy
 from mathutils import Vector
 
-from ..core.curves import CONTROL_POLYGON_KEY, MAX_DEGREE
-from ..core.operators import OBJECT_MODE, Operator, select_only
+from ..core.interface.operators import OBJECT_MODE, Operator, select_only
+from ..core.interface.rows import Row, Rows
 from ..core.refusals import Refused
-from ..core.rows import Row, Rows
 from ..core.translations import tr
 from . import targets
+from .curves import CONTROL_POLYGON_KEY, MAX_DEGREE
 
 HIGHEST_OFFERED = 32
 LENGTH = 4.0  # m, of a new curve along X

@@ -10,10 +10,11 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Euler, Quaternion, Vector
 
-from ..core import teardown, viewports
-from ..core.operators import Operator
+from ..core.blender import teardown
+from ..core.interface.operators import Operator
+from ..core.interface.rows import Rows
+from ..core.interface.view import viewports
 from ..core.refusals import Refused
-from ..core.rows import Rows
 from ..core.translations import tr
 from . import targets
 

@@ -2,7 +2,7 @@
 
 from mathutils import Vector
 
-from ..core import axes
+from ..core.measures import axes
 from .properties import DEFAULT_GAP
 import itertools
 

@@ -2,12 +2,13 @@
 
 import bpy
 
-from ..core import scene_time, wiring
+from ..core import wiring
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
-from ..core.operators import OBJECT_MODE, Operator, object_keyword, select_only
+from ..core.interface.operators import OBJECT_MODE, Operator, object_keyword, select_only
+from ..core.interface.rows import Row, Rows
+from ..core.measures import scene_time
 from ..core.refusals import Refused, check_finite, named
-from ..core.rows import Row, Rows
 from ..core.translations import tr
 from . import setup, targets
 from .gaps import touching_gaps

@@ -1,6 +1,6 @@
 """Who follows: the owner of the settings and its wagons, and what of them is driven."""
 
-from ..core import libraries
+from ..core.file import libraries
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np

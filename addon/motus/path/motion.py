@@ -6,10 +6,10 @@ from typing import Any
 from collections.abc import Callable
 
 from ..core import native
+from ..core.animation import keys
+from ..core.declare import Problem
 from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
-from ..core.system import Problem
-from ..core.tracks import keys
 from . import keyed
 
 NO_PINS = Problem("Add a pin: a frame and the place to be at")

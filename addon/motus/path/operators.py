@@ -2,9 +2,10 @@
 
 import bpy
 
-from ..core import scene_time, units, wiring
+from ..core import wiring
 from ..core.file.pointers import pointed
-from ..core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
+from ..core.interface.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
+from ..core.measures import scene_time, units
 from ..core.refusals import Refused, check_finite, check_local, named
 from ..core.translations import tr
 from . import members, rows, setup, targets

@@ -5,17 +5,18 @@ from types import SimpleNamespace
 
 from mathutils import Matrix
 
-from ..core import copies, curves, scene_time
+from ..core.animation.channel import Channel
+from ..core.animation.keys import union, whole
+from ..core.animation.reason import Reason
+from ..core.animation.strips import together
+from ..core.declare import Context
+from ..core.evaluated import copies
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.system import Context
+from ..core.measures import scene_time
 from ..core.tracks import world_track
-from ..core.tracks.animation import Channel
-from ..core.tracks.keys import union, whole
-from ..core.tracks.reason import Reason
 from ..core.tracks.solved import placed
-from ..core.tracks.strips import together
-from . import members, solve
+from . import curves, members, solve
 
 CHOICES = ("timing", "extend", "pins_by", "orientation", "forward_axis", "up_axis", "lag_by")
 

@@ -2,13 +2,14 @@
 
 import math
 
-from ..core import curves, native, scene_time
+from ..core import native
+from ..core.declare import Context, Problem
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
+from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay, Switch
-from ..core.system import Context, Problem
-from . import motion, solve, targets
+from ..core.measures import scene_time
+from . import curves, motion, solve, targets
 
 STEPS_PER_SEGMENT = 48
 LARGEST_STEPS = 4096

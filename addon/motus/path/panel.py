@@ -2,9 +2,10 @@
 
 import bpy
 
-from ..core import panels, ui, wiring
+from ..core import wiring
+from ..core.declare import Problem
 from ..core.file.pointers import pointed
-from ..core.system import Problem
+from ..core.interface import panels, ui
 from ..core.translations import tr
 from . import edit_views, members, presets, rows, targets
 from .setup import is_stray, system

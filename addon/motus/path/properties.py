@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..core.axes import AXES
 from ..core.file.pointers import to_object
+from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, OVERRIDABLE, SystemSettings, rewire, touch
 
 EASE_TOLERANCE = 1e-6  # single precision: 0.7 + 0.3 is already above 1

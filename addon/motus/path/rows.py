@@ -1,6 +1,6 @@
 """The rows of a follower's settings: in the panels, and for the keywords in the redo panel."""
 
-from ..core.rows import Row, Rows, is_not, is_one_of, is_positive
+from ..core.interface.rows import Row, Rows, is_not, is_one_of, is_positive
 from ..core.translations import OWN_SENSE
 
 _IS_TURNED = is_not("orientation", 'NONE')

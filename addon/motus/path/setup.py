@@ -1,9 +1,10 @@
 """Setting followers up and taking them back: plain functions behind the operators."""
 
-from ..core import actions, wiring
+from ..core import wiring
+from ..core.blender import actions
+from ..core.declare import registered
+from ..core.declare.forgetting import forget
 from ..core.file.pointers import pointed
-from ..core.forgetting import forget
-from ..core.system import registered
 from . import members
 
 PREFIX = "motus.path."

@@ -1,11 +1,12 @@
 """Follow Path: what its solver reads, and the one call of the native module."""
 
-from ..core import curves, deleted, native
+from ..core import native
+from ..core.declare import Deformed, Matrix, Problem, Setting, Splines
+from ..core.file import deleted
 from ..core.file.choices import chosen
-from ..core.handedness import is_mirrored
 from ..core.lazy import numpy as np
-from ..core.system import Deformed, Matrix, Problem, Setting, Splines
-from . import members, motion
+from ..core.measures.handedness import is_mirrored
+from . import curves, members, motion
 
 NO_CURVE = Problem("Choose a curve to follow")
 CURVE_DELETED = Problem("The curve is in no collection any more: choose another one")

@@ -2,11 +2,11 @@
 
 import bpy
 
-from ..core import curves, libraries
+from ..core.file import libraries
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_local, check_unbaked, named
 from ..core.translations import tr
-from . import members, solve
+from . import curves, members, solve
 from .properties import EASE_TOLERANCE, KEYWORDS
 
 

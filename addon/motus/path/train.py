@@ -3,9 +3,9 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_MODE, FindsValues
+from ..core.interface.operators import OBJECT_MODE, FindsValues
+from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_finite
-from ..core.rows import Rows
 from ..core.translations import tr
 from . import rows, setup, targets
 from .gaps import touching_gaps

@@ -1,6 +1,6 @@
 """Pendulums: single, double, and fans of them, on pivots that may be moved."""
 
-from ..core.system import System
+from ..core.declare import System
 from . import drag, operators, over_time, overlay, panel, parts, presets, properties, solve, trail
 
 SYSTEM = System(

@@ -7,10 +7,13 @@ from typing import NamedTuple
 import bpy
 from mathutils import Matrix
 
-from ..core import actions, datablocks, libraries, units, wiring
+from ..core import wiring
+from ..core.blender import actions, datablocks
+from ..core.declare import registered
+from ..core.declare.forgetting import forget
+from ..core.file import libraries
 from ..core.file.pointers import pointed
-from ..core.forgetting import forget
-from ..core.system import registered
+from ..core.measures import units
 from . import parts, trail
 
 PREFIX = "motus.pendulum."

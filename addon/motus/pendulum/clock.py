@@ -3,9 +3,9 @@
 import math
 from typing import NamedTuple
 
+from ..core.animation.channel import Channel
+from ..core.declare import Problem
 from ..core.lazy import numpy as np
-from ..core.system import Problem
-from ..core.tracks.animation import Channel
 
 UNKNOWN = Problem(
     "Playing or Speed is driven, or in NLA strips that are not known ahead: its present value counts for all the time", False)

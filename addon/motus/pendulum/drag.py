@@ -6,12 +6,13 @@ import bpy
 from bpy_extras.view3d_utils import location_3d_to_region_2d
 from mathutils import Vector
 
-from ..core import native, scene_time
-from ..core.drag import PointDrag
+from ..core import native
 from ..core.file.pointers import pointed
-from ..core.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.interface.dragging.drag import PointDrag
+from ..core.interface.operators import OBJECT_MODE, Operator, object_keyword
+from ..core.interface.rows import Row, Rows, is_given
+from ..core.measures import scene_time
 from ..core.refusals import Refused, check_evaluated, check_finite, named
-from ..core.rows import Row, Rows, is_given
 from ..core.translations import tr
 from . import build, clock, parts, solve, targets
 

@@ -5,10 +5,13 @@ import math
 import bpy
 from mathutils import Vector
 
-from ..core import actions, libraries, scene_time, units, wiring
-from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
+from ..core import wiring
+from ..core.blender import actions
+from ..core.file import libraries
+from ..core.interface.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
+from ..core.interface.rows import Row, Rows, is_one_of
+from ..core.measures import scene_time, units
 from ..core.refusals import Refused, check_finite, check_local, named
-from ..core.rows import Row, Rows, is_one_of
 from ..core.translations import tr
 from . import build, parts, rows, targets, trail
 from .properties import KEYWORDS, TRAIL_KEYWORDS, PendulumKeywords, TrailKeywords

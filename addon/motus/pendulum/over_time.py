@@ -2,16 +2,17 @@
 
 import functools
 
-from ..core import deleted, scene_time
+from ..core.animation.channel import Channel
+from ..core.animation.keys import union, united, whole
+from ..core.animation.strips import together
+from ..core.declare import Problem
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
+from ..core.measures import scene_time
 from ..core.refusals import INFINITE
-from ..core.system import Problem
 from ..core.tracks import own_track, rotations
-from ..core.tracks.animation import Channel
-from ..core.tracks.keys import united, union, whole
 from ..core.tracks.solved import turned
-from ..core.tracks.strips import together
 from . import clock, parts, pivot_motion, solve
 
 

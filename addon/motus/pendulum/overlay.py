@@ -1,8 +1,8 @@
 """What the viewport shows of a pendulum: the way of its end from the start on, in the pivot's plane."""
 
-from ..core import scene_time
+from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay
+from ..core.measures import scene_time
 from . import clock, parts, solve
 
 SECONDS = 4.0  # of the pendulum's time, before and after the present one

@@ -2,8 +2,9 @@
 
 import math
 
-from ..core import native, panels, tracks, ui, wiring
-from ..core.system import Problem
+from ..core import native, tracks, wiring
+from ..core.declare import Problem
+from ..core.interface import panels, ui
 from . import parts, pivot_motion, presets, rows, solve, trail
 from .build import system
 

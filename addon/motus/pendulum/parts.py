@@ -3,9 +3,10 @@
 import bpy
 from mathutils import Matrix
 
-from ..core import libraries, wiring
+from ..core import wiring
+from ..core.declare import registered
+from ..core.file import libraries
 from ..core.file.pointers import pointed
-from ..core.system import registered
 
 MADE_KEY = "motus_pendulum"
 """Custom property of a mesh that was made for rods: their length; 0 for one that was made for bobs."""

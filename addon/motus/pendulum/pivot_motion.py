@@ -2,9 +2,10 @@
 
 import math
 
-from ..core import native, scene_time, tracks
+from ..core import native, tracks
+from ..core.declare import Problem
 from ..core.lazy import numpy as np
-from ..core.system import Problem
+from ..core.measures import scene_time
 
 MOST = 20_000  # frames of the pivot's motion that are felt
 BESIDE = 8  # frames before and after these that their accelerations are found by

@@ -5,10 +5,11 @@ import math
 from typing import NamedTuple
 from collections.abc import Callable
 
-from ..core import deleted, native
+from ..core import native
+from ..core.declare import OwnMatrix, Problem, Setting
+from ..core.file import deleted
+from ..core.file.stored import Damaged
 from ..core.refusals import INFINITE
-from ..core.stored import Damaged
-from ..core.system import OwnMatrix, Problem, Setting
 from . import clock, parts, pivot_motion
 
 NO_RODS = Problem("There are no rods: they are another pivot's, or were deleted", False)

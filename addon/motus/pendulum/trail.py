@@ -4,11 +4,12 @@ from dataclasses import dataclass
 
 import bpy
 
-from ..core import datablocks, wiring
+from ..core import wiring
+from ..core.blender import datablocks
+from ..core.declare import Matrix, Points, Problem, Setting, Variable, registered
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
-from ..core.system import Matrix, Points, Problem, Setting, Variable, registered
 from . import clock, parts, pivot_motion, solve
 
 RATE = 60.0  # places of a trail in a second

@@ -1,6 +1,6 @@
 """Pick & Pull: meshes are sculpted by pulling, and pulls are kept as pins that can be animated."""
 
-from ..core.system import System
+from ..core.declare import System
 from . import grid, operators, panel, presets, properties
 from .pins import apply as pins_apply
 from .pins import dragging as pins_dragging

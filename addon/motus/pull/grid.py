@@ -3,10 +3,10 @@
 import bpy
 from bpy_extras.object_utils import AddObjectHelper, object_data_add
 
+from ..core.interface.operators import OBJECT_OR_EDIT_MODE, Operator
+from ..core.interface.rows import Row, Rows, is_given, is_one_of
 from ..core.lazy import numpy as np
-from ..core.operators import OBJECT_OR_EDIT_MODE, Operator
 from ..core.refusals import Refused
-from ..core.rows import Row, Rows, is_given, is_one_of
 from ..core.translations import tr
 from .properties import is_finite
 

@@ -2,8 +2,8 @@
 
 import bpy
 
+from ..core.interface.operators import Operator, object_keyword
 from ..core.lazy import numpy as np
-from ..core.operators import Operator, object_keyword
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import keywords, properties, rows

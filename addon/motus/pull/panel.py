@@ -1,7 +1,7 @@
 """Panel of the brush, in the sidebar's tab."""
 
-from ..core import panels, ui
-from ..core.rows import Row, Rows
+from ..core.interface import panels, ui
+from ..core.interface.rows import Row, Rows
 from . import falloff_curve, presets, rows
 from .mesh import object_mesh
 

@@ -1,7 +1,7 @@
 """Presets of the brush."""
 
-from ..core import presets
-from ..core.presets import Preset
+from ..core.interface import presets
+from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 OF_THE_OBJECT = {"vertex_group"}

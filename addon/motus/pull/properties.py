@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..core import viewports
 from ..core.file.pointers import to_node_tree
+from ..core.interface.view import viewports
 from . import falloff_curve
 from .falloff_curve import CURVE_SAMPLES
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.rows import Row, Rows, is_given, is_one_of
+from ..core.interface.rows import Row, Rows, is_given, is_one_of
 
 
 def _vertex_groups(settings):

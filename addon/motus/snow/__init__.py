@@ -1,7 +1,7 @@
 """Snow: flakes that are computed anew on each frame, without a cache, in any order of frames."""
 
-from ..core import handlers
-from ..core.system import System
+from ..core.blender import handlers
+from ..core.declare import System
 from . import build, cover, gizmo, landings, look, operators, overlay, panel, presets, properties, solve
 
 SYSTEM = System(

@@ -3,7 +3,8 @@
 import math
 from typing import Any, NamedTuple
 
-from ..core import copies, tracks
+from ..core import tracks
+from ..core.evaluated import copies
 from ..core.lazy import numpy as np
 from ..core.scenery.meshes import hash_of, is_same
 from . import shots

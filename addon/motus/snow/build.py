@@ -5,9 +5,10 @@ import math
 import bpy
 from mathutils import Euler
 
-from ..core import datablocks, wiring
-from ..core.forgetting import forget
-from ..core.system import Group, Transform, is_owner, registered
+from ..core import wiring
+from ..core.blender import datablocks
+from ..core.declare import Group, Transform, is_owner, registered
+from ..core.declare.forgetting import forget
 from ..core.translations import tr
 from . import colliders, landings, look, view
 

@@ -6,12 +6,14 @@ flakes that ever landed would lie elsewhere.
 
 import bpy
 
-from ..core import datablocks, deleted, gathered, helpers, wiring
+from ..core import wiring
+from ..core.blender import datablocks, helpers
+from ..core.declare import Problem, is_owner, registered
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.scenery import seen
+from ..core.scenery import gathered, seen
 from ..core.scenery.meshes import joined, placed
-from ..core.system import Problem, is_owner, registered
 from . import flakes
 
 GONE = Problem("The collider is gone: flakes fall on without it", blocking=False)

@@ -3,12 +3,12 @@
 import bpy
 from mathutils import Vector
 
-from ..core import drawing
-from ..core.drag import PointDrag
+from ..core.interface.dragging.drag import PointDrag
+from ..core.interface.operators import Operator, object_keyword
+from ..core.interface.rows import Row, Rows, is_given
+from ..core.interface.view import drawing
 from ..core.lazy import numpy as np
-from ..core.operators import Operator, object_keyword
 from ..core.refusals import Refused, check_finite, check_local
-from ..core.rows import Row, Rows, is_given
 from ..core.translations import tr
 from . import handles
 from .build import is_emitter

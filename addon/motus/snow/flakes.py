@@ -3,12 +3,12 @@
 import functools
 
 from ..core import native
+from ..core.declare import Problem
+from ..core.evaluated.scratch import scratch
 from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE
 from ..core.scenery import meshes
-from ..core.scratch import scratch
-from ..core.system import Problem
 from .births import Winds
 from .properties import KEYWORDS, WHITE
 

@@ -2,7 +2,8 @@
 
 import bpy
 
-from ..core import drawing, handle_groups
+from ..core.interface.dragging import handle_groups
+from ..core.interface.view import drawing
 from ..core.translations import tr
 from . import dragging, handles
 from .build import is_emitter, system

@@ -9,14 +9,16 @@ import time
 
 import bpy
 
-from ..core import bounds, viewports, wiring
-from ..core.system import is_owner, registered
+from ..core import wiring
+from ..core.declare import is_owner, registered
+from ..core.interface.view import viewports
+from ..core.measures import bounds
 from . import flakes
 
 AT_ONCE = 48
 """Blocks of 256 flakes that an evaluation, or a call of the timer, looks at."""
 BLOCK = 2560
-"""The price (core/bounds.py) of looking at a block."""
+"""The price (core/measures/bounds.py) of looking at a block."""
 PAUSE = 0.01
 """Seconds that Blender has to itself between calls of the timer."""
 SHOWN = 0.3

@@ -4,10 +4,11 @@ import math
 
 import bpy
 
-from ..core import helpers, node_groups, wiring
+from ..core import wiring
+from ..core.blender import helpers, node_groups
+from ..core.declare import registered
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
-from ..core.system import registered
 
 KEY = "motus_flakes"
 """Custom property of what is made here, by which it is found again: which of these it is."""

@@ -5,11 +5,14 @@ import dataclasses
 import bpy
 from mathutils import Vector
 
-from ..core import libraries, scene_time, viewports, wiring
+from ..core import wiring
+from ..core.file import libraries
 from ..core.file.pointers import pointed
-from ..core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
+from ..core.interface.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
+from ..core.interface.rows import Rows
+from ..core.interface.view import viewports
+from ..core.measures import scene_time
 from ..core.refusals import INFINITE, Refused, check_finite, check_local, check_unbaked, named, named_collection, named_mesh
-from ..core.rows import Rows
 from ..core.translations import tr
 from . import build, colliders, flakes, look, presets, rows
 from .properties import KEYWORDS, SnowKeywords

@@ -2,9 +2,9 @@
 
 import math
 
+from ..core.declare import is_owner, registered
+from ..core.interface.overlay import Batch, Overlay
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay
-from ..core.system import is_owner, registered
 from . import handles
 
 COLOR = (0.55, 0.80, 1.0, 0.9)

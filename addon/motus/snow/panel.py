@@ -1,7 +1,8 @@
 """The panel of snow: in the sidebar's tab and in the object's constraint properties, on the emitter."""
 
-from ..core import panels, tracks, ui
+from ..core import tracks
 from ..core.file.pointers import pointed
+from ..core.interface import panels, ui
 from ..core.translations import tr
 from . import births, colliders, flakes, landings, presets, rows, solve
 from .build import is_emitter, system

@@ -2,7 +2,8 @@
 
 import math
 
-from ..core import presets, scene_time
+from ..core.interface import presets
+from ..core.measures import scene_time
 from .properties import KEYWORDS, WHITE
 
 PLAIN = 'PLAIN'

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ..core.rows import Row, Rows, is_not, is_one_of, is_positive
+from ..core.interface.rows import Row, Rows, is_not, is_one_of, is_positive
 
 
 def _is_on(name):

@@ -1,9 +1,9 @@
 """Snow: what its solver reads, and the one call of the library."""
 
-from ..core import deleted
+from ..core.declare import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.scenery import meshes
-from ..core.system import Geometries, Geometry, Matrix, OwnMatrix, Points, Problem, Setting
 from . import births, colliders, flakes, landings, view
 
 NO_SURFACE = Problem("Choose the mesh that emits the flakes")

@@ -3,10 +3,11 @@
 import math
 from dataclasses import dataclass
 
-from ..core import deleted, tracks
+from ..core import tracks
+from ..core.declare import Problem, Variable
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.system import Problem, Variable
 
 NO_CAMERA = Problem("Choose a camera in whose view the flakes are born")
 CAMERA_DELETED = Problem("The camera is in no collection any more: choose another one")

@@ -1,7 +1,7 @@
 """Stereo camera rig: eyes of a camera by a budget of depth, and what an audience will see of it."""
 
-from ..core import handlers
-from ..core.system import System
+from ..core.blender import handlers
+from ..core.declare import System
 from . import checking, measuring, operators, output, overlay, panel, presets, properties, results, rig, solve, viewing
 
 SYSTEM = System(

@@ -2,9 +2,9 @@
 
 import bpy
 
-from ..core.frames import Kept, go_to, ranges
-from ..core.operators import OBJECT_MODE, object_keyword
-from ..core.over_frames import OverFrames
+from ..core.blender.frames import Kept, go_to, ranges
+from ..core.interface.operators import OBJECT_MODE, object_keyword
+from ..core.interface.over_frames import OverFrames
 from ..core.translations import tr
 from . import judging, results, rig, samples, screens, targets
 

@@ -3,7 +3,7 @@
 from typing import Any, NamedTuple
 
 from ..core import native
-from ..core.frames import spoken
+from ..core.blender.frames import spoken
 from ..core.lazy import numpy as np
 from ..core.translations import tr
 

@@ -2,12 +2,14 @@
 
 import bpy
 
-from ..core import actions, native, scene_time
-from ..core.frames import Kept, go_to
-from ..core.operators import OBJECT_MODE
-from ..core.over_frames import OverFrames
+from ..core import native
+from ..core.blender import actions
+from ..core.blender.frames import Kept, go_to
+from ..core.interface.operators import OBJECT_MODE
+from ..core.interface.over_frames import OverFrames
+from ..core.interface.rows import Row, Rows, is_not
+from ..core.measures import scene_time
 from ..core.refusals import Refused
-from ..core.rows import Row, Rows, is_not
 from ..core.translations import tr
 from . import samples, targets
 from .operators import LEFT_OUT, OfARig

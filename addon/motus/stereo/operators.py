@@ -3,9 +3,9 @@
 import bpy
 
 from ..core import wiring
-from ..core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
+from ..core.interface.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
+from ..core.interface.rows import Rows
 from ..core.refusals import Refused, check_evaluated, check_finite, check_local
-from ..core.rows import Rows
 from ..core.translations import tr
 from . import budget, lens, rig, rows, samples, screens, targets
 from .properties import KEYWORDS, StereoKeywords

@@ -2,9 +2,9 @@
 
 import bpy
 
-from ..core.operators import Operator
+from ..core.interface.operators import Operator
+from ..core.interface.rows import Row, Rows, is_one_of
 from ..core.refusals import Refused
-from ..core.rows import Row, Rows, is_one_of
 from ..core.translations import tr
 from . import around, rig, targets
 from .operators import OfARig

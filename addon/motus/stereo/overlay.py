@@ -1,8 +1,8 @@
 """What the viewport shows of a rig: near, zero and far planes, the volume that is safe on the screen, and a ruler of parallax."""
 
 from ..core import native
+from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay, Switch
 from . import rig, screens
 from .solve import PERCENT, depth_of
 

@@ -2,7 +2,9 @@
 
 import math
 
-from ..core import graph, native, panels, ui
+from ..core import native
+from ..core.interface import panels, ui
+from ..core.interface.view import graph
 from ..core.lazy import numpy as np
 from ..core.translations import tr
 from . import presets, results, rig, rows, screens, viewing

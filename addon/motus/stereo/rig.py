@@ -4,9 +4,11 @@ import math
 
 import bpy
 
-from ..core import actions, viewports, wiring
-from ..core.forgetting import forget
-from ..core.system import Group, Property, registered
+from ..core import wiring
+from ..core.blender import actions
+from ..core.declare import Group, Property, registered
+from ..core.declare.forgetting import forget
+from ..core.interface.view import viewports
 from ..core.translations import tr
 from . import around, lens, results
 

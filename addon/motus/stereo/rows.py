@@ -1,6 +1,6 @@
 """Which rows of a rig's settings matter when: for the panel, and for the redo panel of the operator that adds it."""
 
-from ..core.rows import Row, Rows, is_not, is_one_of
+from ..core.interface.rows import Row, Rows, is_not, is_one_of
 
 _is_budget = is_one_of("convergence", 'BUDGET')
 EYES = Rows((

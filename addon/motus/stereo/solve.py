@@ -3,7 +3,7 @@
 import math
 
 from ..core import native
-from ..core.system import Matrix, OwnMatrix, Problem
+from ..core.declare import Matrix, OwnMatrix, Problem
 from . import lens, rig
 
 NOT_PERSPECTIVE = Problem("The rig needs a perspective camera: with this one the camera's own values count")

@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..core import viewports
-from ..core.operators import Operator, object_keyword
+from ..core.interface.operators import Operator, object_keyword
+from ..core.interface.view import viewports
 from ..core.refusals import Refused
 from ..core.translations import tr
 from . import rig, targets

@@ -1,6 +1,6 @@
 """Walkers: legs that step by themselves under a body that is moved, planned for the whole shot."""
 
-from ..core.system import System
+from ..core.declare import System
 from . import groups, operators, over_time, overlay, panel, presets, properties, solve
 from .spider import operators as spider_operators
 

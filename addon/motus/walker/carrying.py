@@ -3,8 +3,8 @@
 import hashlib
 
 from ..core import tracks
+from ..core.animation import strips
 from ..core.lazy import numpy as np
-from ..core.tracks import strips
 from . import legs
 
 

@@ -1,10 +1,11 @@
 """What a walker's feet stand on: meshes that stand still, beside the plane."""
 
-from ..core import deleted, gathered, native, tracks, wiring
+from ..core import native, tracks, wiring
+from ..core.declare import Problem, has_settings, is_owner, leader_of, registered
+from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.lazy import numpy as np
-from ..core.scenery import meshes, seen
-from ..core.system import Problem, has_settings, is_owner, leader_of, registered
+from ..core.scenery import gathered, meshes, seen
 
 GONE = Problem("The ground is gone: choose another one", blocking=False)
 NO_FACES = Problem("The ground has no faces", blocking=False)

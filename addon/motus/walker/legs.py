@@ -4,9 +4,9 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from ..core import deleted, libraries
+from ..core.declare import has_settings, is_owner, leader_of, of_owner, registered
+from ..core.file import deleted, libraries
 from ..core.file.pointers import pointed
-from ..core.system import has_settings, is_owner, leader_of, of_owner, registered
 
 
 class Foot(NamedTuple):

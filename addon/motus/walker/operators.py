@@ -3,10 +3,10 @@
 import bpy
 
 from ..core import wiring
+from ..core.declare import is_owner
 from ..core.file.pointers import pointed
-from ..core.operators import OBJECT_OR_POSE_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
+from ..core.interface.operators import OBJECT_OR_POSE_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
 from ..core.refusals import check_finite, named_collection
-from ..core.system import is_owner
 from ..core.translations import tr
 from . import rows, setup, targets
 from .properties import KEYWORDS, WalkerKeywords

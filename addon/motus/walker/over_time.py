@@ -4,15 +4,15 @@ import functools
 
 from mathutils import Matrix
 
-from ..core import scene_time
+from ..core.animation.channel import Channel
+from ..core.animation.keys import union, united, whole
+from ..core.animation.strips import together
+from ..core.declare import Problem
+from ..core.evaluated.question import answered
 from ..core.lazy import numpy as np
-from ..core.system import Problem
+from ..core.measures import scene_time
 from ..core.tracks import rotations
-from ..core.tracks.animation import Channel
-from ..core.tracks.keys import united, union, whole
-from ..core.tracks.question import answered
 from ..core.tracks.solved import placed
-from ..core.tracks.strips import together
 from ..core.tracks.transforms import World
 from . import leaning, legs, plan
 

@@ -2,11 +2,11 @@
 
 import math
 
-from ..core import axes, scene_time
+from ..core.declare import Problem, is_owner, leader_of, registered
 from ..core.file.choices import chosen
+from ..core.interface.overlay import Batch, Overlay, Switch
 from ..core.lazy import numpy as np
-from ..core.overlay import Batch, Overlay, Switch
-from ..core.system import Problem, is_owner, leader_of, registered
+from ..core.measures import axes, scene_time
 from . import told
 
 LEFT_COLOR, RIGHT_COLOR = (0.35, 0.80, 1.0, 0.9), (1.0, 0.65, 0.25, 0.9)

@@ -1,7 +1,8 @@
 """The panel of a walker: in the sidebar's tab and in the object's constraint properties, on the body and on feet that are objects."""
 
-from ..core import panels, tracks, ui
-from ..core.system import Problem, is_owner, leader_of
+from ..core import tracks
+from ..core.declare import Problem, is_owner, leader_of
+from ..core.interface import panels, ui
 from ..core.translations import tr
 from . import legs, plan, presets, rows, told
 from .setup import system

@@ -7,11 +7,12 @@ from collections.abc import Iterable
 from dataclasses import replace
 from typing import Any, NamedTuple
 
-from ..core import axes, native, scene_time, tracks
+from ..core import native, tracks
+from ..core.animation import keys
+from ..core.declare import Problem
 from ..core.lazy import numpy as np
+from ..core.measures import axes, scene_time
 from ..core.refusals import INFINITE
-from ..core.system import Problem
-from ..core.tracks import keys
 from . import carrying, ground, legs
 from .properties import NUMBERS
 

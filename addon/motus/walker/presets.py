@@ -1,8 +1,8 @@
 """Walks that go by a name, and presets of the user's own."""
 
-from ..core import presets
-from ..core.presets import Preset
-from ..core.system import is_owner, registered
+from ..core.declare import is_owner, registered
+from ..core.interface import presets
+from ..core.interface.presets import Preset
 from .properties import KEYWORDS
 
 OF_THE_SHOT = {"use_plane", "plane_height", "stride", "clearance", "minimum_step", "reach_up", "reach_down", "jump", "forward_axis",

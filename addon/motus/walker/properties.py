@@ -2,8 +2,8 @@
 
 import bpy
 
-from ..core.axes import AXES
 from ..core.file.pointers import to_object
+from ..core.measures.axes import AXES
 from ..core.settings import ANIMATED, EXTENDABLE, NO_KEYS, OVERRIDABLE, SystemSettings, rewire, touch
 from . import ground
 

@@ -1,6 +1,6 @@
 """The rows of a walker's settings: in the panels, and for the keywords in the redo panel."""
 
-from ..core.rows import Row, Rows
+from ..core.interface.rows import Row, Rows
 
 
 def _is_on(name):

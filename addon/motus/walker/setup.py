@@ -5,10 +5,12 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Vector
 
-from ..core import actions, entries, wiring
+from ..core import wiring
+from ..core.blender import actions
+from ..core.declare import has_settings, of_owner, registered
+from ..core.declare.forgetting import forget, says_anything
 from ..core.file.pointers import pointed
-from ..core.forgetting import forget, says_anything
-from ..core.system import has_settings, of_owner, registered
+from ..core.settings import entries
 from . import legs
 
 PREFIX = "motus.walker."

@@ -1,6 +1,7 @@
 """What the first of a walker's two solvers finds is there for the second one of the same evaluation."""
 
-from ..core import copies, read_keys, wiring
+from ..core import wiring
+from ..core.evaluated import copies, read_keys
 
 KEY = "walker shared"
 """Of Copy.found: (moment, group, what was found, which keys were read)."""

@@ -3,10 +3,10 @@
 from mathutils import Matrix
 
 from ..core import rigs, tracks
+from ..core.declare import Geometries, Problem
+from ..core.file.stored import Damaged
 from ..core.lazy import numpy as np
-from ..core.stored import Damaged
-from ..core.system import Geometries, Problem
-from . import groups, ground, leaning, legs, plan, shared
+from . import ground, groups, leaning, legs, plan, shared
 
 LOOPED = Problem("The body or the ground moves with what the walker drives: what would wait for itself is left alone", blocking=False)
 LACKING = Problem("Some legs have no foot any more: add the walker again", blocking=False)

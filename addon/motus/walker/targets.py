@@ -2,9 +2,9 @@
 
 from mathutils import Vector
 
+from ..core.declare import is_owner, leader_of, of_owner, registered
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named, named_mesh
-from ..core.system import is_owner, leader_of, of_owner, registered
 from ..core.translations import tr
 from . import ground, legs, setup
 from .properties import MOST_LEGS

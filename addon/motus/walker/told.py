@@ -4,9 +4,9 @@ import math
 
 import bpy
 
-from ..core import scene_time
+from ..core.declare import Problem
 from ..core.file.pointers import pointed
-from ..core.system import Problem
+from ..core.measures import scene_time
 from ..core.translations import tr
 from . import ground, legs, plan, solve
 

@@ -5,7 +5,7 @@ import support
 import toy_system
 from core.wiring.wiring_cases import WiringTestCase, build_bone, build_followers, build_object, each_kind, frame_set
 
-actions = support.addon("core.actions")
+actions = support.addon("core.blender.actions")
 wiring = support.addon("core.wiring")
 ROTATION_MODES = ('XYZ', 'ZXY', 'QUATERNION', 'AXIS_ANGLE')
 

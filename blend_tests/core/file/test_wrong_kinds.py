@@ -9,7 +9,7 @@ from core.wiring import damaged_cases
 import live_scenes
 import support
 
-overlay = support.addon("core.overlay")
+overlay = support.addon("core.interface.overlay")
 pointers = support.addon("core.file.pointers")
 
 LEAVE_OUT = {"motus.demo_scene"}

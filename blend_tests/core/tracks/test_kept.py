@@ -38,7 +38,7 @@ class Kept(TrackTestCase):
 
     def test_edits_do(self):
         self.asked(1)
-        curve = support.addon("core.actions").find(self.top, "location", 1)
+        curve = support.addon("core.blender.actions").find(self.top, "location", 1)
         curve.keyframe_points[1].co[1] += 1.0
         bpy.context.view_layer.update()
         self.assertEqual(self.asked(7), 3, "a key of the parent")

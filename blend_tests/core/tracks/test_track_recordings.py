@@ -193,7 +193,7 @@ class Recording(RecordingCase):
         self.assertNothingLeft()
 
     def test_escape_leaves_nothing(self):
-        operator = support.addon("core.tracks.operators").MOTUS_OT_track_record
+        operator = support.addon("core.interface.tracks.operators").MOTUS_OT_track_record
         self.go_to(3)
         made = stand_in(operator, lambda: operator._record(made, bpy.context, self.thing, [10.0, 11.0, 12.0]))
         made._samples, made.bone, made.data_path, made.transform, made.index = [], "", "", 'WORLD', -1
@@ -242,7 +242,7 @@ class OutOfDate(RecordingCase):
         variable = driver.variables.new()
         variable.targets[0].id, variable.targets[0].data_path = self.goal, '["pace"]'
         driver.expression = "var"
-        curve = support.addon("core.actions").find(self.goal, "rotation_euler", 2)
+        curve = support.addon("core.blender.actions").find(self.goal, "rotation_euler", 2)
         helper = self.link("Helper")
 
         def move_key():
@@ -322,7 +322,7 @@ class Consumer(RecordingCase):
         toy_echo_system.echo(self.owner, self.goal)
         self.assertEcho(self.goal)
         self.goal.scale[0] = 7.0
-        curve = support.addon("core.actions").find(self.goal, "location", 0)
+        curve = support.addon("core.blender.actions").find(self.goal, "location", 0)
         curve.keyframe_points[1].co[1] += 3.0
         self.assertEcho(self.goal)
 

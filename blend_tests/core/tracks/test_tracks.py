@@ -15,7 +15,7 @@ class Numbers(TrackTestCase):
         for interpolation in INTERPOLATIONS:
             for easing in EASINGS:
                 self.key(cube, "location", frames=(1, 20, 45))
-                for curve in support.addon("core.actions").fcurves(cube):
+                for curve in support.addon("core.blender.actions").fcurves(cube):
                     for point in curve.keyframe_points:
                         point.interpolation, point.easing = interpolation, easing
                     curve.update()
@@ -25,7 +25,7 @@ class Numbers(TrackTestCase):
     def test_modifiers_and_extrapolation(self):
         cube = self.link("Cube")
         self.key(cube, "location")
-        curve = support.addon("core.actions").find(cube, "location", 2)
+        curve = support.addon("core.blender.actions").find(cube, "location", 2)
         for extrapolation in ('CONSTANT', 'LINEAR'):
             curve.extrapolation = extrapolation
             for kind in ('CYCLES', 'NOISE', 'GENERATOR', 'FNGENERATOR', 'ENVELOPE', 'LIMITS', 'STEPPED'):
@@ -80,7 +80,7 @@ class Numbers(TrackTestCase):
         curve_path = 'key_blocks["Key"].value'
         for frame in (1, 30):
             keys.keyframe_insert(curve_path, frame=frame)
-        curve = support.addon("core.actions").find(keys, curve_path)
+        curve = support.addon("core.blender.actions").find(keys, curve_path)
         for point, value in zip(curve.keyframe_points, (-1.0, 2.0)):
             point.co[1] = value
             point.interpolation = 'LINEAR'
@@ -92,7 +92,7 @@ class Numbers(TrackTestCase):
         cube.location = 1.0, 2.0, 3.0
         self.assertNumber(cube, "location", 1)
         self.key(cube, "location")
-        curve = support.addon("core.actions").find(cube, "location", 1)
+        curve = support.addon("core.blender.actions").find(cube, "location", 1)
         curve.mute = True
         cube.location = 4.0, 5.0, 6.0
         self.assertEqual(list(self.tracks.property_track(cube, "location", 1).values((1.0, 50.0))), [5.0, 5.0])
@@ -137,13 +137,13 @@ class Numbers(TrackTestCase):
         """Where it bends is told by a bounded number of frames, and found by bounded work."""
         cube = self.link("Cube")
         cube.keyframe_insert("location", index=0, frame=1)
-        curve = support.addon("core.actions").find(cube, "location", 0)
+        curve = support.addon("core.blender.actions").find(cube, "location", 0)
         count = 300_000
         curve.keyframe_points.add(count - 1)
         places = np.stack((np.arange(count), np.arange(count) % 7), axis=1).astype(np.float32)
         curve.keyframe_points.foreach_set("co", places.ravel())
         curve.update()
-        keys = support.addon("core.tracks.keys")
+        keys = support.addon("core.animation.keys")
         seconds = seconds_of(lambda: keys.integral(curve, 0.0, count - 1.0))
         print(f"the integral over {count} keys: {seconds * 1e3:.1f} ms")
         self.assertLess(seconds, 1.0)

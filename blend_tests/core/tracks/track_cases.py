@@ -43,7 +43,7 @@ class TrackTestCase(support.SceneTestCase):
             value = [self.random.uniform(low, high) for _ in range(size)] if size else self.random.uniform(low, high)
             setattr(holder, name, value)
             id_data.keyframe_insert(path, index=index, frame=frame + self.random.choice((0.0, 0.25)))
-        for curve in support.addon("core.actions").fcurves(id_data):
+        for curve in support.addon("core.blender.actions").fcurves(id_data):
             if curve.data_path == path:
                 for point in curve.keyframe_points:
                     point.interpolation = self.random.choice(INTERPOLATIONS)

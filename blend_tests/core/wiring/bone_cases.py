@@ -8,7 +8,7 @@ import toy_bone_system
 import toy_system
 from core.wiring.wiring_cases import WiringTestCase, each_of, frame_set
 
-capabilities = support.addon("core.capabilities")
+capabilities = support.addon("core.blender.capabilities")
 wiring = support.addon("core.wiring")
 FRAMES = (10, 3, 55, 1.5, 54)
 

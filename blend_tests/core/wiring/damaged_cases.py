@@ -177,7 +177,7 @@ def are_same(some, others, tolerance=1e-5):
 def problem(case, owner):
     """What the panel says of an owner; None where it says nothing."""
     return support.addon("core.wiring").problem(
-        support.addon("core.system").registered[case.system], owner, bpy.context.evaluated_depsgraph_get())
+        support.addon("core.declare").registered[case.system], owner, bpy.context.evaluated_depsgraph_get())
 
 
 def drawn(case, owner):
@@ -205,7 +205,7 @@ class _Layout:
 @contextlib.contextmanager
 def raised():
     """A list of what driver functions raise and what is logged as an error within."""
-    found, functions = [], support.addon("core.wiring.solver")._FUNCTIONS
+    found, functions = [], support.addon("core.wiring.solving.namespace")._FUNCTIONS
 
     def watched(function):
         def call(*arguments):

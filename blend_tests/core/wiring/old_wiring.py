@@ -9,11 +9,11 @@ import json
 import bpy
 import support
 
-groups_of = support.addon("core.system").groups_of
-outbox = support.addon("core.wiring.outbox")
-drivers = support.addon("core.wiring.drivers")
+groups_of = support.addon("core.declare").groups_of
+outbox = support.addon("core.wiring.hubs.outbox")
+drivers = support.addon("core.blender.drivers")
 wiring = support.addon("core.wiring")
-system_module = support.addon("core.system")
+system_module = support.addon("core.declare")
 WEIGHT = 1
 
 

@@ -7,7 +7,7 @@ import toy_system
 from core.wiring.wiring_cases import WiringTestCase, frame_set
 
 wiring = support.addon("core.wiring")
-property_sink = support.addon("core.wiring.property_sink")
+property_sink = support.addon("core.wiring.sinks.property_sink")
 SYSTEM = toy_dial_system.SYSTEM
 FRAMES = (10, 3, 55, 1.5, 54)
 SOCKET = 'active_material.node_tree.nodes["Mix"].inputs[1].default_value'

@@ -4,8 +4,8 @@ import unittest
 
 import support
 
-outbox = support.addon("core.wiring.outbox")
-solver = support.addon("core.wiring.solver")
+outbox = support.addon("core.wiring.hubs.outbox")
+solver = support.addon("core.wiring.solving.namespace")
 
 
 class HostileTest(unittest.TestCase):

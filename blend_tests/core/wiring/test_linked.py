@@ -88,11 +88,11 @@ class SameNameTest(support.SceneTestCase):
     def test_driven_later(self):
         """The local one is wired anew for it, the linked one goes on as it was."""
         car, linked = self.local("Keyed"), self.linked["Keyed"]
-        support.addon("core.actions").remove(car, ("motus.path.",))
+        support.addon("core.blender.actions").remove(car, ("motus.path.",))
         car.driver_add("motus.path.distance_factor").driver.expression = "0.01 * frame"
         depsgraph = bpy.context.evaluated_depsgraph_get()
         course = bpy.data.objects["Course"].evaluated_get(depsgraph)
-        curve = support.addon("core.curves").read_evaluated(course, depsgraph, 0).curve
+        curve = support.addon("path.curves").read_evaluated(course, depsgraph, 0).curve
         for frame in (50, 20, 70, 30):
             bpy.context.scene.frame_set(frame)
             wanted = curve.position(curve.t_at_length(0.01 * frame * curve.length()))
@@ -102,7 +102,7 @@ class SameNameTest(support.SceneTestCase):
 
     def test_deleted(self):
         """Of a linked target and a local one that was deleted only the second counts as gone."""
-        deleted = support.addon("core.deleted")
+        deleted = support.addon("core.file.deleted")
         bpy.context.scene.frame_set(2)
         bpy.context.scene.collection.objects.unlink(self.local("Target"))
         bpy.context.view_layer.update()
@@ -111,7 +111,7 @@ class SameNameTest(support.SceneTestCase):
 
     def test_what_they_hang_on(self):
         """Each is compared with what it hung on itself."""
-        relations = support.addon("core.wiring.relations")
+        relations = support.addon("core.wiring.healing.relations")
         found = []
 
         def note(_scene, depsgraph):

@@ -12,7 +12,7 @@ from mathutils import Vector
 from ik.test_ik_rigs import RigTestCase, add_ik
 
 PLACE = Vector((0.6, 0.2, 1.0))
-attaching = support.addon("core.wiring.attaching")
+attaching = support.addon("core.wiring.attaching.attach")
 status = support.addon("ik.status")
 
 

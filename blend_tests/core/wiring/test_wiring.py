@@ -12,10 +12,10 @@ from core.wiring.wiring_cases import (
 )
 
 wiring = support.addon("core.wiring")
-solver = support.addon("core.wiring.solver")
-solving = support.addon("core.wiring.solving")
-per_thread = support.addon("core.per_thread")
-capabilities = support.addon("core.capabilities")
+solver = support.addon("core.wiring.solving.namespace")
+solving = support.addon("core.wiring.solving.solving")
+per_thread = support.addon("core.evaluated.per_thread")
+capabilities = support.addon("core.blender.capabilities")
 FRAMES = (10, 3, 55, 1, 248, 54.25, 7.5, 54)
 
 

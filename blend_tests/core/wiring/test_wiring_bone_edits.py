@@ -8,8 +8,8 @@ from core.wiring.bone_cases import BoneTestCase, build, build_few, build_many, d
 from core.wiring.wiring_cases import frame_set
 
 wiring = support.addon("core.wiring")
-carriers = support.addon("core.wiring.carriers")
-hub_lookup = support.addon("core.wiring.hub_lookup")
+carriers = support.addon("core.wiring.attaching.signature")
+hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
 SYSTEM = toy_bone_system.SYSTEM
 
 

@@ -10,9 +10,9 @@ from core.wiring.bone_cases import FRAMES, BoneTestCase, build, build_few, build
 from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
-hub_lookup = support.addon("core.wiring.hub_lookup")
-solving = support.addon("core.wiring.solving")
-capabilities = support.addon("core.capabilities")
+hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
+solving = support.addon("core.wiring.solving.solving")
+capabilities = support.addon("core.blender.capabilities")
 SYSTEM, NOD = toy_bone_system.SYSTEM, toy_bone_system.NOD
 
 

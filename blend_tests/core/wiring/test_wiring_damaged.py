@@ -61,7 +61,7 @@ class DamagedTest(support.SceneTestCase):
             self.assertTrue(are_same(evaluated(), live), "neither said nor harmless")
         elif said is not None and said.blocking:
             self.assertIn(said.sentence.split()[0], drawn(case, owner))
-        support.addon("core.wiring.attribute_sink").store_own_poses()
+        support.addon("core.wiring.sinks.attribute_sink").store_own_poses()
         act = case.remove if is_removed else case.refresh
         self.assertEqual(act(object="Owner"), {'FINISHED'})
         found = evaluated()

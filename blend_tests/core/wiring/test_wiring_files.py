@@ -253,7 +253,7 @@ class RenderTest(WiringTestCase):
 
     def test_motion_blur_in_eevee(self):
         scene = bpy.context.scene
-        support.use_eevee(scene, support.addon("core.capabilities").eevee_engine(), samples=2)
+        support.use_eevee(scene, support.addon("core.blender.capabilities").eevee_engine(), samples=2)
         for owner in (scene.render, scene.eevee):
             if hasattr(owner, "use_motion_blur"):
                 owner.use_motion_blur = True

@@ -7,8 +7,8 @@ from core.wiring.object_cases import FRAMES, ObjectTestCase, build, build_driven
 from core.wiring.wiring_cases import each_of, frame_set
 
 wiring = support.addon("core.wiring")
-hub_lookup = support.addon("core.wiring.hub_lookup")
-outbox = support.addon("core.wiring.outbox")
+hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
+outbox = support.addon("core.wiring.hubs.outbox")
 SYSTEM = toy_sway_system.SYSTEM
 each_lasting_kind = each_of((build, build_driven, build_rig))
 

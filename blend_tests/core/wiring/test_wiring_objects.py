@@ -8,8 +8,8 @@ from core.wiring.object_cases import ObjectTestCase, build, build_rig, each_kind
 from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
-hub_lookup = support.addon("core.wiring.hub_lookup")
-outbox = support.addon("core.wiring.outbox")
+hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
+outbox = support.addon("core.wiring.hubs.outbox")
 SYSTEM = toy_sway_system.SYSTEM
 
 

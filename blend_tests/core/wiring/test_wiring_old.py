@@ -14,8 +14,8 @@ from core.wiring.bone_cases import BoneTestCase, build_few, build_without_stretc
 from core.wiring.wiring_cases import WiringTestCase, build_bone, build_object, each_of, frame_set
 
 wiring = support.addon("core.wiring")
-attaching = support.addon("core.wiring.attaching")
-hub_lookup = support.addon("core.wiring.hub_lookup")
+attaching = support.addon("core.wiring.attaching.attach")
+hub_lookup = support.addon("core.wiring.hubs.hub_lookup")
 FRAMES = (12, 40.5, 3)
 
 
@@ -58,7 +58,7 @@ class ObjectTest(WiringTestCase):
             frame_set(frame)
             self.assert_follows(owner, things)
         self.assertEqual([len(thing.constraints) for thing in things],
-                         [1 if support.addon("core.capabilities").has_geometry_attribute_constraint() else 2])
+                         [1 if support.addon("core.blender.capabilities").has_geometry_attribute_constraint() else 2])
 
     @each_of((build_object, build_bone))
     def test_linked(self, build):

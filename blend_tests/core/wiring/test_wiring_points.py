@@ -8,7 +8,7 @@ import toy_system
 from core.wiring import damaged_cases
 from core.wiring.wiring_cases import frame_set
 
-nodes = support.addon("core.node_groups")
+nodes = support.addon("core.blender.node_groups")
 wiring = support.addon("core.wiring")
 FRAMES = (30, 3, 12.5, 30.25, 90, 12.5)
 FIELDS = {'FLOAT': ("value", 1), 'INT': ("value", 1), 'FLOAT_VECTOR': ("vector", 3), 'FLOAT_COLOR': ("color", 4),
@@ -340,7 +340,7 @@ class PointsDamagedTest(PointsTestCase):
             for damage in every:
                 with self.subTest(damage.name):
                     bpy.ops.wm.open_mainfile(filepath=path)
-                    support.addon("core.wiring.made_points")._forms.clear()
+                    support.addon("core.wiring.sinks.made_points")._forms.clear()
                     self.check(bpy.data.objects["Owner"], damage)
         self.assertEqual(errors, [])
 

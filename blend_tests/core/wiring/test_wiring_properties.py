@@ -10,8 +10,8 @@ from core.wiring.property_cases import (
 from core.wiring.wiring_cases import assert_playback_equals_jumps, frame_set
 
 wiring = support.addon("core.wiring")
-outbox = support.addon("core.wiring.outbox")
-solving = support.addon("core.wiring.solving")
+outbox = support.addon("core.wiring.hubs.outbox")
+solving = support.addon("core.wiring.solving.solving")
 refusals = support.addon("core.refusals")
 
 

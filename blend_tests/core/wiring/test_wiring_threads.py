@@ -45,7 +45,7 @@ class SolversTest(support.SceneTestCase):
                    if name.startswith(support.module_name() + ".") and getattr(module, "bpy", None) is bpy]
         with mock.patch.dict(bpy.app.driver_namespace, motus_solve=solve_watched):
             # Blender keeps compiled what it has found in the namespace already.
-            support.addon("core.wiring.revival").revive()
+            support.addon("core.wiring.healing.revival").revive()
             for module in modules:
                 module.bpy = watch
             try:
@@ -59,7 +59,7 @@ class SolversTest(support.SceneTestCase):
             finally:
                 for module in modules:
                     module.bpy = bpy
-        support.addon("core.wiring.revival").revive()
+        support.addon("core.wiring.healing.revival").revive()
         self.assertEqual({name.partition(".")[0] for name in calls},
                          {"path", "layers", "ik", "look_at", "dynamics", "pendulum", "pendulum_trail", "snow", "snow_cover", "stereo",
                           "walker"})
@@ -74,7 +74,7 @@ class HubsTest(support.SceneTestCase):
         live_scenes.build()
 
     def test_whose_a_sink_is_is_asked_of_the_original(self):
-        wiring, systems = support.addon("core.wiring"), support.addon("core.system").systems()
+        wiring, systems = support.addon("core.wiring"), support.addon("core.declare").systems()
         depsgraph = bpy.context.evaluated_depsgraph_get()
         evaluated = [obj.evaluated_get(depsgraph) for obj in bpy.context.scene.objects]
         found = [(system.name, carrier) for system in systems for obj in evaluated
@@ -98,7 +98,7 @@ class NestedTest(support.SceneTestCase):
         bpy.context.view_layer.update()
 
     def test_both_are_right(self):
-        curves, per_thread = support.addon("core.curves"), support.addon("core.per_thread")
+        curves, per_thread = support.addon("path.curves"), support.addon("core.evaluated.per_thread")
         depsgraph = bpy.context.evaluated_depsgraph_get()
         outer, inner = (bpy.data.objects[name].evaluated_get(depsgraph) for name in ("Outer", "Inner"))
         wanted = [curves.read_evaluated(one, depsgraph, 0).curve.length() for one in (outer, inner)]
@@ -197,11 +197,11 @@ class DeletedTest(support.SceneTestCase):
         self.course.name = "Old"
         bpy.data.objects["Driven"].name = "Course"
         bpy.context.view_layer.update()
-        self.assertFalse(support.addon("core.deleted").is_deleted(bpy.data.objects["Course"]))
+        self.assertFalse(support.addon("core.file.deleted").is_deleted(bpy.data.objects["Course"]))
 
     def test_another_threads_handler_does_nothing(self):
         """Animations are rendered in a thread, in which Blender calls the handlers of the frame."""
-        deleted = support.addon("core.deleted")
+        deleted = support.addon("core.file.deleted")
         with mock.patch.object(deleted, "look") as look:
             thread = threading.Thread(target=deleted._updated)
             thread.start()

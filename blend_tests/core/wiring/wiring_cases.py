@@ -7,7 +7,7 @@ import bpy
 import support
 import toy_system
 
-capabilities = support.addon("core.capabilities")
+capabilities = support.addon("core.blender.capabilities")
 
 
 def build_object(target, **settings):

@@ -16,7 +16,7 @@ class CheckTestCase(IkTestCase):
         for frame, place in places:
             target.location = place
             target.keyframe_insert("location", frame=frame)
-        for curve in support.addon("core.actions").fcurves(target):
+        for curve in support.addon("core.blender.actions").fcurves(target):
             for point in curve.keyframe_points:
                 point.interpolation = 'CONSTANT'
         return target

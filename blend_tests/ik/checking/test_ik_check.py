@@ -202,7 +202,7 @@ class Everything(CheckTestCase):
         self.reach()
         walker, steps = self.begun(30)
         entries = self.rigged.motus.ik.entries
-        with support.addon("core.entries").unwired(self.rigged.motus.ik):
+        with support.addon("core.settings.entries").unwired(self.rigged.motus.ik):
             for index in range(200):  # Blender moves the list in memory
                 entries.add().name = f"More {index}"
             self.assertEqual(len(list(steps)), 70)
@@ -220,7 +220,7 @@ class Everything(CheckTestCase):
 
 class Text(support.SceneTestCase):
     def test_ranges(self):
-        ranges = support.addon("core.frames").ranges
+        ranges = support.addon("core.blender.frames").ranges
         self.assertEqual(ranges([], 1.0), "")
         self.assertEqual(ranges([5], 1.0), "5")
         self.assertEqual(ranges([1, 2, 3, 7, 9, 10], 1.0), "1-3, 7, 9-10")
@@ -229,7 +229,7 @@ class Text(support.SceneTestCase):
 
     def test_large_frames(self):
         """An exponent would be nothing to read, and other frames."""
-        results, frames = support.addon("ik.checking.results"), support.addon("core.frames")
+        results, frames = support.addon("ik.checking.results"), support.addon("core.blender.frames")
         self.assertEqual(frames.ranges([1048573, 1048574, 1048575, 1048600.25], 1.0), "1048573-1048575, 1048600.25")
         entry = type("Entry", (results.CheckResults,), {})()
         results.store(entry, [1048573, 1048574, 1048575], 1.0, [1048574], 1.0, 'FAR')

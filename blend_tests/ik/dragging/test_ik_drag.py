@@ -177,7 +177,7 @@ class WithoutIk(DragTestCase):
         self.auto_key(only_available=False)
         self.scene.frame_set(5)
         self.assertPulled(rig, "Bone 2", 1.0, (0.05, 0.1, -0.1))
-        curves = support.addon("core.actions").fcurves(rig)
+        curves = support.addon("core.blender.actions").fcurves(rig)
         self.assertEqual({curve.data_path for curve in curves},
                          {f'pose.bones["Bone {index}"].rotation_quaternion' for index in range(3)})
         self.assertEqual({point.co.x for curve in curves for point in curve.keyframe_points}, {5.0})
@@ -344,10 +344,10 @@ class WithIk(DragTestCase):
         self.reach()
         self.auto_key(only_available=True)
         self.drag("Bone 1", 1.0, (0.5, 0.2, 1.3))
-        self.assertEqual(len(support.addon("core.actions").fcurves(bpy.data.objects["Target"])), 0)
+        self.assertEqual(len(support.addon("core.blender.actions").fcurves(bpy.data.objects["Target"])), 0)
         self.auto_key(only_available=False)
         self.drag("Bone 1", 1.0, (0.5, 0.1, 1.3))
-        curves = support.addon("core.actions").fcurves(bpy.data.objects["Target"])
+        curves = support.addon("core.blender.actions").fcurves(bpy.data.objects["Target"])
         self.assertEqual({curve.data_path for curve in curves}, {"location"})
 
     def test_immovable_target(self):

@@ -54,7 +54,7 @@ class MatchTestCase(IkTestCase):
 
     def assertFramesStay(self, operator, obj, path, keys, frames, **options):
         """Matching some frames leaves a curve before the last key in front of them and after the first one behind."""
-        actions = support.addon("core.actions")
+        actions = support.addon("core.blender.actions")
         rewrite(actions.find(obj, path), keys, **options)
         first = max((frame for frame, _ in keys if frame < frames[0]), default=-math.inf)
         last = min((frame for frame, _ in keys if frame > frames[1]), default=math.inf)
@@ -97,7 +97,7 @@ def all_of(curve):
 
 def state_of(obj):
     """Keys and transforms of a control."""
-    curves = support.addon("core.actions").fcurves(obj)
+    curves = support.addon("core.blender.actions").fcurves(obj)
     return tuple(obj.location), tuple(obj.rotation_euler), [
         (curve.data_path, curve.array_index, [(tuple(point.co), point.interpolation, point.handle_left_type)
                                               for point in curve.keyframe_points]) for curve in curves]

@@ -51,7 +51,7 @@ class FkMatchesIk(MatchTestCase):
     def test_continuous(self):
         rig = self.moving()
         self.match("fk_match_ik")
-        actions = support.addon("core.actions")
+        actions = support.addon("core.blender.actions")
         for name in ("Bone 0", "Bone 1"):
             values = np.array([[actions.find(rig, f'pose.bones["{name}"].rotation_quaternion', index).evaluate(frame)
                                 for index in range(4)] for frame in range(1, 31)])
@@ -65,7 +65,7 @@ class FkMatchesIk(MatchTestCase):
         bone.keyframe_insert("rotation_quaternion", frame=1)
         self.reach()
         self.match("fk_match_ik", frame_start=5, frame_end=10)
-        curve = support.addon("core.actions").find(rig, 'pose.bones["Bone 0"].rotation_quaternion', 0)
+        curve = support.addon("core.blender.actions").find(rig, 'pose.bones["Bone 0"].rotation_quaternion', 0)
         self.assertLess(curve.evaluate(5), 0.0)
 
     def test_frames_between_kept_keys_stay(self):
@@ -102,8 +102,8 @@ class FkMatchesIk(MatchTestCase):
         rig = self.moving()
         before = self.recorded(rig)
         self.match("fk_match_ik", switch=True)
-        for curve in list(support.addon("core.actions").fcurves(bpy.data.objects["Target"])):
-            support.addon("core.actions").fcurves(bpy.data.objects["Target"]).remove(curve)
+        for curve in list(support.addon("core.blender.actions").fcurves(bpy.data.objects["Target"])):
+            support.addon("core.blender.actions").fcurves(bpy.data.objects["Target"]).remove(curve)
         bpy.data.objects["Target"].location = (0.0, 5.0, 0.0)
         self.match("ik_match_fk", switch=True)
         self.assertRecorded(rig, before, 1e-5)

@@ -11,7 +11,7 @@ RANGE = {"frame_start": 1, "frame_end": 30}
 class LinkedActionTestCase(MatchTestCase):
     def setUp(self):
         super().setUp()
-        self.actions = support.addon("core.actions")
+        self.actions = support.addon("core.blender.actions")
         self.rigged = self.animated_arm()
         self.goal = self.target()
         for frame, place in ((1, REACHABLE), (30, (0.9, -0.2, 1.2))):

@@ -117,7 +117,7 @@ class Steps(MatchTestCase):
             steps = match(bpy.context, rig, "", list(range(1, 31)), True, {})
             next(steps), next(steps)
             entries = rig.motus.ik.entries
-            with support.addon("core.entries").unwired(rig.motus.ik):
+            with support.addon("core.settings.entries").unwired(rig.motus.ik):
                 for index in range(200):  # Blender moves the list in memory
                     entries.add().name = f"More {index}"
             list(steps)

@@ -31,7 +31,7 @@ class IkMatchesFk(MatchTestCase):
         render.frame_map_old, render.frame_map_new = 100, 200
         self.match(switch=True, frame_start=2, frame_end=60)
         self.assertRecorded(rig, {2 * frame: pose for frame, pose in before.items()})
-        curve = support.addon("core.actions").find(bpy.data.objects["Rig"].motus.ik.entries[0].target, "location", 0)
+        curve = support.addon("core.blender.actions").find(bpy.data.objects["Rig"].motus.ik.entries[0].target, "location", 0)
         self.assertEqual([point.co.x for point in curve.keyframe_points][::58], [1.0, 30.0])
 
     def test_without_pole(self):
@@ -207,7 +207,7 @@ class IkMatchesFk(MatchTestCase):
             target.keyframe_insert("location", frame=frame)
         self.reach()
         self.match(frame_start=10, frame_end=20, step=2.0)
-        curves = support.addon("core.actions").fcurves(target)
+        curves = support.addon("core.blender.actions").fcurves(target)
         frames = [[round(point.co.x, 3) for point in curve.keyframe_points] for curve in curves
                   if curve.data_path == "location"]
         self.assertEqual(frames, [[-5, 10, 12, 14, 16, 18, 20, 40]] * 3)
@@ -220,7 +220,7 @@ class IkMatchesFk(MatchTestCase):
         self.reach()
         target = bpy.data.objects["Target"]
         target.keyframe_insert("location", frame=1)
-        curve = support.addon("core.actions").find(target, "location", 0)
+        curve = support.addon("core.blender.actions").find(target, "location", 0)
         rewrite(curve, MANY, **options)
         return curve
 
@@ -256,10 +256,10 @@ class IkMatchesFk(MatchTestCase):
                     target, writer = bpy.data.objects["Target"], support.addon("ik.keying").KeyWriter()
                     before = all_of(curve)
                     writer.write(target, "location", list(range(*frames)), [(2.0, 0.0, 0.0)] * (frames[1] - frames[0]))
-                    curve = support.addon("core.actions").find(target, "location", 0)
+                    curve = support.addon("core.blender.actions").find(target, "location", 0)
                     self.assertNotEqual(all_of(curve), before)
                     writer.take_back()
-                    self.assertEqual(all_of(support.addon("core.actions").find(target, "location", 0)), before)
+                    self.assertEqual(all_of(support.addon("core.blender.actions").find(target, "location", 0)), before)
 
     def test_current_frame_alone(self):
         rig = self.animated_arm()
@@ -269,7 +269,7 @@ class IkMatchesFk(MatchTestCase):
         self.match(use_range=False)
         self.assertSamePose(rig, before, 5e-6, 17)
         self.assertEqual(self.scene.frame_current, 17)
-        curve = support.addon("core.actions").find(bpy.data.objects["Target"], "location", 0)
+        curve = support.addon("core.blender.actions").find(bpy.data.objects["Target"], "location", 0)
         self.assertEqual([point.co.x for point in curve.keyframe_points], [17.0])
 
     def test_frame_and_unkeyed_values_stay(self):
@@ -292,7 +292,7 @@ class IkMatchesFk(MatchTestCase):
         self.assertEqual(entry.position_weight, 1.0)
         self.assertRecorded(rig, before)
         self.match(switch=True, frame_start=1, frame_end=30)
-        self.assertIsNone(support.addon("core.actions").find(rig, "motus.ik.entries[0].position_weight"))
+        self.assertIsNone(support.addon("core.blender.actions").find(rig, "motus.ik.entries[0].position_weight"))
 
     def test_switch_for_a_part_of_the_scene_is_keyed(self):
         rig = self.animated_arm()
@@ -310,7 +310,7 @@ class IkMatchesFk(MatchTestCase):
         for frame, weight in keys:
             entry.position_weight = weight
             rig.keyframe_insert(WEIGHT, frame=frame)
-        curve = support.addon("core.actions").find(rig, WEIGHT)
+        curve = support.addon("core.blender.actions").find(rig, WEIGHT)
         curve.auto_smoothing = smoothing
         for key in curve.keyframe_points:
             key.interpolation, key.handle_left_type, key.handle_right_type = interpolation, handles, handles
@@ -323,7 +323,7 @@ class IkMatchesFk(MatchTestCase):
         step = 1.0 if interpolation == 'SINE' else 0.5
         before = {frame: curve.evaluate(frame) for frame in np.arange(-20.0, 81.0, step)}
         self.match(switch=True, frame_start=frames[0], frame_end=frames[1])
-        curve = support.addon("core.actions").find(bpy.data.objects["Rig"], WEIGHT)
+        curve = support.addon("core.blender.actions").find(bpy.data.objects["Rig"], WEIGHT)
         for frame, weight in before.items():
             if frames[0] <= frame <= frames[1]:
                 weight = 1.0
@@ -447,7 +447,7 @@ class OneKey(MatchTestCase):
         for frame in (10, 20):
             self.scene.frame_set(frame)
             self.match(use_range=False)
-        for curve in support.addon("core.actions").fcurves(bpy.data.objects["Rig Bone 1 Target"]):
+        for curve in support.addon("core.blender.actions").fcurves(bpy.data.objects["Rig Bone 1 Target"]):
             ends = [curve.evaluate(frame) for frame in (10, 20)]
             for frame in range(11, 20):
                 self.assertLessEqual(min(ends) - 1e-5, curve.evaluate(frame))

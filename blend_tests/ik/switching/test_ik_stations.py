@@ -98,7 +98,7 @@ class RemovedFromKeys(StationTestCase):
 
     def test_another_rig_has_the_action(self):
         other = self.link("Other", bpy.data.armatures.new("Other"))
-        actions = support.addon("core.actions")
+        actions = support.addon("core.blender.actions")
         animation = self.rigged.animation_data
         actions.assign(other, animation.action, actions.slot_identifier(self.rigged))
         before = [tuple(key.co) for key in actions.fcurves(other)[0].keyframe_points]

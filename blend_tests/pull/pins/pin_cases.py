@@ -93,7 +93,7 @@ def key_strength(pin, keys):
     for frame, value in keys.items():
         pin.strength = value
         pin.keyframe_insert("strength", frame=frame)
-    for curve in support.addon("core.actions").fcurves(pin.id_data):
+    for curve in support.addon("core.blender.actions").fcurves(pin.id_data):
         for point in curve.keyframe_points:
             point.interpolation = 'LINEAR'
 

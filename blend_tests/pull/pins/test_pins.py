@@ -249,14 +249,14 @@ class TimeTest(cases.PinsTestCase):
         for frame, value in ((1, 0.0), (11, 1.0)):
             settings.influence = value
             settings.keyframe_insert("influence", frame=frame)
-        for curve in support.addon("core.actions").fcurves(grid):
+        for curve in support.addon("core.blender.actions").fcurves(grid):
             curve.keyframe_points[0].interpolation = 'LINEAR'
         for frame in (6, 2, 11):
             frame_set(frame)
             self.assertAlmostEqual(evaluated(grid)[root, 2], (frame - 1) / 10.0, places=6)
 
     def test_still_pins_are_not_computed_on_every_frame(self):
-        solver = support.addon("core.wiring.solver")
+        solver = support.addon("core.wiring.solving.namespace")
         grid = cases.new_grid()
         add(grid, centre(grid))
         frame_set(1)

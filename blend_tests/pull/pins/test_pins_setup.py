@@ -62,7 +62,7 @@ class RemoveTest(cases.PinsTestCase):
         frame_set(11)
         heights = evaluated(grid)[roots, 2]
         self.assertEqual([round(float(height), 5) for height in heights], [1.0, 0.0, 3.0])
-        self.assertEqual(len(support.addon("core.actions").fcurves(grid)), 2)
+        self.assertEqual(len(support.addon("core.blender.actions").fcurves(grid)), 2)
 
     def keyed_pins(self):
         """A grid whose three pins reach 1, 2 and 3 at frame 11, and their roots."""

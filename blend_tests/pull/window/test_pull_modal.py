@@ -91,7 +91,7 @@ class Pen(unittest.TestCase):
 
 class TypedNumbers(unittest.TestCase):
     def typed(self, *keys, takes_numpad=False):
-        made = support.addon("core.number_entry").NumberEntry(takes_numpad)
+        made = support.addon("core.interface.dragging.number_entry").NumberEntry(takes_numpad)
         return made, [made.key(key) for key in keys]
 
     def test_digits(self):

@@ -60,7 +60,7 @@ def test_panel_beside_the_compositor():
         area.spaces.active.show_region_ui = True
         yield
         sidebar = window_support.region('UI', 'NODE_EDITOR')
-        if support.addon("core.capabilities").has_panel_category():
+        if support.addon("core.blender.capabilities").has_panel_category():
             sidebar.active_panel_category = "Motus"
             sidebar.tag_redraw()
             yield from window_support.until(lambda: drawn)

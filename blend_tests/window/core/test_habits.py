@@ -136,7 +136,7 @@ def shown_and_used(settings, names):
     """{keyword: (what the redo panel shows, what the settings have)} of those that differ."""
     found = {}
     for name in names:
-        shown, used = (support.addon("core.operators")._plain(getattr(one, name)) for one in (last(), settings))
+        shown, used = (support.addon("core.interface.operators")._plain(getattr(one, name)) for one in (last(), settings))
         differ = abs(shown - used) > 1e-6 if isinstance(shown, float) else shown != used
         if differ:
             found[name] = shown, used
@@ -206,7 +206,7 @@ def test_a_panels_bake_button_bakes_all_systems_of_the_armature():
     choose(rig)
     scene, drawn = bpy.context.scene, []
     scene.frame_start, scene.frame_end = 1, 12
-    ui = support.addon("core.ui")
+    ui = support.addon("core.interface.ui")
     own = ui.draw_bake
 
     def noting(layout):
@@ -281,7 +281,7 @@ def test_narrow_sidebar():
     glider, _, rig = build()
     bpy.ops.motus.ik_add(object=rig.name, bone="shin", make_pole=True)
     choose(rig)
-    with window_support.drawn_settings([support.addon("core.panels").MOTUS_PT_overlay]) as drawn:
+    with window_support.drawn_settings([support.addon("core.interface.panels").MOTUS_PT_overlay]) as drawn:
         yield from window_support.open_tab("Motus")
         sidebar = window_support.region('UI')
         before = sidebar.width
@@ -299,7 +299,7 @@ def test_narrow_sidebar():
 
 def test_labels_fit_at_the_default_width():
     """Of all systems' rows, in both languages: beside fields where there is room, else within them."""
-    rows, widths = support.addon("core.rows"), support.addon("core.widths")
+    rows, widths = support.addon("core.interface.rows"), support.addon("core.interface.view.widths")
     live_scenes.build()
     view, own_draw, noted = bpy.context.preferences.view, rows.Row.draw, {}
 

@@ -6,7 +6,7 @@ from dynamics import dynamics_cases as cases
 import support
 from window import window_support
 
-actions = support.addon("core.actions")
+actions = support.addon("core.blender.actions")
 FRAME = 25
 
 

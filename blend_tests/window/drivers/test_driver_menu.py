@@ -21,7 +21,7 @@ def test_from_the_menu_of_a_property_to_the_list():
     yield
     found = yield from properties_editor.hover("rotation_euler")
     assert found, "the editor shows no rotation"
-    (x, y), under_mouse = found, support.addon("core.hovered")
+    (x, y), under_mouse = found, support.addon("core.interface.view.hovered")
 
     hovered, as_it_is = [], under_mouse.find
     under_mouse.find = lambda *arguments, **keywords: hovered.append(as_it_is(*arguments, **keywords)) or hovered[-1]

@@ -45,7 +45,7 @@ def test_the_graph_follows_the_numbers():
         view.ui_scale = 1.0
     assert (seen['BOUNCY'] != seen['JELLY']).sum() > 100
     assert (seen['BOUNCY'] != seen['CRITICAL']).sum() > 100
-    shown = support.addon("core.graph")._shown
+    shown = support.addon("core.interface.view.graph")._shown
     assert "dynamics" in shown
 
 
@@ -96,7 +96,7 @@ def test_what_stands_still_is_said():
     ball = cases.link("Ball")
     bpy.context.view_layer.objects.active = ball
     bpy.ops.motus.dynamics_add(object="Ball")
-    ui, said = support.addon("core.ui"), []
+    ui, said = support.addon("core.interface.ui"), []
     draw = ui.draw_message
     ui.draw_message = lambda layout, sentence, icon: said.append(sentence) or draw(layout, sentence, icon)
     try:
@@ -124,7 +124,7 @@ def test_what_hangs_on_a_keyed_arm_is_known():
     cup.parent, cup.parent_type, cup.parent_bone = arm, 'BONE', "Tail 0 1"
     bpy.ops.motus.dynamics_add(object="Cup", follow='WORLD')
     bpy.context.view_layer.objects.active = cup
-    ui, said = support.addon("core.ui"), []
+    ui, said = support.addon("core.interface.ui"), []
     draw = ui.draw_message
     ui.draw_message = lambda layout, sentence, icon: said.append(sentence) or draw(layout, sentence, icon)
     try:

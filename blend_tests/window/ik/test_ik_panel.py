@@ -135,7 +135,7 @@ def test_bone_constraint_properties():
 def test_labels_are_not_clipped_in_a_narrow_editor():
     choose(build(), 'POSE')
     properties = window_support.area('PROPERTIES')
-    ui, seen = support.addon("core.ui"), {}
+    ui, seen = support.addon("core.interface.ui"), {}
     split, margin = ui.split, MARGIN * bpy.context.preferences.system.ui_scale
 
     def noting(layout, longest=""):

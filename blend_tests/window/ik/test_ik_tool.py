@@ -105,7 +105,7 @@ def test_put_down_when_the_add_on_goes():
     dragging.build()
     take_tool()
     yield
-    toolbar = support.addon("core.toolbar")
+    toolbar = support.addon("core.interface.view.toolbar")
     with window_support.override():
         assert toolbar.in_hand(bpy.context) == TOOL
     tool = support.addon("ik.dragging.tool")

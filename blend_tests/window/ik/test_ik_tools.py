@@ -41,7 +41,7 @@ def tail(frame):
 
 def key_count():
     target = bpy.data.objects["Figure shin Target"]
-    return sum(len(curve.keyframe_points) for curve in support.addon("core.actions").fcurves(target))
+    return sum(len(curve.keyframe_points) for curve in support.addon("core.blender.actions").fcurves(target))
 
 
 def run(operator, **keywords):

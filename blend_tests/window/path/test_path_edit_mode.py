@@ -8,7 +8,7 @@ from window.path.test_path_panel import build
 
 
 def test_follows_while_it_is_dragged():
-    glider, overlay, drawn = build(), support.addon("core.overlay"), []
+    glider, overlay, drawn = build(), support.addon("core.interface.overlay"), []
     course = bpy.data.objects["Course"]
     bpy.context.view_layer.objects.active = course
     for switch in ("control_points", "tangents", "frames", "speed"):

@@ -121,7 +121,7 @@ def test_a_train_on_a_closed_curve():
             point.handle_right.x -= 3.0
         ring.data.update_tag()
     yield
-    shown = support.addon("core.overlay").batches(bpy.context)
+    shown = support.addon("core.interface.overlay").batches(bpy.context)
     assert len(shown) >= 2, shown
     yield from window_support.picture("path_edited")
     with window_support.override():

@@ -241,7 +241,7 @@ def test_rest_in_edit_mode():
     build()
     with window_support.override():
         bpy.ops.object.mode_set(mode='EDIT')
-    overlay = support.addon("core.overlay")
+    overlay = support.addon("core.interface.overlay")
     with window_support.override():
         assert any("rest" in note for note in overlay.notes(bpy.context))
     yield from window_support.open_tab("Motus")
@@ -256,7 +256,7 @@ def test_a_thousand_handles():
     obj = build()
     setup, system = support.addon("pull.pins.setup"), support.addon("pull").SYSTEM
     settings = obj.motus.pull
-    with support.addon("core.entries").unwired(settings):
+    with support.addon("core.settings.entries").unwired(settings):
         for number in range(997):
             vertex = 3 * number
             setup._append(obj, f"Many {number}", {

@@ -99,7 +99,7 @@ def test_an_emitter_that_is_removed_while_the_drag_waits():
     build('SQUARE')
     yield
     place, ended = seen("cone_radius"), []
-    dragging = support.addon("core.drag").PointDrag
+    dragging = support.addon("core.interface.dragging.drag").PointDrag
     cancel = dragging.cancel
 
     def noted(self, context):

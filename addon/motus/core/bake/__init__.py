@@ -4,7 +4,7 @@ sampling.py takes the transforms off the evaluated scene, keys.py writes and rem
 the user calls; properties.py is what an object remembers while it is baked.
 """
 
-from .operators import MOTUS_OT_bake, MOTUS_OT_unbake
+from ..interface.baking import MOTUS_OT_bake, MOTUS_OT_unbake
 from .properties import MOTUS_PG_bake
 
 classes = (MOTUS_PG_bake, MOTUS_OT_bake, MOTUS_OT_unbake)

@@ -2,10 +2,11 @@
 
 import bpy
 
-from .. import scene_time, system, wiring
+from .. import declare, wiring
+from ..blender.frames import Kept, depsgraph_of, go_to
 from ..file.pointers import pointed
-from ..frames import Kept, depsgraph_of, go_to
-from ..handedness import scale_is_mirrored
+from ..measures import scene_time
+from ..measures.handedness import scale_is_mirrored
 from ..refusals import Refused, check_evaluated, check_local, check_no_tweak_mode, check_posed
 from ..translations import tr
 from . import keys, state
@@ -27,10 +28,10 @@ def owner_and_systems(thing, name=""):
 
 
 def _candidates(thing):
-    systems = system.systems()
+    systems = declare.systems()
     yield thing, [one for one in systems if wiring.is_attached(one, thing)]
     for one in systems:
-        leader = system.leader_of(one, thing)
+        leader = declare.leader_of(one, thing)
         if leader:
             yield leader, [one]
 
@@ -66,7 +67,7 @@ def unbake(thing, name=""):
     partial = [one for one in baked if not keys.restore(one)]
     owner.motus.property_unset("bake")
     for one in systems:
-        system.of_owner(one, owner).is_baked = False
+        declare.of_owner(one, owner).is_baked = False
         wiring.set_muted(one, owner, False)
     return baked, partial
 
@@ -74,7 +75,7 @@ def unbake(thing, name=""):
 def check_baked(thing, name=""):
     """(systems, objects) that were baked together with a thing. Raises Refused where nothing was."""
     owner = _baked_owner(thing)
-    systems = [one for one in system.systems() if state.is_baked_owner(one, owner)]
+    systems = [one for one in declare.systems() if state.is_baked_owner(one, owner)]
     baked = state.baked_with(owner)
     if not baked or (name and name not in [one.name for one in systems]):
         raise Refused(tr("{object} is not baked").format(object=thing.name))
@@ -85,9 +86,9 @@ def _baked_owner(thing):
     """The owner with which an object was baked, or properties of what it uses."""
     if thing.motus.bake.is_baked:
         return pointed(thing.motus.bake, "owner") or thing
-    leaders = [system.leader_of(one, thing) for one in system.systems()]
+    leaders = [declare.leader_of(one, thing) for one in declare.systems()]
     return next((leader for leader in leaders if leader and any(
-        state.is_baked_owner(one, leader) for one in system.systems())), thing)
+        state.is_baked_owner(one, leader) for one in declare.systems())), thing)
 
 
 def objects_of(owner, systems):
@@ -103,7 +104,7 @@ def inexact(owner, systems):
 
 
 def _members(one, owner):
-    return [member for group in system.groups_of(one, owner) for member in group.members]
+    return [member for group in declare.groups_of(one, owner) for member in group.members]
 
 
 def _sinks(owner, systems):
@@ -153,4 +154,4 @@ def _apply(owner, systems, tracks, times):
         one.update_tag()
     owner.motus.bake.frame_start, owner.motus.bake.frame_end = times[0], times[-1]
     for one in systems:
-        system.of_owner(one, owner).is_baked = True
+        declare.of_owner(one, owner).is_baked = True

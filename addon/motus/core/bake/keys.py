@@ -6,9 +6,10 @@ import re
 
 import bpy
 
-from .. import actions, stored
+from ..animation import channel as animated
+from ..blender import actions
+from ..file import stored
 from ..refusals import Refused
-from ..tracks import animation as animated
 from . import state as states
 from .sampling import NumberTrack
 

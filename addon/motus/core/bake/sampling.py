@@ -5,8 +5,8 @@ import math
 import bpy
 from mathutils import Euler, Matrix, Quaternion, Vector
 
-from ..datablocks import Named
-from ..handedness import scale_is_mirrored
+from ..blender.datablocks import Named
+from ..measures.handedness import scale_is_mirrored
 
 ROTATION_PATHS = {'QUATERNION': "rotation_quaternion", 'AXIS_ANGLE': "rotation_axis_angle"}
 

@@ -2,9 +2,9 @@
 
 import bpy
 
-from .. import datablocks
+from ..blender import datablocks
+from ..declare import System, has_settings, leader_of, of_owner
 from ..file.pointers import pointed
-from ..system import System, has_settings, leader_of, of_owner
 
 KEY = "motus_bake"
 """Custom property that holds, on what is no object, what MOTUS_PG_bake does."""

@@ -5,9 +5,9 @@ import threading
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
-from .. import copies
+from ..evaluated import copies
+from ..evaluated.per_thread import aside
 from ..lazy import numpy as np
-from ..per_thread import aside
 
 MOST_BYTES = 256 << 20
 """Of faces that are kept."""

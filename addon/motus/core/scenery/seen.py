@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix
 
-from ..tracks.question import answered
+from ..evaluated.question import answered
 from . import meshes, stillness
 
 

@@ -5,8 +5,9 @@ What Blender does not tell counts as moving: constraints, drivers, physics, modi
 
 import bpy
 
-from .. import actions, node_groups, tracks
-from ..tracks.question import answered
+from .. import tracks
+from ..blender import actions, node_groups
+from ..evaluated.question import answered
 
 _OVER_TIME = {'BUILD', 'CLOTH', 'DYNAMIC_PAINT', 'EXPLODE', 'FLUID', 'MESH_CACHE', 'MESH_SEQUENCE_CACHE', 'OCEAN',
               'PARTICLE_INSTANCE', 'PARTICLE_SYSTEM', 'SOFT_BODY', 'WAVE'}

@@ -11,9 +11,9 @@ A Track is EXACT (read from keys, NLA strips and parents), SOLVED (a system of M
 through the frames and keeps samples in the file. See docs/tracks.md.
 """
 
-from .operators import classes
-from .panel import draw, is_outdated, register, unregister
-from .strips import keys_stamp
+from ..animation.strips import keys_stamp
+from ..interface.tracks.operators import classes
+from ..interface.tracks.panel import draw, is_outdated, register, unregister
 from .track import Kind, Track, forget, kept, kept_by, moving_numbers, own_track, property_track, world_track
 
 __all__ = (

@@ -9,11 +9,11 @@ import re
 
 import bpy
 
-from .. import actions
+from ..animation import channel
+from ..blender import actions
+from ..declare import systems
 from ..lazy import numpy as np
 from ..refusals import Refused
-from ..system import systems
-from . import animation
 
 MOST = 256
 """Datablocks that are looked at."""
@@ -163,7 +163,7 @@ def _still(target):
     if target.id is None or not path:
         return None
     try:
-        read = animation.Channel(target.id, path, -1 if index is None else int(index))
+        read = channel.Channel(target.id, path, -1 if index is None else int(index))
     except Refused:
         return None
     declared = read.number.holder.bl_rna.properties.get(read.number.name)

@@ -6,10 +6,11 @@ import bpy
 from mathutils import Matrix
 
 from .. import rigs, wiring
+from ..animation import keys
+from ..animation.strips import together
+from ..declare import systems
 from ..lazy import numpy as np
-from ..system import systems
-from . import keys, solved
-from .strips import together
+from . import solved
 
 
 def over(own, thing):

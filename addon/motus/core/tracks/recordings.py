@@ -14,9 +14,10 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from .. import libraries, stored
+from ..animation import keys
+from ..file import libraries, stored
 from ..lazy import numpy as np
-from . import keys, rotations
+from . import rotations
 
 LIST = "motus_recordings"
 """Name of the list."""

@@ -2,12 +2,13 @@
 
 import functools
 
-from .. import copies
+from ..animation import keys, strips
+from ..animation.channel import Channel
+from ..animation.strips import together
+from ..evaluated import copies
+from ..evaluated.question import answered
 from ..lazy import numpy as np
-from . import keys, laid, strips
-from .animation import Channel
-from .question import answered
-from .strips import together
+from . import laid
 from .transforms import Own, World
 
 
@@ -80,7 +81,7 @@ class RigInputs:
         return [goal and columns(goal.values(times), len(times)) for goal in self._goals]
 
     def rows(self, times, names):
-        """Yields for each time (poses, basis) of all bones, (B, 16) float32 column by column, as core/rigs.py reads them.
+        """Yields for each time (poses, basis) of all bones, (B, 16) float32 column by column, as core/rigs/rigs.py reads them.
 
         Right for the bones that were named; the arrays are the same each time. names: of all bones, in the order of the pose.
         """

@@ -12,11 +12,11 @@ What System.over_time gives is None, or has
 import threading
 
 from .. import wiring
+from ..animation.reason import Reason
+from ..declare import systems
 from ..file.pointers import pointed
 from ..lazy import numpy as np
-from ..system import systems
 from . import rotations
-from .reason import Reason
 
 PRICE = 30
 """As Track.price: about what a transform of a system's takes, beside what it reads."""

@@ -5,12 +5,13 @@ import functools
 import threading
 from collections import OrderedDict
 
-from .. import stored
+from ..animation import channel
+from ..animation.channel import Channel
+from ..animation.strips import keys_stamp
+from ..file import stored
 from ..lazy import numpy as np
 from ..translations import tr
-from . import animation, laid, recordings
-from .animation import Channel
-from .strips import keys_stamp
+from . import laid, recordings
 from .transforms import PARTS, Own, Transforms, World
 
 LARGEST_CACHE = 8192  # of what kept() keeps: some thousand properties or bones, in a viewport and a render
@@ -146,7 +147,7 @@ class Track:
 
     @property
     def price(self):
-        """What values() costs for each time; see core/bounds.py."""
+        """What values() costs for each time; see core/measures/bounds.py."""
         return getattr(self._source, "price", 1) if self.reason is None else self.width
 
     @property
@@ -183,13 +184,13 @@ def moving_numbers(id_data, names, frame):
         found = {name: property_track(id_data, name) for name in names}
         return {name: float(track.values([frame])[0]) for name, track in found.items() if track.is_known and not track.is_constant}
     ranges = kept_by(stamp, ("moving", type(id_data).__name__, names), lambda: _keyed_ranges(id_data, names))
-    curves = {name: animation.acting_curve(id_data, name) for name in ranges if not animation.is_driven(id_data, name)}
+    curves = {name: channel.acting_curve(id_data, name) for name in ranges if not channel.is_driven(id_data, name)}
     return {name: min(max(curve.evaluate(frame), ranges[name][0]), ranges[name][1]) for name, curve in curves.items() if curve}
 
 
 def _keyed_ranges(id_data, names):
     """{name: (least, most)} of the properties that the active action animates."""
-    keyed = [animation.number(id_data, name) for name in names if animation.acting_curve(id_data, name)]
+    keyed = [channel.number(id_data, name) for name in names if channel.acting_curve(id_data, name)]
     return {number.name: (number.least, number.most) for number in keyed}
 
 

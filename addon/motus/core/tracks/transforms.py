@@ -7,12 +7,14 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Matrix
 
-from .. import actions, copies
+from ..animation import keys, strips
+from ..animation.channel import Channel, is_driven
+from ..animation.reason import Reason
+from ..blender import actions
+from ..evaluated import copies
+from ..evaluated.question import answered
 from ..lazy import numpy as np
-from . import keys, laid, rotations, solved, strips
-from .animation import Channel, is_driven
-from .question import answered
-from .reason import Reason
+from . import laid, rotations, solved
 
 ROTATIONS = {'QUATERNION': ("rotation_quaternion", 4), 'AXIS_ANGLE': ("rotation_axis_angle", 4)}
 DELTA_ROTATIONS = {'QUATERNION': ("delta_rotation_quaternion", 4), 'AXIS_ANGLE': None}

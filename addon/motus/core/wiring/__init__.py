@@ -4,23 +4,23 @@ The only module that knows how results reach Blender. A system never looks insid
 detached here. See docs/wiring.md for the way of the data and docs/gotchas.md for why it is this way.
 """
 
-from ..system import is_owner as is_attached
-from .attaching import attach, detach, refresh, set_muted, touch
-from .drivers import driven_bones
-from .geometry_sink import place as points_place
-from .geometry_sink import set_collection as set_points_collection
-from .geometry_sink import set_material as set_points_material
-from .geometry_sink import set_object as set_points_object
-from .healing import evaluation
-from .order import waited_for
-from .outputs import output, output_path, outputs_of
+from ..blender.drivers import driven_bones
+from ..declare import is_owner as is_attached
+from .attaching.attach import attach, detach, refresh, set_muted, touch
+from .attaching.order import waited_for
+from .attaching.readers import absent_path, targets_on
+from .healing.heal import evaluation
+from .hubs.outputs import output, output_path, outputs_of
 from .problems import problem, report_problems
-from .property_sink import check as check_property
-from .property_sink import driven as driven_properties
-from .property_sink import place as property_place
-from .readers import absent_path, targets_on
-from .sinks import abandoned, has_sinks, is_sink, on_object, release, sinks
-from .solver import register, unregister
+from .sinks.finding import abandoned, has_sinks, is_sink, on_object, release, sinks
+from .sinks.geometry_sink import place as points_place
+from .sinks.geometry_sink import set_collection as set_points_collection
+from .sinks.geometry_sink import set_material as set_points_material
+from .sinks.geometry_sink import set_object as set_points_object
+from .sinks.property_sink import check as check_property
+from .sinks.property_sink import driven as driven_properties
+from .sinks.property_sink import place as property_place
+from .solving.namespace import register, unregister
 
 __all__ = (
     "abandoned", "absent_path", "attach", "check_property", "detach", "driven_bones", "driven_properties", "evaluation", "has_sinks", "is_attached",

@@ -1,9 +1,10 @@
 """What keeps an owner's systems from working, as a sentence for the panel: what its solvers report, and what the wiring sees."""
 
-from ..stored import Damaged, Newer
-from ..system import Problem, groups_of, of_owner
+from ..declare import Problem, groups_of, of_owner
+from ..file.stored import Damaged, Newer
 from ..translations import tr
-from . import hub_lookup, outbox, property_sink
+from .hubs import hub_lookup, outbox
+from .sinks import property_sink
 
 _DAMAGED_PROBLEM = Problem("The data of this system in the file is damaged: press Refresh, or set it up again")
 _NEWER_PROBLEM = Problem(

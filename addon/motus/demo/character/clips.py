@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ...core import actions
+from ...core.blender import actions
 from ..stage.keying import key
 from . import skeleton
 import itertools

@@ -5,7 +5,7 @@ import math
 import bpy
 
 from ...chroma import compositor, group
-from ...core import node_groups
+from ...core.blender import node_groups
 from ..flying import aeroplane, flight
 from ..places import colonnade
 from ..stage import lighting, staging

@@ -4,10 +4,11 @@ import math
 
 import bpy
 
-from ...core import actions
+from ...core.blender import actions
 from ..places import clay_studio
 from ..stage import lighting, shapes, staging
-from . import body as hopper_body, skeleton
+from . import skeleton
+from . import body as hopper_body
 
 SCENE_NAME = "Motus Dynamics"
 FRAMES_PER_SECOND = 24

@@ -3,7 +3,8 @@
 import bpy
 from mathutils import Matrix, Vector
 
-from ..character import clips as character_clips, mannequin, skeleton
+from ..character import mannequin, skeleton
+from ..character import clips as character_clips
 from ..flying import aeroplane
 from ..stage import lighting, shapes, staging
 from . import planet
@@ -82,7 +83,7 @@ def _key_place(toy, matrix, frame):
 
 def _set_steps(thing):
     """Keys that were set until now hold their value."""
-    from ...core import actions
+    from ...core.blender import actions
     for curve in actions.fcurves(thing):
         for point in curve.keyframe_points:
             point.interpolation = "CONSTANT"

@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from ...core import actions
+from ...core.blender import actions
 from ..flying import aeroplane, flight
 from ..stage import shapes
 from ..stage.keying import key

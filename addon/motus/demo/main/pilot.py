@@ -6,7 +6,8 @@ from typing import NamedTuple
 import bpy
 from mathutils import Matrix
 
-from ..character import clips as character_clips, mannequin, skeleton
+from ..character import mannequin, skeleton
+from ..character import clips as character_clips
 from ..stage import shapes
 from ..stage.keying import key
 from . import steps, transmitter

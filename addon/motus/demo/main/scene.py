@@ -11,7 +11,10 @@ import bpy
 from ..stage import gaze_camera, shapes, staging
 from ..stage.keying import key
 from ..village import snowfall
-from . import flight, lanterns as main_lanterns, pilot as main_pilot, spider as main_spider, terrain
+from . import flight, terrain
+from . import lanterns as main_lanterns
+from . import pilot as main_pilot
+from . import spider as main_spider
 
 SCENE_NAME = "Motus Main"
 FRAMES_PER_SECOND, LAST_FRAME = 24, 264

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from mathutils import Matrix
 
-from ...core import actions
+from ...core.blender import actions
 from ..character import clips, skeleton
 from ..stage.keying import key
 

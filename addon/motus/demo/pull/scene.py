@@ -4,7 +4,8 @@ import bpy
 
 from ..places import clay_studio
 from ..stage import keying, lighting, shapes, staging
-from . import face as clay_face, terrain
+from . import terrain
+from . import face as clay_face
 
 SCENE_NAME = "Motus Pull"
 FRAMES_PER_SECOND = 24

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core import node_groups
+from ...core.blender import node_groups
 from ..stage import materials
 
 

@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core.frames import Kept, go_to, ranges
+from ...core.blender.frames import Kept, go_to, ranges
 from ...core.refusals import Refused, check_local
 from ...core.translations import tr
 from .. import status, targets

@@ -4,7 +4,7 @@ import re
 
 import bpy
 
-from ...core.frames import ranges, spoken
+from ...core.blender.frames import ranges, spoken
 from ...core.translations import tr
 
 _RUN = re.compile(r"(-?[\d.]+)(?:-(-?[\d.]+))?")

@@ -7,7 +7,7 @@ from mathutils import Matrix, Quaternion, Vector
 
 from ...core import native, rigs
 from ...core.bake.sampling import rotation_path
-from ...core.datablocks import Named
+from ...core.blender.datablocks import Named
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused, check_bone, check_local
 from ...core.translations import tr

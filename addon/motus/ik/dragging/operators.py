@@ -3,10 +3,11 @@
 import bpy
 from mathutils import Vector
 
-from ...core import actions, scene_time
-from ...core.drag import PointDrag
+from ...core.blender import actions
+from ...core.interface.dragging.drag import PointDrag
+from ...core.interface.rows import Row, Rows, is_given
+from ...core.measures import scene_time
 from ...core.refusals import Refused, check_finite, check_posed, named
-from ...core.rows import Row, Rows, is_given
 from ...core.translations import tr
 from .. import status, targets
 from ..operators import OfARig

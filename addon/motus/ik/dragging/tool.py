@@ -4,7 +4,7 @@ from pathlib import Path
 
 import bpy
 
-from ...core import toolbar
+from ...core.interface.view import toolbar
 from .operators import MOTUS_OT_ik_drag
 
 PRESS = {"type": 'LEFTMOUSE', "value": 'PRESS'}

@@ -6,7 +6,7 @@ from contextlib import contextmanager
 import bpy
 from mathutils import Matrix
 
-from ...core import actions
+from ...core.blender import actions
 from ...core.refusals import Refused, check_evaluated
 from ...core.translations import tr
 from . import placing

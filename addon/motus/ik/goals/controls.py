@@ -4,9 +4,9 @@ import math
 
 from mathutils import Matrix
 
-from ...core import deleted
 from ...core.bake.sampling import rotation_path
-from ...core.datablocks import Named
+from ...core.blender.datablocks import Named
+from ...core.file import deleted
 from ...core.file.pointers import pointed
 from ...core.refusals import Refused, check_no_tweak_mode
 from ...core.translations import tr

@@ -4,8 +4,9 @@ import itertools
 
 import bpy
 
-from ...core import needed, wiring
-from ...core.system import systems
+from ...core import wiring
+from ...core.blender import needed
+from ...core.declare import systems
 from ..groups import goals
 from . import control_bones
 from .placing import CONTROL_KEY

@@ -7,10 +7,11 @@ import math
 
 from mathutils import Euler, Matrix
 
-from ...core import deleted, rigs
+from ...core import rigs
+from ...core.file import deleted
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
-from ..reasons import NO_TARGET, NO_TARGET_BONE, NOT_FINITE, TARGET_DELETED
+from ..reasons import NOT_FINITE, NO_TARGET, NO_TARGET_BONE, TARGET_DELETED
 from . import stations
 
 

@@ -5,7 +5,7 @@ import math
 import bpy
 from mathutils import Euler, Vector
 
-from ...core import libraries
+from ...core.file import libraries
 from .. import chains, forward
 from . import places as goal_places
 from .orientation import frame_of

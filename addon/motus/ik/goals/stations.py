@@ -2,7 +2,7 @@
 
 import itertools
 
-from ...core import deleted
+from ...core.file import deleted
 from ...core.file.pointers import pointed
 
 STANDS = 1e-4

@@ -4,7 +4,7 @@ import math
 
 import bpy
 
-from ...core.rows import Rows
+from ...core.interface.rows import Rows
 from ...core.translations import tr
 from ..frame_walk import OverFrames, active_rig
 from .job import match_fk, match_ik

@@ -1,6 +1,7 @@
 """Switching chains between their animated pose and the solution over a range of frames."""
 
-from ...core import actions, scene_time
+from ...core.blender import actions
+from ...core.measures import scene_time
 from ...core.refusals import Refused
 from ...core.translations import tr
 from .. import chains

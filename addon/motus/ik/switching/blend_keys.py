@@ -1,6 +1,6 @@
 """Blend keyed from one target to the next over time: plain functions behind the switching operator."""
 
-from ...core import actions
+from ...core.blender import actions
 from ...core.file.pointers import pointed
 from ...core.refusals import Refused
 from ...core.translations import tr

@@ -6,11 +6,12 @@ The driver's expression is a sum with a term for each switch, made of functions 
 import itertools
 import re
 
-from ...core import dependencies, wiring
+from ...core import wiring
+from ...core.declare import System, of_owner, registered
 from ...core.file.pointers import pointed
 from ...core.refusals import Refused
-from ...core.system import System, of_owner, registered
 from ...core.translations import tr
+from ...core.wiring.attaching import levels
 from .. import chains, setup
 from . import blend_keys
 
@@ -74,7 +75,7 @@ def _refuse_own(rig):
 
 def _entry_count(owner):
     """How many entries wait for one another at most."""
-    return len(dependencies.levels(owner)) if owner.type == 'ARMATURE' else 0
+    return len(levels.levels(owner)) if owner.type == 'ARMATURE' else 0
 
 
 def property_source(owner, path):
@@ -195,7 +196,7 @@ def _add_variable(driver, name, source):
 
 
 def _loops(rig):
-    return {address for address, level in dependencies.levels(rig).items() if level is None}
+    return {address for address, level in levels.levels(rig).items() if level is None}
 
 
 def _take_back(rig, entry, added, expression, name):

@@ -4,10 +4,10 @@ import math
 
 import bpy
 
-from ...core import scene_time
 from ...core.file.pointers import pointed
+from ...core.interface.rows import Row, Rows
+from ...core.measures import scene_time
 from ...core.refusals import Refused, named
-from ...core.rows import Row, Rows
 from ...core.translations import tr
 from .. import targets
 from ..operators import OfABone

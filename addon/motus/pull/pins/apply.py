@@ -2,9 +2,9 @@
 
 import bpy
 
+from ...core.interface.rows import Rows
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
-from ...core.rows import Rows
 from ...core.translations import tr
 from ..mesh import arrays
 from . import keys, setup, solve, table

@@ -3,10 +3,10 @@
 import bpy
 from mathutils import Matrix, Vector
 
-from ...core.drag import PointDrag
+from ...core.interface.dragging.drag import PointDrag
+from ...core.interface.rows import Row, Rows, is_given
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused, check_finite
-from ...core.rows import Row, Rows, is_given
 from ...core.translations import tr
 from .. import keywords
 from ..mesh import arrays

@@ -2,7 +2,8 @@
 
 import bpy
 
-from ...core import drawing, handle_groups
+from ...core.interface.dragging import handle_groups
+from ...core.interface.view import drawing
 from ...core.lazy import numpy as np
 from ..window import hover
 from . import handles, setup

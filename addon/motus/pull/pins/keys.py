@@ -4,7 +4,8 @@ import re
 
 import bpy
 
-from ...core import actions, wiring
+from ...core import wiring
+from ...core.blender import actions
 
 _PATH = re.compile(r"^motus\.pull\.pins\[(?P<index>\d+)\](?P<rest>.*)$")
 _KEY_FIELDS = ("co", "handle_left", "handle_right", "handle_left_type", "handle_right_type", "interpolation", "easing",

@@ -2,10 +2,10 @@
 
 import bpy
 
+from ...core.interface.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
+from ...core.interface.rows import Row, Rows
 from ...core.lazy import numpy as np
-from ...core.operators import OBJECT_MODE, FindsValues, Operator, object_keyword
 from ...core.refusals import Refused, check_finite
-from ...core.rows import Row, Rows
 from ...core.translations import tr
 from .. import keywords, rows
 from ..falloff_curve import CURVE_SAMPLES

@@ -1,8 +1,8 @@
 """What the viewport shows of pins beside their handles: the way of each root, and in Edit Mode that they rest."""
 
+from ...core.declare import Problem
+from ...core.interface.overlay import Batch, Overlay
 from ...core.lazy import numpy as np
-from ...core.overlay import Batch, Overlay
-from ...core.system import Problem
 from . import handles
 
 RESTING = Problem("Pins rest in Edit Mode: the mesh is shown without them", blocking=False)

@@ -2,9 +2,10 @@
 
 import bpy
 
-from ...core import panels, ui, wiring
-from ...core.rows import Row, Rows
-from ...core.system import Problem
+from ...core import wiring
+from ...core.declare import Problem
+from ...core.interface import panels, ui
+from ...core.interface.rows import Row, Rows
 from ...core.translations import OWN_SENSE
 from .. import rows
 from . import solve

@@ -2,9 +2,11 @@
 
 import bpy
 
-from ...core import entries, libraries, wiring
+from ...core import wiring
+from ...core.file import libraries
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
+from ...core.settings import entries
 from ...core.translations import tr
 from ..mesh import arrays
 from . import binding, keys

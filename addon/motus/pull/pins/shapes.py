@@ -8,8 +8,8 @@ import threading
 from collections import OrderedDict
 
 from ...core import native
+from ...core.evaluated.per_thread import kept
 from ...core.lazy import numpy as np
-from ...core.per_thread import kept
 from ..mesh import arrays
 from . import binding
 

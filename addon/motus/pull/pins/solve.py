@@ -1,8 +1,8 @@
 """Pins: how far each point of the mesh is moved by all of them, one after the other."""
 
 from ...core import native
+from ...core.declare import Group, Problem, Vertices
 from ...core.lazy import numpy as np
-from ...core.system import Group, Problem, Vertices
 from ..properties import is_finite
 from . import binding, shapes, table
 

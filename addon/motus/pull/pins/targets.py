@@ -4,8 +4,7 @@ from ...core.lazy import numpy as np
 from ...core.refusals import Refused
 from ...core.translations import tr
 from ..brush import AXIS_INDEX, Brush, Space, unit
-from ..mesh import arrays
-from ..mesh import object_mesh
+from ..mesh import arrays, object_mesh
 from ..mesh.open_mesh import open_mesh
 from ..properties import KEYWORDS
 

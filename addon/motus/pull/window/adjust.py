@@ -2,7 +2,7 @@
 
 import bpy
 
-from ...core import viewports
+from ...core.interface.view import viewports
 from ...core.refusals import Refused
 from ..brush import Brush
 from . import hover

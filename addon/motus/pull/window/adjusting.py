@@ -1,7 +1,7 @@
 """Radius or strength by the mouse, as the F key does for Blender's brushes: drag or type, click to keep it."""
 
+from ...core.interface.dragging.number_entry import CONFIRMING, NumberEntry
 from . import status
-from ...core.number_entry import CONFIRMING, NumberEntry
 
 MOVES = {'MOUSEMOVE', 'INBETWEEN_MOUSEMOVE'}
 FINE = 0.1

@@ -9,10 +9,12 @@ import logging
 import bpy
 from bpy.app.handlers import persistent
 
-from ...core import drawing, handlers, native
+from ...core import native
+from ...core.blender import handlers
+from ...core.interface.view import drawing
+from ...core.interface.view.viewports import View
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
-from ...core.viewports import View
 from ..brush import AXIS_INDEX, Brush
 from . import cursor_shape, hover, inset, stage, status
 

@@ -2,7 +2,7 @@
 
 from mathutils import Vector
 
-from ...core.travel import Travel
+from ...core.interface.dragging.travel import Travel
 from ..brush import AXIS_INDEX
 
 

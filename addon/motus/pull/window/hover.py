@@ -6,7 +6,8 @@ What is kept is dropped as soon as anything else than a stroke changes the objec
 import bpy
 from bpy.app.handlers import persistent
 
-from ...core import handlers, toolbar, viewports
+from ...core.blender import handlers
+from ...core.interface.view import toolbar, viewports
 from ...core.refusals import Refused
 from .. import fitting
 from ..brush import Brush

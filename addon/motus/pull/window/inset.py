@@ -6,7 +6,9 @@ import math
 import bpy
 from mathutils import Matrix, Vector
 
-from ...core import capabilities, drawing, native, viewports
+from ...core import native
+from ...core.blender import capabilities
+from ...core.interface.view import drawing, viewports
 from . import hover, stage
 
 log = logging.getLogger(__name__)

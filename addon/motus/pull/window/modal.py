@@ -2,14 +2,14 @@
 
 import bpy
 
-from ...core import viewports
+from ...core.interface.dragging.number_entry import CONFIRMING
+from ...core.interface.view import viewports
 from ...core.refusals import Refused
 from ...core.translations import tr
 from .. import fitting
 from ..properties import KEYWORDS
 from . import hover, status
 from .adjusting import MOVES
-from ...core.number_entry import CONFIRMING
 from .pulling import Pulling
 
 GIVEN_PLACE = ("location", "vertex", "dabs")

@@ -1,12 +1,12 @@
 """A session in the window: what mouse and keys do to the mesh and to the brush."""
 
-from ...core import viewports
+from ...core.interface.dragging.number_entry import NumberEntry
+from ...core.interface.view import viewports
 from ..brush import Brush
 from . import stage, status
 from .adjusting import Adjustment, notched, typed
 from .dabbing import Dabbing
 from .dragging import Dragging
-from ...core.number_entry import NumberEntry
 
 
 class Pulling:

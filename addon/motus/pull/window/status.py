@@ -2,8 +2,8 @@
 
 import bpy
 
+from ...core.interface.dragging.number_entry import NumberEntry
 from ...core.translations import tr
-from ...core.number_entry import NumberEntry
 
 RADIUS, STRENGTH = "radius", "strength"
 LABELS = {RADIUS: "Radius", STRENGTH: "Strength"}

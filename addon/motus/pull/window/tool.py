@@ -4,7 +4,8 @@ from pathlib import Path
 
 import bpy
 
-from ...core import teardown, toolbar
+from ...core.blender import teardown
+from ...core.interface.view import toolbar
 from ..panel import draw_accumulate, draw_radius, draw_strength
 from . import cursor, hover, inset, keymap, stage
 

@@ -1,7 +1,7 @@
 """Ground cover: snow that lies on surfaces, and grows with the flakes that land there."""
 
-from ...core import handlers
-from ...core.system import System
+from ...core.blender import handlers
+from ...core.declare import System
 from . import build, look, operators, panel, presets, properties, solve, work
 
 SYSTEM = System(

@@ -2,9 +2,10 @@
 
 import bpy
 
-from ...core import datablocks, wiring
-from ...core.forgetting import forget
-from ...core.system import Group, Transform, registered
+from ...core import wiring
+from ...core.blender import datablocks
+from ...core.declare import Group, Transform, registered
+from ...core.declare.forgetting import forget
 from ...core.translations import tr
 from . import look, sources
 

@@ -3,8 +3,8 @@
 import bpy
 
 from ...core import wiring
+from ...core.declare import registered
 from ...core.file.pointers import pointed
-from ...core.system import registered
 
 KEY = "motus_snow_cover"
 """Custom property of the material that is made here, by which it is found again."""

@@ -2,13 +2,15 @@
 
 import bpy
 
-from ...core import gathered, libraries, wiring
+from ...core import wiring
+from ...core.declare import Problem, is_owner
+from ...core.file import libraries
 from ...core.file.pointers import pointed
-from ...core.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
-from ...core.over_frames import Job
+from ...core.interface.operators import OBJECT_MODE, FindsValues, OfAnObject, Operator, object_keyword, select_only
+from ...core.interface.over_frames import Job
+from ...core.interface.rows import Rows
 from ...core.refusals import Refused, check_finite, check_local, check_unbaked, named
-from ...core.rows import Rows
-from ...core.system import Problem, is_owner
+from ...core.scenery import gathered
 from ...core.translations import tr
 from .. import colliders
 from . import build, rows, sources, work

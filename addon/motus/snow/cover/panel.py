@@ -1,7 +1,8 @@
 """The panel of lying snow: in the sidebar's tab and in the object's constraint properties, on the cover."""
 
-from ...core import panels, ui, wiring
-from ...core.system import is_owner
+from ...core import wiring
+from ...core.declare import is_owner
+from ...core.interface import panels, ui
 from . import rows, solve, sources
 from .build import system
 from .presets import PANEL as PRESETS

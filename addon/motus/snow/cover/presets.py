@@ -2,8 +2,8 @@
 
 import math
 
-from ...core import presets
-from ...core.presets import Preset
+from ...core.interface import presets
+from ...core.interface.presets import Preset
 from .properties import KEYWORDS
 
 # What belongs to one shot, or one surface, is not part of a style.

@@ -2,12 +2,13 @@
 
 import math
 
-from ...core import scene_time, wiring
+from ...core import wiring
+from ...core.declare import Geometries, Points, Problem, Setting
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
+from ...core.measures import scene_time
 from ...core.refusals import INFINITE
 from ...core.scenery import meshes, seen, stillness
-from ...core.system import Geometries, Points, Problem, Setting
 from .. import births, colliders, flakes, view
 from . import ground, sources, work
 

@@ -3,9 +3,10 @@
 The settings may be an evaluated object's; what is found are originals.
 """
 
-from ...core import deleted, gathered
+from ...core.declare import is_owner, registered
+from ...core.file import deleted
 from ...core.file.pointers import pointed
-from ...core.system import is_owner, registered
+from ...core.scenery import gathered
 from .. import colliders
 from ..solve import source
 

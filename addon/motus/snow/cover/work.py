@@ -8,8 +8,9 @@ import threading
 from collections import OrderedDict
 from typing import Any, NamedTuple
 
-from ...core import bounds, native
-from ...core.system import Problem
+from ...core import native
+from ...core.declare import Problem
+from ...core.measures import bounds
 from .. import flakes
 from . import ground
 
@@ -20,7 +21,7 @@ MOST_FLAKES = 10_000_000
 MOST_FLAKES_KEPT = 3 * MOST_FLAKES
 """Of all works: some 40 bytes each."""
 FLAKE, FLIGHT, TRIANGLE, ROUND = 40.0, 4.0, 2.0, 0.01
-"""Prices (core/bounds.py) of a flake, each second that it flies, a triangle, and a vertex in a round of smoothing."""
+"""Prices (core/measures/bounds.py) of a flake, each second that it flies, a triangle, and a vertex in a round of smoothing."""
 LONG = bounds.AT_ONCE
 """The price of work from which on the viewport waits for the artist to ask for it."""
 PARTS = 24

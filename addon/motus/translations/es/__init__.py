@@ -1,7 +1,9 @@
 """Spanish, a file for each part of the add-on."""
 
 from ...core.translations import OWN_SENSE
-from . import base, chroma, drivers, dynamics, ik, lattice, layers, look_at, pendulum, pins, pull, snow, snow_cover, stereo, tracks, walker, wiring
+from . import (
+    base, chroma, drivers, dynamics, ik, lattice, layers, look_at, pendulum, pins, pull, snow, snow_cover, stereo, tracks, walker,
+    wiring)
 
 _PARTS = (base, wiring, tracks, layers, ik, look_at, walker, dynamics, pull, pins, lattice, pendulum, snow, snow_cover, stereo, chroma, drivers)
 

@@ -3,10 +3,11 @@
 import bpy
 from mathutils import Vector
 
-from ...core import viewports, wiring
-from ...core.operators import OBJECT_MODE, FindsValues, select_only
+from ...core import wiring
+from ...core.interface.operators import OBJECT_MODE, FindsValues, select_only
+from ...core.interface.rows import Rows
+from ...core.interface.view import viewports
 from ...core.refusals import check_finite
-from ...core.rows import Rows
 from ...core.translations import tr
 from .. import rows, setup, targets
 from ..operators import GroundKeywords, ground_of

@@ -3,8 +3,8 @@
 import bpy
 from mathutils import Vector
 
-from ...core import entries
-from ...core.system import registered
+from ...core.declare import registered
+from ...core.settings import entries
 from . import anatomy
 
 BODY, ABDOMEN, KNEES = "body", "abdomen", "knees"

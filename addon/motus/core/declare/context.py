@@ -1,0 +1,67 @@
+"""What a solve function is given beyond its declared inputs, and what it fills."""
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from ..file.pointers import pointed
+from ..measures import scene_time
+
+
+@dataclass
+class Context:
+    """What solve() reads beyond its declared inputs, and what it fills; see docs/systems.md.
+
+    common: kept by solve() itself for all owners that are solved at once, from the same inputs at the same frame.
+    points(count): arrays for so many points by the names of their attributes, of a system that makes points. All of them are
+    to be filled; they are shorter where there is no room for so many, and Blender's own memory, valid until solve() returns.
+    """
+
+    settings: Any
+    owner: Any
+    frame: float = 0.0
+    depsgraph: Any = None
+    locations: Any = None
+    rotations: Any = None
+    scales: Any = None
+    outputs: Any = field(default_factory=list)
+    member_data: Any = None
+    group: str = ""
+    data: Any = field(default_factory=dict)
+    offsets: Any = None
+    points: Any = None
+    wants_to_settle: bool = False
+    memo: Any = None
+    targets: Any = None
+    common: dict = field(default_factory=dict)
+
+    def begin(self, frame, depsgraph, memo, common=None, targets=None):
+        """Go to a frame."""
+        self.frame, self.depsgraph, self.memo, self.targets = frame, depsgraph, memo, targets
+        self.common = {} if common is None else common
+        self.wants_to_settle = False
+
+    def target(self, name):
+        """The evaluated object that a pointer setting names."""
+        return pointed(self.settings, name) if self.targets is None else self.targets[name]
+
+    @property
+    def is_still(self):
+        """Whether nothing animates the settings: they are the same until somebody edits them."""
+        return self.memo is not None
+
+    def kept(self, name, key, make):
+        """What `make()` gives, which depends on settings and `key` alone; where they are still it is made once for a key."""
+        if self.memo is None:
+            return make()
+        found = self.memo.get(name)
+        if found is None or found[0] != key:
+            found = self.memo[name] = key, make()
+        return found[1]
+
+    @property
+    def fps(self):
+        """Frames a second."""
+        found = self.common.get("fps")
+        if found is None:
+            found = self.common["fps"] = scene_time.fps(self.depsgraph.scene)
+        return found

@@ -1,0 +1,173 @@
+"""What a solver reads: values that Blender evaluates before the solver, and transforms that the solver waits for."""
+
+from dataclasses import dataclass
+from typing import Any, Callable
+
+import bpy
+
+from ..file import choices
+from ..file.pointers import pointed
+
+
+@dataclass(frozen=True)
+class Variable:
+    """One driver variable: whose property, and which; or the evaluated transform of an object or its bone."""
+
+    id_type: str
+    id: Any
+    data_path: str = ""
+    bone: str = ""
+
+    @property
+    def is_transform(self):
+        """Whether it waits for a transform and reads one number of it, which is cheaper than a whole matrix."""
+        return not self.data_path
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A number, boolean or enum of the owner's settings (an enum arrives as its index)."""
+
+    name: str
+
+    @staticmethod
+    def variable(_owner, _settings):
+        """None: the solver waits for all settings of the owner at once, and reads them itself."""
+
+    def read(self, _value, settings):
+        value = getattr(settings, self.name)
+        if isinstance(value, str):
+            return choices.number(settings, self.name)
+        return value
+
+
+@dataclass(frozen=True)
+class Matrix:
+    """World matrix of the object that the pointer setting `of` names; None without it."""
+
+    name: str
+    of: str
+
+    def variable(self, owner, settings):
+        target = pointed(settings, self.of)
+        return target and Variable('OBJECT', target, "matrix_world")
+
+    @staticmethod
+    def read(value, _settings):
+        # A variable whose target is gone arrives as 0.0.
+        return value if hasattr(value, "translation") else None
+
+
+@dataclass(frozen=True)
+class OwnMatrix:
+    """World matrix of the owner; None where the boolean setting `when`, if one is named, is off. The owner may not be driven itself."""
+
+    name: str
+    when: str = ""
+
+    def variable(self, owner, settings):
+        return Variable('OBJECT', owner, "matrix_world") if not self.when or getattr(settings, self.when) else None
+
+    read = staticmethod(Matrix.read)
+
+
+@dataclass(frozen=True)
+class Splines:
+    """The splines of the curve object that the pointer setting `of` names; None without it."""
+
+    name: str
+    of: str
+
+    def variable(self, owner, settings):
+        target = pointed(settings, self.of)
+        if target is None or target.type != 'CURVE':
+            return None
+        return Variable('CURVE', target.data, "splines")
+
+    @staticmethod
+    def read(value, _settings):
+        return value if hasattr(value, "active") else None
+
+
+@dataclass(frozen=True)
+class Vertices:
+    """The evaluated mesh of the owner, as its datablock has it: without shape keys and modifiers; None without it.
+
+    The solver runs again whenever that mesh is edited.
+    """
+
+    name: str
+
+    def variable(self, owner, settings):
+        return Variable('MESH', owner.data, "vertices") if owner.type == 'MESH' else None
+
+    @staticmethod
+    def read(value, _settings):
+        return value.id_data if hasattr(value, "id_data") else None
+
+
+@dataclass(frozen=True)
+class Deformed:
+    """Makes Blender evaluate the geometry of the object that `of` names first (hooks, shape keys, modifiers).
+
+    The value tells nothing but that the geometry is there: None without it.
+    """
+
+    name: str
+    of: str
+
+    def objects(self, settings):
+        """Those whose geometry comes first, as far as they are there."""
+        return [pointed(settings, self.of)]
+
+    def variable(self, owner, settings):
+        # A driver cannot depend on another object's geometry, but on the transform of an object that does.
+        proxy = pointed(settings, "order_proxy")
+        return proxy and Variable('OBJECT', proxy, "matrix_world")
+
+    read = staticmethod(Matrix.read)
+
+
+@dataclass(frozen=True)
+class Geometry(Deformed):
+    """The evaluated mesh or curve object that `of` names, once its final geometry is there, modifiers included; None without it.
+
+    The solver runs again whenever that geometry is edited. Not in a system whose owners share solvers (System.shared).
+    """
+
+    def read(self, value, settings):
+        return pointed(settings, self.of) if Matrix.read(value, settings) is not None else None
+
+
+@dataclass(frozen=True)
+class Geometries(Deformed):
+    """The same of the objects that the function `of` gives for settings: wiring.waited_for() has them then."""
+
+    of: Callable  # type: ignore[assignment]
+
+    def objects(self, settings):
+        return self.of(settings)
+
+
+@dataclass(frozen=True)
+class Transform:
+    """Waits for an object, or a bone of it, to stand where it is evaluated to stand. No argument of solve."""
+
+    object: Any
+    bone: str = ""
+
+    def variable(self):
+        """The driver variable that waits."""
+        return Variable('OBJECT', self.object, bone=self.bone)
+
+
+@dataclass(frozen=True)
+class BonesOwn:
+    """Waits for the drivers of a bone's own location, rotation and scale. No argument of solve."""
+
+    object: Any
+    bone: str
+
+    def variable(self):
+        """The driver variable that waits."""
+        return Variable('OBJECT', self.object, f'pose.bones["{bpy.utils.escape_identifier(self.bone)}"].location[0]')

@@ -1,0 +1,71 @@
+"""Which features are registered, and which objects a system is wired on."""
+
+from typing import Iterable
+
+from ..file.pointers import pointed
+from .members import Group, Member
+from .system import System
+
+registered = {}
+"""The registered features by name, systems among them."""
+
+
+def systems():
+    """The registered systems: of all features those that are solved."""
+    return [feature for feature in registered.values() if isinstance(feature, System)]
+
+
+def of_owner(system, owner):
+    """Settings of `system` on an object."""
+    return getattr(owner.motus, system.name)
+
+
+def has_settings(system, obj):
+    """Whether an object has settings of the system; to ask it for them gives it some."""
+    return obj.is_property_set("motus") and obj.motus.is_property_set(system.name)
+
+
+def is_owner(system, obj):
+    """Whether the system is wired on an object as its owner (members of others' are not)."""
+    return has_settings(system, obj) and can_own(system, obj) and of_owner(system, obj).is_active
+
+
+def can_own(system, obj):
+    """Whether an object is of a type that the system works on."""
+    return not system.owner_types or obj.type in system.owner_types
+
+
+def leader_of(system, obj):
+    """The object whose settings of the system drive this one; None where it has its own, or none."""
+    return pointed(of_owner(system, obj), "leader") if has_settings(system, obj) else None
+
+
+def groups_of(system, owner) -> tuple:
+    """The groups of members that the system drives for an owner: one, where the system declares none."""
+    if not can_own(system, owner):
+        return ()
+    if system.groups is not None:
+        return tuple(system.groups(owner))
+    if system.has_modifier:
+        return (Group(outputs=system.outputs),)
+    channels = system.channels(of_owner(system, owner))
+    members = tuple(Member(thing, channels, system.space, system.is_relative) for thing in system.members(owner))
+    return (Group(members=members, outputs=system.outputs),)
+
+
+def input_variables(system, owner) -> Iterable:
+    """(input, Variable or None) for each declared input that is an argument of solve."""
+    settings = of_owner(system, owner)
+    return [(declared, declared.variable(owner, settings)) for declared in system.inputs]
+
+
+def described(system):
+    """The SystemPanels (core/interface/panels.py) that the classes of a system are of."""
+    found = (getattr(cls, "of_system", None) for cls in system.classes)
+    return list(dict.fromkeys(one for one in found if one is not None))
+
+
+def title(system):
+    """(label, context of its translation) under which a system stands in menus, panels and dialogs."""
+    panel = next(iter(described(system)), None)
+    return (panel.label, panel.translation_context) if panel and panel.label == system.label else (system.label, "*")

@@ -1,0 +1,1 @@
+"""What is kept of evaluated copies, by threads, and during one evaluation."""

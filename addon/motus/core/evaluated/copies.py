@@ -1,0 +1,314 @@
+"""What was read of an evaluated object, kept for as long as Blender keeps that copy of it.
+
+Blender evaluates copies of datablocks. Whatever is edited, undone or linked otherwise reaches the evaluation by a fresh
+copy; animation and drivers alone write into the copy that is there. So a number that is written into an evaluated copy,
+where the original has none, tells a fresh copy from one that was read before: all that is not animated is as it was.
+"""
+
+import itertools
+import random
+import threading
+from typing import NamedTuple
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..blender import actions
+from ..file import stored
+
+KEY = "motus_copy"
+"""Custom property of what is prepared: one integer, 0 on the original. An array, since an item of it is written where it lies."""
+# From anywhere, so that an add-on that was enabled again does not give numbers that are still in use.
+_first = random.randrange(1, 2**30)
+_numbers = itertools.count(_first)
+_latest = [_first - 1]
+
+
+def original_of(evaluated, originals, depsgraph):
+    """The original, among bpy.data.objects or the like, of what a depsgraph says was updated; None where another handler has removed it.
+
+    The copy is asked for its name alone: its `original` and `library` point to what Blender may have freed since the evaluation.
+    """
+    name = evaluated.name
+    found = (originals.get((name, path)) for path in (None, *(library.filepath for library in bpy.data.libraries)))
+    return next((one for one in found if one is not None and one.evaluated_get(depsgraph) == evaluated), None)
+
+
+class _Latest:
+    """What is known of evaluated datablocks, of each of them for as long as it is there and was not copied anew.
+
+    Blender copies a datablock anew to where it lay before.
+    """
+
+    FEW = 64
+    """Up to so many are kept without a look at which of them are gone."""
+
+    def __init__(self):
+        self.known = {}  # number -> what is known of the copy that has it
+        self._places = {}  # where a datablock lies -> (it, the number)
+        self._most = self.FEW
+        self._changing = threading.Lock()
+
+    def add(self, evaluated, number, found):
+        """Let this be known of a copy, in the place of what was known of the one before; gives it."""
+        place = evaluated.as_pointer()
+        with self._changing:
+            self._forget(place)
+            self._places[place] = evaluated, number
+            self.known[number] = found
+            if len(self._places) > self._most:
+                for gone in [place for place, (datablock, _) in self._places.items() if is_gone(datablock)]:
+                    self._forget(gone)
+                self._most = 2 * max(len(self._places), self.FEW)
+        return found
+
+    def _forget(self, place):
+        _, number = self._places.pop(place, (None, 0))
+        self.known.pop(number, None)
+
+    def clear(self):
+        """Let nothing be known."""
+        with self._changing:
+            self._places.clear()
+            self.known.clear()
+            self._most = self.FEW
+
+
+def is_gone(datablock):
+    """Whether Blender has freed an evaluated datablock."""
+    try:
+        datablock.as_pointer()
+    except ReferenceError:
+        return True
+    return False
+
+
+_copies, _actions, _found = _Latest(), _Latest(), _Latest()
+
+
+class Reach(NamedTuple):
+    """What animation sets. settings: whether any Motus setting. splines: whether anything of a curve's. bones: names of those
+    whose own transform; None: maybe any."""
+
+    settings: bool
+    splines: bool
+    bones: frozenset | None
+
+    def poses(self, names):
+        """Whether it sets the own transform of a bone of these names, a frozenset; None for all."""
+        if self.bones is None or names is None:
+            return self.bones is None or len(self.bones) > 0
+        return not self.bones.isdisjoint(names)
+
+
+_NOTHING, _ANYTHING = Reach(False, False, frozenset()), Reach(True, True, None)
+
+
+class Copy:
+    """One evaluated copy. number: no other copy has had it. found: what was read of it, by name."""
+
+    def __init__(self, evaluated, number):
+        self.number = number
+        self.found = {}
+        animation = evaluated.animation_data
+        self.drivers = drivers_on(evaluated)
+        self._driven = _reach(animation.drivers) if self.drivers else _NOTHING
+        self._action = animation and animation.action
+        self._has_strips = animation is not None and bool(animation.nla_tracks)
+
+    @property
+    def _acting(self):
+        """Reach of the action, all slots of it, or of the NLA. An evaluated action, edited without its users, is looked through
+        once for each copy."""
+        if self._has_strips:
+            return _ANYTHING
+        return _NOTHING if self._action is None else _reach_of_action(self._action)
+
+    @property
+    def has_animated_settings(self):
+        """Whether an action or driver sets any of the owner's Motus settings."""
+        return self._driven.settings or self._acting.settings
+
+    @property
+    def has_animated_splines(self):
+        """Whether one sets what the splines of a curve are made of."""
+        return self._driven.splines or self._acting.splines
+
+    def has_animated_poses(self, names):
+        """Whether one sets the own transform of a bone of these names, a frozenset; None for all."""
+        return self._driven.poses(names) or self._acting.poses(names)
+
+
+def prepare(owner):
+    """Let evaluated copies of an owner be told apart, of a rig its armature's and its scenes' too. Called when it is wired."""
+    mark(owner, *((owner.data, *owner.users_scene) if owner.type == 'ARMATURE' else ()))
+
+
+def mark(*datablocks):
+    """Let evaluated copies of these be told apart."""
+    for datablock in datablocks:
+        if not datablock.library and _mark(datablock) is None:
+            datablock[KEY] = [0]
+            datablock.update_tag()
+
+
+def unmark(datablock):
+    """Take that back."""
+    if not datablock.library:
+        datablock.pop(KEY, None)
+
+
+def release(owner):
+    """Take that back, from what no other rig needs it for."""
+    if owner.pop(KEY, None) is None or owner.type != 'ARMATURE':
+        return
+    data = owner.data
+    if not data.library and all(KEY not in other for other in bpy.data.objects if other.data == data):
+        data.pop(KEY, None)
+    for scene in bpy.data.scenes:
+        if not scene.library and not any(other.type == 'ARMATURE' and KEY in other for other in scene.objects):
+            scene.pop(KEY, None)
+
+
+def of(evaluated):
+    """The Copy of an evaluated object; None where it was not prepared, as in a file of an older version."""
+    mark = evaluated.get(KEY)
+    try:  # without a look at what lies there, of which none but a given number is known
+        return _copies.known[mark[0]]
+    except (KeyError, TypeError, IndexError):
+        number = _number_of(evaluated)
+    found = _copies.known.get(number)
+    return _copies.add(evaluated, number, Copy(evaluated, number)) if number and found is None else found
+
+
+def stamp_of_data(evaluated):
+    """A number that changes whenever Blender copies an evaluated object's data anew; None where nobody can tell."""
+    copy = of(evaluated.data)
+    if copy is None and evaluated.data.library:  # which changes with its library alone: then the object is copied anew too
+        copy = of(evaluated)
+    return copy and copy.number
+
+
+def _number_of(evaluated):
+    """A number that no other copy of an evaluated datablock has had; 0 where it was not prepared."""
+    mark = _mark(evaluated)
+    if mark is None or not evaluated.is_evaluated:  # an original handed its number on to all its copies
+        return 0
+    return _number_in(mark)
+
+
+def _number_in(mark):
+    if not _is_given(mark[0]):
+        mark[0] = _new_number()
+    return mark[0]
+
+
+def number_given(evaluated):
+    """The same of a datablock that nobody has prepared, and of whose properties no other thread reads any."""
+    mark = _mark(evaluated)
+    if mark is None:
+        evaluated[KEY] = [0]
+        mark = _mark(evaluated)
+    # The meshes that modifiers make do not count as evaluated to Blender.
+    return _number_in(mark)
+
+
+@persistent
+def forget(*_):
+    """Let all evaluated copies count as new ones: another file is loaded, or the classes of properties end, to which what is kept of
+    them refers."""
+    for known in (_copies, _actions, _found):
+        known.clear()
+
+
+def number_of_action(action):
+    """A number that no other copy of an evaluated action has had; any edit of its keys brings a fresh copy. None of an original."""
+    if not action.is_evaluated:  # it would hand the number on to all its copies
+        return None
+    number = action.get(KEY)
+    if not _is_given(number):
+        number = action[KEY] = _new_number()
+    return number
+
+
+def found_of_action(action):
+    """What was read of an evaluated action, by name, for as long as Blender keeps that copy of it; of an original nothing is kept."""
+    number = number_of_action(action)
+    if number is None:
+        return {}
+    known = _found.known.get(number)
+    return _found.add(action, number, {}) if known is None else known
+
+
+def _mark(datablock):
+    """The memory of its number; None where the custom property is missing, or is not what prepare() makes."""
+    try:
+        return stored.whole_numbers(datablock.get(KEY), 1)
+    except stored.Damaged:
+        return None
+
+
+def _is_given(number):
+    """Whether it comes from here. What a file holds does not."""
+    return isinstance(number, int) and _first <= number <= _latest[0]
+
+
+def _new_number():
+    # Where two threads are here at once, the greater number may count as not given; then its copy is given one more.
+    _latest[0] = number = next(_numbers)
+    return number
+
+
+def has_moving_settings(evaluated):
+    """Whether an action, the NLA or a driver sets a Motus setting of an evaluated object, as far as can be told."""
+    copy = of(evaluated)
+    return has_animation(evaluated) if copy is None else copy.has_animated_settings
+
+
+def has_animated_settings(owner):
+    """The same of an object that is not evaluated."""
+    animation = owner.animation_data
+    if animation is None:
+        return False
+    curves = itertools.chain(animation.drivers, *(actions.all_fcurves(animation.action) if animation.action else ()))
+    return bool(animation.nla_tracks) or _reach(curves).settings
+
+
+def has_driven_settings(owner):
+    """Whether a driver sets a Motus setting of an object that is not evaluated."""
+    animation = owner.animation_data
+    return animation is not None and _reach(animation.drivers).settings
+
+
+def drivers_on(datablock):
+    """How many drivers it has."""
+    animation = datablock.animation_data
+    return len(animation.drivers) if animation else 0
+
+
+def has_animation(evaluated):
+    """Whether anything animates an object: what nothing does is as it was when Blender copied it."""
+    animation = evaluated.animation_data
+    return animation is not None and bool(animation.action or animation.nla_tracks or animation.drivers)
+
+
+def _reach_of_action(action):
+    number = number_of_action(action)
+    known = _actions.known.get(number)
+    if known is None:
+        known = _reach(itertools.chain.from_iterable(actions.all_fcurves(action)))
+        if number:
+            _actions.add(action, number, known)
+    return known
+
+
+def _reach(curves):
+    paths = {curve.data_path for curve in curves}
+    names = {match["bone"] for match in map(actions.OWN_CHANNEL.match, paths) if match}
+    # A bone may be named by its number too.
+    bones = None if None in names else frozenset(map(bpy.utils.unescape_identifier, names))
+    return Reach(_any_begins(paths, "motus."), _any_begins(paths, ("splines", "[")), bones)
+
+
+def _any_begins(paths, beginning):
+    return any(path.startswith(beginning) for path in paths)

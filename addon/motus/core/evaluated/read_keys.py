@@ -1,0 +1,144 @@
+"""Which actions solvers and drivers read keys of, at other frames than the present one: when these are edited they are called again.
+
+Blender alone does not see to that. When a script or an operator inserts or removes a key, Blender evaluates the action, but not
+what it animates, so that what an artist has moved and not keyed as yet stays. Of a datablock that reads keys of other frames
+Blender knows nothing.
+
+What is read is noted while somebody edits, not while frames go by, so that it costs playback nothing. Who was called on a frame
+that has only been gone to is called once more at the first edit of keys.
+"""
+
+import threading
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..blender import handlers
+from . import copies
+
+FEW = 64
+"""Up to so many Readings are kept without a look at which of them are of datablocks that Blender has freed."""
+
+readings = {}
+"""(where an evaluated datablock lies, name, index) -> its Reading."""
+_most = [FEW]
+_at_work = {}
+"""Thread -> {where an evaluated action lies: number of the copy of it that was read} of each Reading at work, the inmost last."""
+
+
+class Reading:
+    """What a solver or driver of an evaluated datablock has read. It is a context manager, which notes what its thread reads.
+
+    among: gives, of the datablock, the actions that it may read at all; None: any.
+    """
+
+    def __init__(self, datablock, among):
+        self.datablock, self._among = datablock, among
+        self.original = None
+        self._numbers = None  # nobody knows
+        self._frame = None
+
+    def is_edit(self, frame):
+        """Called with the frame before anything is read: whether to note what is."""
+        # Not when it is wanted: once Blender has removed the original, what a copy points to in its place is freed memory.
+        self.original = self.datablock.original
+        if frame == self._frame:
+            return True
+        self._frame, self._numbers = frame, None
+        return False
+
+    def __enter__(self):
+        self._numbers = {}
+        _at_work.setdefault(threading.get_ident(), []).append(self._numbers)
+
+    def __exit__(self, *_):
+        thread = threading.get_ident()
+        waiting = _at_work[thread]
+        waiting.pop()
+        if not waiting:
+            del _at_work[thread]
+
+    def is_of(self, depsgraph):
+        """Whether the datablock is there, and this depsgraph's: not another scene's, nor of a render that has ended."""
+        if self.original is None or copies.is_gone(self.original) or copies.is_gone(self.datablock):
+            return False
+        return self.original.evaluated_get(depsgraph) == self.datablock
+
+    def is_outdated(self, edited):
+        """Whether it may have read other keys than there are now. edited: {where an evaluated action lies: number of its copy}."""
+        numbers = self._numbers
+        if numbers is None:
+            return self._among is None or any(action.as_pointer() in edited for action in self._among(self.datablock))
+        return any(numbers.get(place, number) != number for place, number in edited.items())
+
+
+def reading_of(datablock, name, index=0, among=None):
+    """The Reading of a system's solver, by its name, or of a property's driver, on an evaluated datablock. among: as of Reading."""
+    place = datablock.as_pointer(), name, index
+    found = readings.get(place)
+    if found is None or found.datablock is not datablock:
+        found = readings[place] = Reading(datablock, among)
+        if len(readings) > _most[0]:
+            for gone in [place for place, one in list(readings.items()) if copies.is_gone(one.datablock)]:
+                readings.pop(gone, None)
+            _most[0] = 2 * max(len(readings), FEW)
+    return found
+
+
+def number_of(action):
+    """copies.number_of_action() of an action whose keys are read."""
+    number = copies.number_of_action(action)
+    if _at_work and number is not None:
+        note({action.as_pointer(): number})
+    return number
+
+
+def is_noting():
+    """Whether anybody notes what is read, in this thread or another."""
+    return bool(_at_work)
+
+
+def noted():
+    """What this thread has read, for note(), where somebody else is given what was made of it; None where it notes nothing."""
+    waiting = _at_work.get(threading.get_ident())
+    return dict(waiting[-1]) if waiting else None
+
+
+def note(numbers):
+    """Let these count as read by this thread. Returns whether that is known, as far as it has to be: it is not where they are None."""
+    waiting = _at_work.get(threading.get_ident())
+    if waiting and numbers is not None:
+        waiting[-1].update(numbers)
+    return not waiting or numbers is not None
+
+
+def call_again(depsgraph):
+    """After an edit: have those evaluated once more that may have read keys as they were before."""
+    if not depsgraph.id_type_updated('ACTION'):
+        return
+    edited = [update.id for update in depsgraph.updates if isinstance(update.id, bpy.types.Action)]
+    numbers = {action.as_pointer(): copies.number_of_action(action) for action in edited}
+    for original in {reading.original for reading in list(readings.values())
+                     if reading.is_of(depsgraph) and reading.is_outdated(numbers)}:
+        original.update_tag()
+
+
+def _watched():
+    return ((bpy.app.handlers.load_pre, _forget),)
+
+
+@persistent
+def _forget(*_):
+    readings.clear()
+    _most[0] = FEW
+
+
+def register():
+    """Know when another file is opened. Edits are told by core/wiring/healing/heal.py."""
+    handlers.add(_watched())
+
+
+def unregister():
+    """Stop watching."""
+    handlers.remove(_watched())
+    _forget()

@@ -1,0 +1,143 @@
+"""Which objects were deleted: taken out of all collections, while a pointer property keeps them in the file.
+
+One that came along with what was appended has never stood in a collection, and counts as present. So does what is merely
+hidden or excluded, as for Blender's own constraints. The two are told apart by what was seen since the file was opened; when
+it is saved, that is noted on the object, so that the file means the same wherever it is opened.
+
+Solvers run in threads of Blender's, while the main thread may edit collections. So they only look a name up, and leave it
+here the first time. A handler looks where the objects of these names stand; where that has changed, Blender evaluates again.
+"""
+
+import threading
+
+import bpy
+from bpy.app.handlers import persistent
+
+from ..blender import handlers
+
+KEY = "motus_deleted"
+"""Custom property of an object that stood in a collection, and did not any more when the file was saved."""
+
+_stood = {}
+"""Name of each local object that was asked for -> whether it has stood in a collection. No references: undo spoils those."""
+_deleted = set()
+_is_new = [False]
+_changes = [0]
+_MAIN_THREAD = threading.main_thread().ident
+
+
+def is_deleted(obj):
+    """Whether an object, evaluated or not, was deleted."""
+    if obj.library:
+        return False
+    name = obj.name
+    if name not in _stood:
+        _ask(name)
+    return name in _deleted
+
+
+def watch(objects):
+    """Notice from now on if one of these objects is deleted. Not while Blender evaluates."""
+    for obj in objects:
+        is_deleted(obj)
+    if _is_new[0]:
+        look()
+
+
+def which(objects):
+    """Indices of those of the objects that were deleted."""
+    return [index for index, obj in enumerate(objects) if is_deleted(obj)]
+
+
+def changes():
+    """A number that changes whenever is_deleted() says something else of any object than before."""
+    return _changes[0]
+
+
+def _ask(name):
+    _stood.setdefault(name, False)
+    _is_new[0] = True
+
+
+def look(view_layer=None):
+    """Find out where the objects that were asked for stand now. view_layer: what can be seen there is found at once."""
+    _is_new[0] = False
+    known = {name: bpy.data.objects.get((name, None)) for name in list(_stood)}
+    absent = _absent([obj for obj in known.values() if obj], view_layer)
+    for name, obj in known.items():
+        is_absent = obj in absent
+        if obj is None:
+            # The next object of the name is another one.
+            _stood.pop(name, None)
+        elif not is_absent or KEY in obj:
+            _stood[name] = True
+        is_gone = is_absent and _stood[name]
+        if is_gone != (name in _deleted):
+            (_deleted.add if is_gone else _deleted.discard)(name)
+            _changes[0] += 1
+            if obj:
+                obj.update_tag()
+
+
+def _absent(objects, view_layer):
+    """Those of the objects that stand in no collection."""
+    left = {obj for obj in objects if not (view_layer and obj.visible_get(view_layer=view_layer))}
+    for owner in (*bpy.data.collections, *(scene.collection for scene in bpy.data.scenes)):
+        if not left:
+            break
+        left.difference_update(owner.objects.values())
+    return left
+
+
+@persistent
+def _updated(_scene=None, depsgraph=None):
+    # Animations are rendered in a thread of their own.
+    if not _stood or threading.get_ident() != _MAIN_THREAD:
+        return
+    if _is_new[0] or depsgraph is None or have_collections_changed(depsgraph):
+        look(depsgraph and depsgraph.view_layer)
+
+
+def have_collections_changed(depsgraph):
+    """Whether objects may have come into or gone out of collections since the last evaluation."""
+    # A scene's own collection is a part of it; 3.4 says no more than that the scene was updated.
+    return depsgraph.id_type_updated('COLLECTION') or depsgraph.id_type_updated('SCENE')
+
+
+@persistent
+def _note(*_):
+    look()
+    for name in _stood:
+        obj = bpy.data.objects[name, None]  # type: ignore[index]
+        if name in _deleted:
+            obj[KEY] = True
+        else:
+            obj.pop(KEY, None)
+
+
+@persistent
+def _loaded(*_):
+    _stood.clear()
+    _deleted.clear()
+    _changes[0] += 1
+    for obj in bpy.data.objects:
+        if KEY in obj and not obj.library:
+            _ask(obj.name)
+    if _stood:
+        look()
+
+
+def _watched():
+    found = bpy.app.handlers
+    changing = found.depsgraph_update_post, found.frame_change_post, found.undo_post, found.redo_post, found.render_init
+    return [(functions, _updated) for functions in changing] + [(found.save_pre, _note), (found.load_post, _loaded)]
+
+
+def register():
+    """Look after every change of collections, and note what is known when a file is saved."""
+    handlers.add(_watched())
+
+
+def unregister():
+    """Stop that."""
+    handlers.remove(_watched())

@@ -1,0 +1,184 @@
+"""Lists of entries of bones: panels show the entry of the active bone, and hand its settings to those of the selected bones."""
+
+import bpy
+
+from ..declare import has_settings, of_owner, registered
+from ..refusals import Refused, check_bone, check_local, check_unbaked, named
+from ..settings import entries
+from ..translations import counted, tr
+from . import operators
+from .operators import OBJECT_OR_POSE_MODE, Operator, object_keyword
+
+
+def active_property(label, index_of):
+    """The property that tells which entry of a list is shown. index_of(settings, bone's name): -1 for a bone without an entry.
+
+    In Pose Mode it is the entry of the active bone, and to choose another one makes its bone the active one. In other modes,
+    and for a bone without an entry, it is the one chosen last, `chosen_entry`.
+    """
+    def get(settings):
+        bone = _active_bone(settings.id_data)
+        index = index_of(settings, bone.name) if bone else -1
+        return min(settings.chosen_entry if index < 0 else index, len(settings.entries) - 1)
+
+    def put(settings, index):
+        settings.chosen_entry = index
+        rig = settings.id_data
+        bone = rig.data.bones.get(settings.entries[index].name) if _is_posed(rig) and index < len(settings.entries) else None
+        if bone:
+            rig.data.bones.active = bone
+
+    return bpy.props.IntProperty(name=label, options={'SKIP_SAVE'}, get=get, set=put)
+
+
+def _is_posed(obj):
+    return obj.type == 'ARMATURE' and obj.mode == 'POSE'
+
+
+def _active_bone(obj):
+    return obj.data.bones.active if _is_posed(obj) else None
+
+
+def selected(context, name):
+    """The entries that are meant: the active one first, then those of the other selected bones, in Object Mode of the other objects.
+
+    name: of the system.
+    """
+    first = entries.active(context.object, name) if context.object and _uses(context.object, name) else None
+    if first is None:
+        return []
+    if context.mode == 'POSE':
+        found = [_entry_of(bone, name) for bone in context.selected_pose_bones or ()]
+    else:
+        found = [entries.active(obj, name) for obj in context.selected_objects if _uses(obj, name)]
+    return [first, *(entry for entry in found if entry is not None and entry != first)]
+
+
+def posed(context):
+    """Names of the selected bones of the active rig in Pose Mode, the active one first if it is selected."""
+    rig = context.object
+    if rig is None or not _is_posed(rig):
+        return []
+    names = [bone.name for bone in context.selected_pose_bones or () if bone.id_data == rig]
+    active = rig.data.bones.active
+    return sorted(names, key=lambda name: active is None or name != active.name)
+
+
+def names_in(rig, text):
+    """The names of bones in a text with commas between; refuses what the rig has not."""
+    found = [name.strip() for name in text.split(",") if name.strip()]
+    for name in found:
+        check_bone(rig, name)
+    return list(dict.fromkeys(found))
+
+
+def check_apart(found):
+    """Refuse entries that would drive the same bone. found: {bone of the entry: names of the bones that it drives}."""
+    taken = {}
+    for entry, bones in found.items():
+        for name in bones:
+            if name in taken:
+                raise Refused(tr("{bone} would be driven from {first} and from {second}").format(
+                    bone=name, first=taken[name], second=entry))
+            taken[name] = entry
+
+
+def has_entry(rig, name, bone):
+    """Whether a bone of a rig has an entry. name: of the system."""
+    return _uses(rig, name) and bone in of_owner(registered[name], rig).entries
+
+
+def draw_add(layout, identifier, icon, words, bones=()):
+    """A button that says what it adds to. words: its text in the user's language; bones: names that it is for, else what is selected.
+
+    Without words the button is grey, under the operator's own name.
+    """
+    row = layout.row(align=True)
+    row.enabled = bool(words)
+    row.operator_context = 'INVOKE_DEFAULT'
+    button = row.operator(identifier, icon=icon, **({"text": words, "translate": False} if words else {}))
+    if bones:
+        button.bones = ",".join(bones)
+    return button
+
+
+def _uses(obj, name):
+    return has_settings(registered[name], obj)  # to ask an object for its settings would give it some
+
+
+def _entry_of(bone, name):
+    rig = bone.id_data
+    return of_owner(registered[name], rig).entries.get(bone.name) if _uses(rig, name) else None
+
+
+class MOTUS_OT_to_selected(Operator, bpy.types.Operator):
+    bl_idname = "motus.to_selected"
+    bl_label = "To All Selected"
+    bl_description = "Give the settings of the active bone to all selected bones that have the same system, in Object Mode to all selected objects"
+    modes = OBJECT_OR_POSE_MODE
+
+    object: object_keyword("Name of the object; empty takes the active one, and the selected bones or objects")
+    system: bpy.props.StringProperty(
+        name="System", description="Name of the system whose settings are copied, such as dynamics", options={'SKIP_SAVE'})
+    bone: bpy.props.StringProperty(
+        name="Bone", description="Name of the bone whose settings are copied; empty takes the active one", options={'SKIP_SAVE'})
+    bones: bpy.props.StringProperty(
+        name="Bones", description="Names of the bones that are given the settings, with commas between; empty takes the selected ones",
+        options={'SKIP_SAVE'})
+
+    @classmethod
+    def check_offer(cls, context):
+        if len(context.selected_pose_bones or () if context.mode == 'POSE' else context.selected_objects) < 2:
+            raise Refused(tr("Select what shall be given these settings too"))
+
+    def run(self, context):
+        system = registered.get(self.system)
+        if system is None or not system.entry_settings:
+            raise Refused(tr("There is no system {system}").format(system=self.system))
+        first, *others = self._entries(context, system)
+        if not others:
+            raise Refused(tr("Nothing else that is selected has {system}").format(
+                system=bpy.app.translations.pgettext_iface(system.label)))
+        values = {name: getattr(first, name) for name in system.entry_settings}
+        for owner in dict.fromkeys(entry.id_data for entry in others):
+            check_local(owner)
+            check_unbaked(owner, of_owner(system, owner))
+        for entry in others:
+            _give(system, entry, values)
+        self.report({'INFO'}, counted(
+            len(others), tr("Settings copied to 1 other"), tr("Settings copied to {count} others")))
+
+    def _entries(self, context, system):
+        """The entry whose settings are copied, and those that are given them. Raises Refused."""
+        if not (self.object or self.bone or self.bones):
+            found = selected(context, system.name)
+            if not found:
+                raise Refused(tr("Nothing here has {system}").format(system=bpy.app.translations.pgettext_iface(system.label)))
+            return found
+        owner = named(self.object) if self.object else context.object
+        settings = of_owner(system, owner)
+        bones = [name.strip() for name in self.bones.split(",") if name.strip()]
+        first = settings.entries.get(self.bone) if self.bone else entries.active(owner, system.name)
+        found = [first, *(settings.entries.get(name) for name in bones)]
+        for name, entry in zip((self.bone, *bones), found):
+            if entry is None:
+                raise Refused(tr("{object} has no bone {bone}").format(object=owner.name, bone=name))
+        return found
+
+
+def _give(system, entry, values):
+    """Wired once, and not for each of the values."""
+    owner = entry.id_data
+    with entries.at_once(system, owner):
+        for name, value in values.items():
+            setattr(entry, name, value)
+
+
+def draw_shown(layout, system, label, icon='BONE_DATA'):
+    """Whose settings follow below, and the button that hands them on."""
+    row = operators.offer(layout.row(align=True))
+    row.label(text=label, icon=icon, translate=False)
+    row.operator(MOTUS_OT_to_selected.bl_idname).system = system.name
+
+
+classes = (MOTUS_OT_to_selected,)

@@ -1,0 +1,1 @@
+"""Points and handles that are dragged in the 3D viewport."""

@@ -1,0 +1,195 @@
+"""Operators that take their time, most of them through a range of frames: with progress, cancelled by Esc, and tidied up whatever happens."""
+
+import math
+import time
+from typing import Any
+
+import bpy
+
+from ..refusals import Refused, check_finite
+from ..translations import tr
+from .operators import Operator
+from .rows import Row, Rows, is_not, is_one_of
+from .view import viewports
+
+SLICE = 0.1
+"""Seconds of work between two redraws: drawn more often, a heavy scene takes more time for the progress than for the work."""
+
+
+def frame_range(start, end, step):
+    """The frames from start to end inclusive; floats where the step is not whole."""
+    if end < start:
+        raise Refused(tr("The range is empty: the end frame comes before the start frame"))
+    count = int(math.floor((end - start) / step + 1e-6)) + 1
+    return [start + step * index for index in range(count)]
+
+
+def current(scene):
+    """The current frame alone, with its fraction."""
+    return [scene.frame_current + scene.frame_subframe]
+
+
+RANGES = (
+    ('GIVEN', "Start to End", "The frames that are given, or else the scene's"),
+    ('PREVIEW', "Preview Range", "The scene's preview range; all frames of the scene where there is none"),
+    ('SCENE', "Scene", "All frames of the scene"),
+    ('CURRENT', "Current Frame", "The frame that is shown"),
+)
+
+
+def span(operator, scene):
+    """(first, last) frame of the operator's range."""
+    if operator.range == 'CURRENT':
+        return 2 * current(scene)
+    if operator.range == 'PREVIEW' and scene.use_preview_range:
+        return scene.frame_preview_start, scene.frame_preview_end
+    given = operator.given(("frame_start", "frame_end")) if operator.range == 'GIVEN' else {}
+    return given.get("frame_start", scene.frame_start), given.get("frame_end", scene.frame_end)
+
+
+class Job(Operator):
+    """Mixin of an operator that does its work in steps, in the window between redraws.
+
+    begin(context): how many steps there are, and a generator of how many are done, which puts everything back where it is
+    closed before its end. result(context) reports what came of them.
+    """
+
+    _steps: Any = None
+    _timer: Any = None
+
+    def execute(self, context):
+        return self._guarded(context, self._run)
+
+    def invoke(self, context, _event):
+        return self._guarded(context, self._run if context.window is None else self._run_in_window)
+
+    def modal(self, context, event):
+        if event.type == 'ESC':
+            self.cancel(context)
+            self.report({'INFO'}, tr("Cancelled: nothing has changed"))
+            return {'CANCELLED'}
+        if event.type != 'TIMER':
+            return {'RUNNING_MODAL'}
+        return self._guarded(context, self._go_on)
+
+    def cancel(self, context):
+        if self._steps is None:
+            return  # it has not begun
+        self._steps.close()
+        context.window_manager.progress_end()
+        if self._timer:
+            context.window_manager.event_timer_remove(self._timer)
+            self._timer = None
+            context.workspace.status_text_set(None)
+            # Blender draws nothing anew after what a timer's event has done.
+            viewports.redraw(None)
+
+    def _guarded(self, context, function):
+        """What a function answers; where it raises, nothing of the operator is left running."""
+        try:
+            return function(context)
+        except Refused as refusal:
+            self.cancel(context)
+            return self.refuse(refusal)
+        except Exception:
+            self.cancel(context)
+            raise
+
+    def _run(self, context):
+        self._start(context)
+        shown = time.perf_counter()
+        for done in self._steps:
+            if time.perf_counter() > shown + SLICE:
+                context.window_manager.progress_update(done)
+                shown = time.perf_counter()
+        return self._finish(context)
+
+    def _run_in_window(self, context):
+        self._start(context)
+        next(self._steps, None)
+        self._timer = context.window_manager.event_timer_add(0.001, window=context.window)
+        context.window_manager.modal_handler_add(self)
+        return {'RUNNING_MODAL'}
+
+    def _go_on(self, context):
+        pause = time.perf_counter() + SLICE
+        for done in self._steps:
+            if time.perf_counter() > pause:
+                self._show(context, done)
+                return {'RUNNING_MODAL'}
+        return self._finish(context)
+
+    def _start(self, context):
+        self._timer = self._steps = None
+        self.total, self._steps = self.begin(context)
+        context.window_manager.progress_begin(0, self.total)
+
+    def _show(self, context, done):
+        context.window_manager.progress_update(done)
+        context.workspace.status_text_set(
+            tr("Step {done} of {all} (Esc cancels)").format(done=done, all=self.total))
+
+    def _finish(self, context):
+        self.cancel(context)
+        self.result(context)
+        return {'FINISHED'}
+
+
+class OverFrames(Job):
+    """Mixin of an operator that goes through frames.
+
+    steps(context, frames): a generator of how many of self.total steps are done (as many as frames, unless it says
+    otherwise), which puts everything back where it is closed before its end. result(context) reports what came of them.
+    In the window it asks for the range first, unless the caller has given it.
+    """
+
+    range: bpy.props.EnumProperty(
+        name="Frames", description="Frames that are gone through", items=RANGES, default='GIVEN', options={'SKIP_SAVE'})
+    frame_start: bpy.props.IntProperty(
+        name="Start", description="First frame; the scene's where it is not given", options={'SKIP_SAVE'})
+    frame_end: bpy.props.IntProperty(
+        name="End", description="Last frame; the scene's where it is not given", options={'SKIP_SAVE'})
+    step: bpy.props.FloatProperty(
+        name="Step", description="Frames from one to the next, less than one for sub-frames", default=1.0, min=0.001,
+        soft_min=0.1, soft_max=10.0)
+    redo: tuple[Any, ...] = (Rows((
+        "range", Row("frame_start", when=is_one_of("range", 'GIVEN')), Row("frame_end", when=is_one_of("range", 'GIVEN')),
+        Row("step", when=is_not("range", 'CURRENT')))),)
+
+    _is_asked = False
+
+    def execute(self, context):
+        is_asked, self._is_asked = self._is_asked, False
+        return self._guarded(context, self._run_in_window if is_asked else self._run)
+
+    def invoke(self, context, _event):
+        if context.window is None:
+            return self.execute(context)
+        if any(self.is_given(name) for name in ("range", "frame_start", "frame_end", *self.for_scripts)):
+            return self._guarded(context, self._run_in_window)
+        self._suggest(context.scene)
+        self._is_asked = True
+        return context.window_manager.invoke_props_dialog(self)
+
+    def draw_below(self, context):
+        first, last = span(self, context.scene)
+        text = bpy.app.translations.pgettext_iface("Frames {first}-{last}")
+        self.layout.label(text=text.format(first=f"{first:g}", last=f"{last:g}"), icon='TIME', translate=False)
+
+    def begin(self, context):
+        frames = self.frames(context.scene)
+        self.total = len(frames)
+        return self.total, self.steps(context, frames)
+
+    def frames(self, scene):
+        """The frames to go through, in their order. Raises Refused."""
+        check_finite(self, ("step",))
+        if self.range == 'CURRENT':
+            return current(scene)
+        first, last = span(self, scene)
+        self.frame_start, self.frame_end = first, last
+        return frame_range(first, last, self.step)
+
+    def _suggest(self, scene):
+        self.range = 'PREVIEW' if scene.use_preview_range else 'SCENE'
+        self.frame_start, self.frame_end = span(self, scene)

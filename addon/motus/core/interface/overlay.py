@@ -1,0 +1,196 @@
+"""What all systems show in the viewport: each gives batches of lines and points for a selected object, and a sentence for the active one."""
+
+import logging
+from dataclasses import dataclass
+from typing import Any, Callable, NamedTuple, Optional
+
+import bpy
+
+from .. import native
+from ..bake import state
+from ..blender import capabilities
+from ..declare import registered
+from .view import drawing
+
+log = logging.getLogger(__name__)
+
+
+class Batch(NamedTuple):
+    """Lines or points in world space.
+
+    kind: 'LINES' (pairs), 'LINE_STRIP' or 'POINTS'. points: (n, 3) float32. colors: one (r, g, b, a), or (n, 4) float32
+    for lines. width: pixels.
+    """
+
+    kind: str
+    points: Any
+    colors: Any
+    width: float = 1.0
+
+
+class Switch(NamedTuple):
+    """A part of a system's overlay that can be hidden: becomes Scene.motus.<name>."""
+
+    name: str
+    label: str
+    description: str
+    default: bool = True
+
+
+@dataclass(frozen=True)
+class Overlay:
+    """What a system shows of a selected object: draw(context, owner) gives batches.
+
+    note(context, owner): a sentence that the viewport shows while the object is the active one, or "".
+    """
+
+    draw: Callable
+    switches: tuple = ()
+    note: Optional[Callable] = None
+
+    def __call__(self, context, owner):
+        return self.draw(context, owner)
+
+
+def switch_of(system):
+    """Name of the property of Scene.motus that shows what the system draws at all."""
+    return f"show_{system.name}"
+
+
+def switches_of(system):
+    """The Switches that a system declares."""
+    return getattr(system.overlay, "switches", ())
+
+
+def properties_of(system):
+    """{name: property} of Scene.motus that the system's overlay has."""
+    if system.overlay is None:
+        return {}
+    found = {switch_of(system): bpy.props.BoolProperty(
+        name="Show", description="Draw what this system computes for the selected objects", default=True, options=set())}
+    for switch in switches_of(system):
+        found[switch.name] = bpy.props.BoolProperty(
+            name=switch.label, description=switch.description, default=switch.default, options=set())
+    return found
+
+
+NOTE_HEIGHT = 24.0
+"""Pixels above the viewport's lower edge, at the interface's normal size."""
+
+_handler = []
+_failed = set()
+
+
+def register():
+    """Start drawing."""
+    for function, kind in ((_draw, 'POST_VIEW'), (_draw_notes, 'POST_PIXEL')):
+        _handler.append(bpy.types.SpaceView3D.draw_handler_add(function, (), 'WINDOW', kind))
+
+
+def unregister():
+    """Stop drawing."""
+    _failed.clear()
+    while _handler:
+        bpy.types.SpaceView3D.draw_handler_remove(_handler.pop(), 'WINDOW')
+
+
+def batches(context):
+    """All batches for the context's selection; of what is baked nothing is computed."""
+    owners = {found.name_full: found for found in [context.object, *context.selected_objects] if found}
+    return [batch for system in _switched_on(context) for owner in owners.values() if not state.is_baked(system, owner)
+            for batch in system.overlay(context, owner)]
+
+
+def notes(context):
+    """What is said of the active object, in the user's language."""
+    found = [system.overlay.note(context, context.object) for system in _switched_on(context)
+             if context.object and getattr(system.overlay, "note", None)]
+    return [bpy.app.translations.pgettext_tip(sentence) for sentence in found if sentence]
+
+
+def is_shown(context, system):
+    """Whether the context's viewport shows what the system draws."""
+    return _is_on(context) and system in _switched_on(context)
+
+
+def _is_on(context):
+    return native.module is not None and context.scene.motus.show_overlay and context.space_data.overlay.show_overlays
+
+
+def _switched_on(context):
+    return [system for system in registered.values()
+            if system.overlay and getattr(context.scene.motus, switch_of(system))]
+
+
+def _draw():
+    _draw_found(batches, _draw_batches)
+
+
+def _draw_notes():
+    _draw_found(notes, _draw_texts)
+
+
+def _draw_found(find, draw):
+    context = bpy.context
+    if not _is_on(context):
+        return
+    try:
+        found = find(context)
+    except Exception as error:
+        # Drawn at every redraw: said once, not sixty times a second.
+        if repr(error) not in _failed:
+            _failed.add(repr(error))
+            log.exception("Motus: the overlay could not be computed")
+        return
+    draw(context, found)
+
+
+def _draw_texts(context, lines):
+    scale = context.preferences.system.ui_scale
+    for index, content in enumerate(reversed(lines)):
+        left = (context.region.width - drawing.width(content, scale)) / 2.0
+        drawing.text([content], left, (1.0 + index) * NOTE_HEIGHT * scale, scale)
+
+
+def _draw_batches(context, found):
+    import gpu
+
+    gpu.state.blend_set('ALPHA')
+    gpu.state.depth_test_set('LESS_EQUAL')
+    scale = context.preferences.system.pixel_size
+    for batch in found:
+        if batch.kind == 'POINTS':
+            _draw_points(batch, scale)
+        else:
+            _draw_lines(context, batch, scale)
+    gpu.state.depth_test_set('NONE')
+    gpu.state.blend_set('NONE')
+
+
+def _draw_points(batch, scale):
+    import gpu
+    from gpu_extras.batch import batch_for_shader
+
+    shader = gpu.shader.from_builtin(capabilities.point_shader())
+    shader.bind()
+    shader.uniform_float("color", batch.colors)
+    gpu.state.point_size_set(batch.width * scale)
+    batch_for_shader(shader, 'POINTS', {"pos": batch.points}).draw(shader)
+    gpu.state.point_size_set(1.0)
+
+
+def _draw_lines(context, batch, scale):
+    import gpu
+    from gpu_extras.batch import batch_for_shader
+
+    is_uniform = isinstance(batch.colors, tuple)
+    shader = gpu.shader.from_builtin(capabilities.line_shader(is_uniform))
+    shader.bind()
+    shader.uniform_float("viewportSize", (context.region.width, context.region.height))
+    shader.uniform_float("lineWidth", batch.width * scale)
+    content = {"pos": batch.points}
+    if is_uniform:
+        shader.uniform_float("color", batch.colors)
+    else:
+        content["color"] = batch.colors
+    batch_for_shader(shader, batch.kind, content).draw(shader)

@@ -1,0 +1,1 @@
+"""Editors as they are on the screen: viewports and what lies under the mouse, widths, drawing in pixels, graphs, tools, redraws."""

@@ -1,0 +1,1 @@
+"""Numbers and what they mean: units, axes, frames and seconds, what is finite, how much work is allowed."""

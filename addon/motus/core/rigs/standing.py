@@ -1,0 +1,63 @@
+"""Where evaluated objects stand, as one array."""
+
+from ..evaluated import copies
+from ..file import deleted
+from ..lazy import numpy as np
+from .arrays import LENDS_MEMORY, columns
+
+LARGE_SCENE = 4  # objects for each target
+
+# How many objects a view layer had when they were last counted: only for the faster of two ways to the same answer.
+_layer_sizes = {}
+
+
+def standing(objects):
+    """World matrices of evaluated objects, (n, 16) column by column."""
+    if LENDS_MEMORY:
+        matrices = (memoryview(one.matrix_world).tobytes('A') for one in objects)
+        return np.frombuffer(b"".join(matrices), np.float32).reshape(-1, 16)
+    return np.array([columns(one.matrix_world) for one in objects])
+
+
+class Standing:
+    """Where evaluated objects stand that an evaluated copy names, all of them read by one call."""
+
+    def __init__(self, objects):
+        self._objects = objects
+        self._every = self._rows = self._room = self._scene = None
+
+    def matrices(self, depsgraph):
+        """World matrices, (n, 16) float32 column by column; None: they are to be asked one by one.
+
+        So it is where one of the objects is not in the evaluated view layer, and where that has a great many others.
+        """
+        # Which objects stand in a view layer is part of the scene's own copy.
+        scene, view_layer = copies.of(depsgraph.scene_eval), depsgraph.view_layer_eval
+        if scene is None or scene is not self._scene:
+            self._look(view_layer)
+            self._scene = scene
+        if self._rows is None:
+            return None
+        view_layer.objects.foreach_get("matrix_world", self._room)
+        return self._room.reshape(-1, 16).take(self._rows, axis=0)
+
+    def _look(self, view_layer):
+        layer = view_layer.id_data.name, view_layer.name
+        deleted.which(self._objects)  # from now on it is known when one of them is deleted
+        most = LARGE_SCENE * len(self._objects)
+        if _layer_sizes.get(layer, 0) <= most:
+            # What is compared is where evaluated data lies in memory.
+            every = list(map(hash, view_layer.objects.values()))
+            _layer_sizes[layer] = len(every)
+            if len(every) <= most:
+                if every != self._every:
+                    self._find(every)
+                return
+        self._every = self._rows = None
+
+    def _find(self, every):
+        rows, wanted = {mark: row for row, mark in enumerate(every)}, list(map(hash, self._objects))
+        is_there = all(mark in rows for mark in wanted)
+        self._rows = np.array([rows[mark] for mark in wanted]) if is_there else None
+        self._room = np.empty(16 * len(every), np.float32)
+        self._every = every

@@ -1,0 +1,53 @@
+"""Keys and drivers of settings that stand in a list: they go when an entry goes, and move up with those behind it."""
+
+import itertools
+
+import bpy
+
+from ..blender import actions
+from ..evaluated import copies
+
+
+def prefixes(path, entries, index):
+    """How data paths of an entry's settings begin: Blender's own have the index, scripts may use the name."""
+    name = bpy.utils.escape_identifier(entries[index].name)
+    return f"{path}[{index}].", f'{path}["{name}"].'
+
+
+def animated_prefix(owner, path, entries, index):
+    """That of the two by which an entry of an owner, original or evaluated, is animated: the index, if nobody has used the name."""
+    by_index, by_name = prefixes(path, entries, index)
+    copy = copies.of(owner) if owner.is_evaluated else None
+    if entries.find(entries[index].name) != index or (copy and not copy.has_animated_settings):
+        return by_index
+    animation = owner.animation_data
+    curves = itertools.chain(animation.drivers if animation else (), *map(actions.curves_of, actions.players(owner)))
+    return by_name if any(curve.data_path.startswith(by_name) for curve in curves) else by_index
+
+
+def forget(owner, path, entries, index):
+    """Remove keys and drivers of an entry that is about to be removed from the list at `path` of the owner."""
+    actions.remove(owner, prefixes(path, entries, index))
+    later = {f"{path}[{place}].": f"{path}[{place - 1}]." for place in range(index + 1, len(entries))}
+    _move_all(owner, later)
+
+
+def exchange(owner, path, first, second):
+    """Let keys and drivers of two entries of the list at `path` follow these, which are about to change places."""
+    _move_all(owner, {f"{path}[{one}].": f"{path}[{other}]." for one, other in ((first, second), (second, first))})
+
+
+def _move_all(owner, places):
+    animation, beginnings = owner.animation_data, tuple(places)
+    moving = actions.own_curves(owner, lambda path: path.startswith(beginnings))
+    for curves in (*moving, animation.drivers if animation else ()):
+        for curve in curves:
+            _move(curve, places)
+
+
+def _move(curve, places):
+    """places: beginning of a data path -> what it is to be."""
+    for old, new in places.items():
+        if curve.data_path.startswith(old):
+            curve.data_path = new + curve.data_path[len(old):]
+            return

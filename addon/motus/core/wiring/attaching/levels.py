@@ -1,0 +1,337 @@
+"""In which order the entries of an owner's systems have to be solved: what a bone or an object depends on.
+
+A graph of places, each named by a tuple: what Blender evaluates (an object's transform, a bone, a geometry, the drivers of
+some properties), and the entries of the systems. An entry depends on what it reads; a bone or object that an entry drives
+depends on that entry, whichever owner it belongs to. Parents, constraints, drivers and what deforms a geometry are followed through all objects.
+"""
+
+import re
+
+import bpy
+
+from ...declare import of_owner, registered, systems
+from ..hubs import marks, outbox
+from ..sinks import proxy_sink
+from . import order
+
+TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "geometry", "drivers", "entry"
+
+_OWN_TRANSFORM = ("location", "rotation_", "scale", "delta_", "constraints[", "lock_")
+_BONE_PATH = re.compile(r'^pose\.bones\["(?P<bone>(?:[^"\\]|\\.)*)"\]\.')
+_EVALUATED = re.compile(rf'^(?:matrix_world|matrix_local|{_BONE_PATH.pattern[1:]}(?:matrix|head|tail|length)\b)')
+_CHANNEL = re.compile(rf'^(?:{_BONE_PATH.pattern[1:]})?(?:location|rotation_\w+|scale|delta_\w+)')
+_ON_GEOMETRY = {'SHRINKWRAP', 'FOLLOW_PATH', 'CLAMP_TO', 'SPLINE_IK', 'GEOMETRY_ATTRIBUTE'}
+_TARGETS = (("target", "subtarget"), ("pole_target", "pole_subtarget"), ("space_object", "space_subtarget"),
+            ("depth_object", ""), ("camera", ""))
+
+
+def levels(owner):
+    """{(system's name, entry's name): level} of all entries on an owner.
+
+    An entry reads what entries of lower levels drive, directly or by way of other owners; None: it depends on what it drives
+    itself.
+    """
+    graph = _Graph(owner)
+    found = {}
+    # Components come in such an order that all that one depends on comes before it.
+    depth = {}
+    for component in _components(graph):
+        entries = [node for node in component if node[0] == ENTRY]
+        below = max((depth[other] for node in component for other in graph.depends_on(node) if other in depth), default=0)
+        is_loop = bool(entries) and (len(component) > 1 or component[0] in graph.depends_on(component[0]))
+        for node in component:
+            depth[node] = below + (node[0] == ENTRY and not is_loop)
+        for node in entries:
+            found[node] = None if is_loop else below
+    # Entries of other owners count as levels between: two owners' groups could wait for each other.
+    steps = sorted({found[node] for node in graph.roots()} - {None})  # type: ignore[type-var]
+    return {node[2:]: None if found[node] is None else steps.index(found[node]) for node in graph.roots()}
+
+
+def depends(obj, bone, rig, bones):
+    """Whether an object, or the bone of it that is named, moves with some of a rig's bones."""
+    wanted = {(BONE, rig, name) for name in bones}
+    return any(node in wanted for node in _all_from(_Graph(rig), _place(obj, bone)))
+
+
+def hanging(rig, places):
+    """{place: those of the others that it moves with} of places (object, bone or ""), with the entries on a rig wired."""
+    graph, found = _Graph(rig), {}
+    nodes = {place: set(_place(*place)) for place in places}
+    for place in places:
+        below = set()
+        for node in _all_from(graph, nodes[place]):
+            below.add(node)
+            if node[0] == DRIVERS and isinstance(node[1], bpy.types.Object):
+                below.update(_of_channel(*node[1:]))
+        found[place] = [other for other in places if other != place and not below.isdisjoint(nodes[other])]
+    return found
+
+
+def _all_from(graph, nodes):
+    """Yields the nodes and all that they depend on."""
+    seen, waiting = set(), list(nodes)
+    while waiting:
+        node = waiting.pop()
+        if node not in seen:
+            seen.add(node)
+            yield node
+            waiting += graph.depends_on(node)
+
+
+def _of_channel(obj, path):
+    """The place that a data path sets the location, rotation or scale of, where it does."""
+    match = _CHANNEL.match(path)
+    if match:
+        yield from _place(obj, bpy.utils.unescape_identifier(match["bone"] or ""))
+
+
+class _Graph:
+    """What each place depends on, found when somebody asks."""
+
+    def __init__(self, owner):
+        self._owner = owner
+        self._known = {}
+        self._drivers = {}
+        self._solved = {}
+        self._slots = [outbox.slot_pattern(system) for system in _with_entries()]
+        self._entries, self._entries_on, self._owners = {}, {}, set()
+        self._add(owner)
+
+    def _add(self, owner):
+        """Know an owner's entries."""
+        if owner in self._owners:
+            return
+        self._owners.add(owner)
+        for system in _with_entries():
+            for entry in system.entries(owner):
+                place = ENTRY, owner, system.name, entry.name
+                self._entries[place] = entry
+                for thing in entry.drives:
+                    node = (BONE, owner, thing) if isinstance(thing, str) else (TRANSFORM, thing)
+                    self._entries_on.setdefault(node, []).append(place)
+
+    def roots(self):
+        """Where to begin: the owner's entries."""
+        return [node for node in self._entries if node[1] == self._owner]
+
+    def depends_on(self, node):
+        """The places that a place directly depends on."""
+        if node not in self._known:
+            self._known[node] = list(dict.fromkeys(getattr(self, "_of_" + node[0])(*node[1:])))
+        return self._known[node]
+
+    def _of_entry(self, owner, system, name):
+        entry = self._entries[ENTRY, owner, system, name]
+        for obj, bone in entry.reads:
+            yield from _place(obj, bone)
+        for obj in order.geometries(registered[system], of_owner(registered[system], owner)):
+            yield GEOMETRY, obj
+        # A bone's animation below the entry is read as it is after its own drivers.
+        for bone in [thing for thing in entry.drives if isinstance(thing, str)]:
+            for path, driver in self._of_bone_paths(owner, bone):
+                if ".constraints[" not in path:
+                    yield from _read_by(driver)
+        # To Blender all plain settings of an object are one thing.
+        yield DRIVERS, owner, "motus."
+        if not registered[system].lays_pose and any(isinstance(thing, str) for thing in entry.drives):
+            yield from (place for place in self._entries if place[1] == owner and registered[place[2]].lays_pose)
+
+    def _of_transform(self, obj):
+        yield from self._of_parent(obj)
+        for constraint in obj.constraints:
+            if not self._is_sink(obj, constraint):
+                yield from _targets(constraint)
+        for path, driver in self._all_drivers(obj):
+            if path.startswith(_OWN_TRANSFORM) and not self._is_of_sink(obj, path, driver):
+                yield from _read_by(driver)
+        yield from self._entries_on.get((TRANSFORM, obj), ())
+
+    @staticmethod
+    def _of_parent(obj):
+        if obj.parent is None:
+            return
+        if obj.parent_type == 'BONE':
+            yield from _place(obj.parent, obj.parent_bone)
+        elif obj.parent_type in {'VERTEX', 'VERTEX_3'}:
+            yield GEOMETRY, obj.parent
+        yield TRANSFORM, obj.parent
+
+    def _of_bone(self, obj, name):
+        bone = obj.pose.bones[name]
+        yield TRANSFORM, obj
+        if bone.parent:
+            yield BONE, obj, bone.parent.name
+        for constraint in bone.constraints:
+            if not self._is_sink(obj, constraint):
+                yield from _targets(constraint)
+        for path, driver in self._of_bone_paths(obj, name):
+            if not self._is_of_sink(obj, path, driver):
+                yield from _read_by(driver)
+        for constraint in self._solved_by(obj).get(name, ()):
+            yield from _targets(constraint)
+        yield from self._entries_on.get((BONE, obj, name), ())
+
+    @staticmethod
+    def _of_pose(obj):
+        for bone in obj.pose.bones:
+            yield BONE, obj, bone.name
+
+    def _of_geometry(self, obj):
+        yield TRANSFORM, obj
+        if obj.parent and obj.parent_type in {'ARMATURE', 'LATTICE', 'CURVE'}:
+            yield from _deforming(obj.parent)
+        for modifier in obj.modifiers:
+            for prop in modifier.bl_rna.properties:
+                if prop.type == 'POINTER' and prop.fixed_type.identifier == "Object":
+                    deforming = getattr(modifier, prop.identifier)
+                    yield from _deforming(deforming) if deforming else ()
+            if getattr(modifier, "subtarget", "") and modifier.object:
+                yield from _place(modifier.object, modifier.subtarget)
+        for block in (obj.data, getattr(obj.data, "shape_keys", None)):
+            if block:
+                yield DRIVERS, block, ""
+
+    def _of_drivers(self, block, prefix):
+        for path, driver in self._all_drivers(block):
+            if path.startswith(prefix):
+                yield from _read_by(driver)
+
+    def _all_drivers(self, block):
+        """(data path, driver) of all drivers of a datablock."""
+        if block not in self._drivers:
+            animation = getattr(block, "animation_data", None)
+            self._drivers[block] = [(curve.data_path, curve.driver) for curve in animation.drivers] if animation else []
+        return self._drivers[block]
+
+    def _of_bone_paths(self, obj, name):
+        key = obj, BONE
+        if key not in self._drivers:
+            by_bone = self._drivers[key] = {}
+            for path, driver in self._all_drivers(obj):
+                match = _BONE_PATH.match(path)
+                if match:
+                    by_bone.setdefault(bpy.utils.unescape_identifier(match["bone"]), []).append((path, driver))
+        return self._drivers[key].get(name, ())
+
+    def _solved_by(self, obj):
+        """Bone -> constraints of other bones that Blender's own solvers turn it by."""
+        if obj not in self._solved:
+            turned = self._solved[obj] = {}
+            for bone in obj.pose.bones:
+                for constraint in bone.constraints:
+                    if constraint.type in {'IK', 'SPLINE_IK'}:
+                        chain = ([bone] if getattr(constraint, "use_tail", True) else []) + bone.parent_recursive
+                        for one in chain[:constraint.chain_count or None]:
+                            turned.setdefault(one.name, []).append(constraint)
+        return self._solved[obj]
+
+    def _is_sink(self, obj, constraint):
+        """Whether a constraint is a sink of an entry: what that depends on, the entry says itself."""
+        found = (marks.read(system, constraint) for system in _with_entries())
+        if any(self._has_entries(mesh) for mesh, _ in filter(None, found)):
+            return True
+        proxy = proxy_sink.proxy_of(constraint) if obj == self._owner else None
+        return proxy is not None and proxy[marks.PROXY_KEY] == obj
+
+    def _is_of_sink(self, obj, path, driver):
+        """Whether a driver brings values of a hub to a sink, or is one of the owner's that reads one of its own hubs."""
+        targets = [target for variable in driver.variables for target in variable.targets
+                   if any(pattern.match(target.data_path) for pattern in self._slots)]
+        if obj == self._owner:
+            return len(targets) > 0
+        return "constraints[" in path and any(target.id and self._has_entries(target.id) for target in targets)
+
+    def _has_entries(self, hub):
+        """Whether a hub's mesh has an owner, whose entries are known from then on."""
+        owner = hub.get(outbox.OWNER_KEY)
+        if not isinstance(owner, bpy.types.Object) or not owner.is_property_set("motus"):
+            return False
+        self._add(owner)
+        return True
+
+
+def _with_entries():
+    return [system for system in systems() if system.entries]
+
+
+def _place(obj, bone):
+    """The place that (object, bone or "") stands for."""
+    if bone and obj.pose and bone in obj.pose.bones:
+        yield BONE, obj, bone
+    else:
+        yield TRANSFORM, obj
+
+
+def _deforming(obj):
+    """What an object deforms others by."""
+    yield TRANSFORM, obj
+    if obj.type == 'ARMATURE':
+        yield POSE, obj
+    elif obj.type in {'MESH', 'CURVE', 'SURFACE', 'LATTICE'}:
+        yield GEOMETRY, obj
+
+
+def _targets(constraint):
+    """The places that a constraint reads."""
+    for target in getattr(constraint, "targets", ()):
+        if target.target:
+            yield from _place(target.target, target.subtarget)
+    for name, sub in _TARGETS:
+        target = getattr(constraint, name, None)
+        if not isinstance(target, bpy.types.Object):
+            continue
+        bone = getattr(constraint, sub, "") if sub else ""
+        yield from _place(target, bone)
+        if target.type != 'ARMATURE' and (bone or constraint.type in _ON_GEOMETRY):
+            yield GEOMETRY, target
+
+
+def _read_by(driver):
+    """The places that a driver reads."""
+    for variable in driver.variables:
+        for target in variable.targets:
+            if target.id is None:
+                continue
+            if variable.type != 'SINGLE_PROP':
+                yield from _place(target.id, target.bone_target)
+                continue
+            evaluated = _EVALUATED.match(target.data_path) if isinstance(target.id, bpy.types.Object) else None
+            if evaluated:
+                yield from _place(target.id, bpy.utils.unescape_identifier(evaluated["bone"] or ""))
+            elif target.data_path:
+                yield DRIVERS, target.id, re.sub(r"\[\d+\]$", "", target.data_path)
+
+
+def _components(graph):
+    """Strongly connected components of the graph, what is depended on first (Tarjan, without recursion)."""
+    places, low, on_stack, stack, found = {}, {}, set(), [], []
+    for root in graph.roots():
+        if root in places:
+            continue
+        work = [(root, iter(graph.depends_on(root)))]
+        places[root] = low[root] = len(places)
+        stack.append(root)
+        on_stack.add(root)
+        while work:
+            node, others = work[-1]
+            for other in others:
+                if other not in places:
+                    places[other] = low[other] = len(places)
+                    stack.append(other)
+                    on_stack.add(other)
+                    work.append((other, iter(graph.depends_on(other))))
+                    break
+                if other in on_stack:
+                    low[node] = min(low[node], places[other])
+            else:
+                work.pop()
+                if work:
+                    low[work[-1][0]] = min(low[work[-1][0]], low[node])
+                if low[node] == places[node]:
+                    component = [stack.pop()]
+                    while component[-1] != node:
+                        component.append(stack.pop())
+                    on_stack.difference_update(component)
+                    found.append(component)
+    return found

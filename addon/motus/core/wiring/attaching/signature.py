@@ -1,0 +1,123 @@
+"""The hubs: a group's solver and outbox are carried by the mesh of a hidden object that stands in no collection."""
+
+import hashlib
+from typing import Any
+
+import bpy
+
+from ...blender import capabilities, drivers, helpers
+from ...declare import OwnMatrix, input_variables, of_owner
+from ...evaluated import copies
+from ..hubs import hub_lookup, outbox
+from ..sinks import proxy_sink
+from . import sharing
+
+VERSION = 2
+"""Of how owners are wired; what an older version has wired, which is noted with it, is wired anew."""
+
+
+def uses_attribute(system):
+    """Whether the members sample an attribute of the hub, and no drivers bring them the result."""
+    return capabilities.has_geometry_attribute_constraint() and not (system.has_modifier or system.same_bits)
+
+
+def has_strange_carriers(system, owner):
+    """Whether the owner was copied from another one and still hangs on its hubs or proxies."""
+    return any(_is_strange(system, owner, hub) for _, hub in hub_lookup.hubs(system, owner)) or (
+        system.groups is not None and proxy_sink.has_strange_proxies(owner))
+
+
+def _is_strange(system, owner, hub):
+    if outbox.is_shared(system, hub.data):
+        return bool(hub.library or hub.override_library) or not sharing.is_own(system, owner, hub.data)
+    return not hub_lookup.is_own_hub(hub, owner)
+
+
+def new_hub(*names):
+    """A hidden object that stands in no collection, with an empty mesh."""
+    return helpers.make(" ".join(filter(None, ("Motus", *names))), bpy.data.meshes.new("Hub"))
+
+
+def make_hub(system, owner, group):
+    """A new hub for one owner alone."""
+    hub = new_hub(system.label, owner.name, group.key)
+    hub.data[outbox.OWNER_KEY] = owner
+    settings = of_owner(system, owner)
+    if group.key:
+        entry = settings.more_hubs.add()
+        entry.name, entry.object = group.key, hub
+    else:
+        settings.hub = hub
+    return hub
+
+
+def has_outlet(system, owner):
+    """Whether the owner is to have an outlet: see outputs.create_outlet.
+
+    To Blender the outlet is one with the owner's settings, for which the solvers of its other systems wait, and by those its
+    matrix does: an owner whose solver waits for its own matrix has none.
+    """
+    return bool(system.outputs) and not copies.has_animated_settings(owner) and not _waits_for_itself(system, owner)
+
+
+def _waits_for_itself(system, owner):
+    return any(variable for declared, variable in input_variables(system, owner) if isinstance(declared, OwnMatrix))
+
+
+def wait_for_keys(system, owner):
+    """Data path of a custom property of the owner that Blender evaluates after the owner's keys, and that nothing else precedes.
+
+    The settings themselves are one with all plain properties of the owner to Blender, which sinks may drive.
+    """
+    key = wait_key(system)
+    owner[key] = 0.0
+    drivers.copy_value(owner, f'["{key}"]')
+    return f'["{key}"]'
+
+
+def wait_key(system):
+    """Name of that property."""
+    return f"motus_{system.name}_wait"
+
+
+def waits_apart(owner, groups):
+    """Whether solvers must not wait for all of an owner's plain properties: those that drive some, and all solvers on a camera, whose
+    properties come after its data's, which a solver may drive that waits for the camera."""
+    return owner.type == 'CAMERA' or any(group.properties for group in groups)
+
+
+def way_to_wait(owner, groups):
+    """How a solver that waits apart waits for animated settings: "" where there is no need, "keys", or "settings"."""
+    if not waits_apart(owner, groups) or not copies.has_animated_settings(owner):
+        return ""
+    return "settings" if copies.has_driven_settings(owner) else "keys"
+
+
+def signature(system, owner, groups):
+    """A text that changes when a system is to be wired otherwise on an owner: in another way, or in other groups that it declares."""
+    driven = drivers.driven_bones(owner)
+    said = [(group.key, group.outputs, sorted(group.data.items()),
+             [(_name(member.thing.id_data, owner), _bone(member.thing), sorted(member.channels), member.owner_space,
+               member.is_relative, _bone(member.thing) in driven) for member in group.members],
+             [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
+            for group in (groups if system.groups is not None else ())]
+    ways: tuple[Any, ...] = uses_attribute(system), has_outlet(system, owner), sharing.can_share(system, owner)
+    properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
+                  for group in groups for one in group.properties]
+    if waits_apart(owner, groups):
+        ways = *ways, way_to_wait(owner, groups), properties
+    return f"{VERSION} {hashlib.sha1(repr((ways, said)).encode()).hexdigest()}"
+
+
+def is_old(settings):
+    """Whether an owner was wired by an older version."""
+    return not settings.wired.startswith(f"{VERSION} ")
+
+
+def _bone(thing):
+    return thing.name if isinstance(thing, bpy.types.PoseBone) else ""
+
+
+def _name(obj, owner):
+    # A copy is wired as the one it was copied from.
+    return "" if obj == owner else obj.name

@@ -1,0 +1,97 @@
+"""Removes owners that were deleted, with their helpers.
+
+Blender removes a deleted object when nothing uses it any more. An owner and its hub use each other, so they would stay in the file,
+and in Blender's pickers, for good. What something else uses stays, as Blender would have it.
+"""
+
+import bpy
+
+from ...blender import helpers, node_groups
+from ...declare import is_owner, leader_of, systems
+from ...file import deleted
+from ..hubs import outbox
+
+
+def remove_soon():
+    """Have remove_deleted() called when the script that runs has ended: it may have taken an owner out of one collection to put it into
+    another. Without a window the script runs to the end, so that owners are removed when it saves the file."""
+    if not bpy.app.background and not bpy.app.timers.is_registered(remove_deleted) and _deleted_owners():
+        bpy.app.timers.register(remove_deleted, first_interval=0.0)
+
+
+def stop():
+    """Call it no more."""
+    if bpy.app.timers.is_registered(remove_deleted):
+        bpy.app.timers.unregister(remove_deleted)
+
+
+def remove_deleted():
+    """Remove the owners of this file that were deleted, and what only they and what hangs on them need."""
+    owners = _deleted_owners()
+    for obj in _unneeded(owners) if owners else ():
+        if obj.type == 'MESH' and outbox.is_hub(obj.data):
+            bpy.data.meshes.remove(obj.data)
+        else:
+            bpy.data.objects.remove(obj)
+
+
+def _deleted_owners():
+    return {obj for obj in bpy.data.objects if not obj.library and obj.is_property_set("motus")
+            and any(is_owner(system, obj) for system in systems()) and deleted.is_deleted(obj)}
+
+
+def _unneeded(owners):
+    """Of these owners, what they drive or point to, and all helpers, those objects that are used from nowhere else."""
+    found = _reached(owners | {obj for obj in bpy.data.objects if helpers.is_helper(obj) and not obj.library})
+    while True:
+        counts = _uses_within(found)
+        left = {obj for obj in found if not obj.use_fake_user and obj.users == counts.get(obj, 0)}
+        if left == found:
+            return found
+        found = left
+
+
+def _reached(objects):
+    """These objects, and what they drive or point to, one from another."""
+    found, new = set(), objects
+    while new:
+        found |= new
+        led = {obj for obj in bpy.data.objects if obj.is_property_set("motus")
+               and any(leader_of(system, obj) in new for system in systems())}
+        reached = led | {used for obj in new for used in _pointed_by(obj)}
+        new = {obj for obj in reached - found if not obj.library}
+    return found
+
+
+def _uses_within(objects):
+    """{object: how often the settings and custom properties of these objects, and of the hubs among them, point to it}."""
+    counts = {}
+    for obj in objects:
+        holders = (obj, obj.data) if obj.type == 'MESH' and outbox.is_hub(obj.data) else (obj,)
+        for used in [one for holder in holders for one in _pointed_by(holder)]:
+            counts[used] = counts.get(used, 0) + 1
+    return counts
+
+
+def _pointed_by(datablock):
+    values = list(datablock.values())
+    if isinstance(datablock, bpy.types.Object):
+        for modifier in datablock.modifiers:
+            if modifier.type == 'NODES' and modifier.node_group:
+                values += node_groups.inputs_of(modifier)
+        if datablock.is_property_set("motus"):
+            values += _pointed_in(datablock.motus)
+    return [value for value in values if isinstance(value, bpy.types.Object)]
+
+
+def _pointed_in(group):
+    for prop in group.bl_rna.properties:
+        name = prop.identifier
+        if name == "rna_type" or prop.type not in {'POINTER', 'COLLECTION'} or not group.is_property_set(name):
+            continue
+        value = getattr(group, name)
+        for one in value if prop.type == 'COLLECTION' else (value,):
+            if isinstance(one, bpy.types.PropertyGroup):
+                yield from _pointed_in(one)
+            else:
+                yield one

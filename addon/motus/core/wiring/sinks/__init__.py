@@ -1,0 +1,1 @@
+"""What brings results to objects, bones, properties and geometry: constraints, drivers, modifiers."""

@@ -1,0 +1,63 @@
+"""Sinks for Blenders without the Geometry Attribute constraint: Transformation constraints that read the outbox of a hub.
+
+Their drivers only copy slots of it, which takes no Python. An absolute member without rotation has Limit Location instead,
+with min = max: it keeps a negative scale and a shear, which Transformation loses.
+"""
+
+from ...blender import drivers
+from ...declare import Variable
+from ..hubs import hub_lookup, marks, outbox
+
+AXES = "xyz"
+LIMITS = ("min_{}", "max_{}")
+
+
+def add(system, group, index, hub, row=None):
+    """Drive member `index` of the group by its slots of the hub's outbox; row: its own, where the hub is shared."""
+    member = group.members[index]
+    first = 0 if row is None else hub_lookup.first_slot(system, member.thing)
+    pose, scale = first + outbox.pose_slot(group, index), first + outbox.scale_slot(group, index)
+    for channel, slot in (("location", pose), ("rotation", pose + 3), ("scale", scale)):
+        if channel not in member.channels:
+            continue
+        is_limit = not member.is_relative and "rotation" not in member.channels and channel == "location"
+        constraint, paths = _limit(member) if is_limit else _mapped(member, channel, hub)
+        constraint.name = marks.name(system, channel)
+        marks.put(constraint, hub, index if row is None else row)
+        for axis, letter in enumerate(AXES):
+            for path in paths:
+                _drive(constraint, path.format(letter), system, group, hub, slot + axis)
+        # Influence costs a driver, and relative sinks need none: neutral values do nothing.
+        if not member.is_relative:
+            _drive(constraint, "influence", system, group, hub, first + outbox.WEIGHT)
+
+
+def _mapped(member, channel, hub):
+    """A Transformation constraint that maps an empty range of the hub's location, so that its least value counts."""
+    constraint = member.thing.constraints.new('TRANSFORM')
+    constraint.target = hub
+    constraint.owner_space = member.owner_space
+    constraint.map_from = 'LOCATION'
+    constraint.map_to = channel.upper()
+    if channel == "location":
+        constraint.mix_mode = 'ADD' if member.is_relative else 'REPLACE'
+        return constraint, ("to_min_{}",)
+    if channel == "scale":
+        constraint.mix_mode_scale = 'MULTIPLY' if member.is_relative else 'REPLACE'
+        return constraint, ("to_min_{}_scale",)
+    constraint.mix_mode_rot = 'AFTER' if member.is_relative else 'REPLACE'
+    constraint.to_euler_order = 'XYZ'
+    return constraint, ("to_min_{}_rot",)
+
+
+def _limit(member):
+    constraint = member.thing.constraints.new('LIMIT_LOCATION')
+    constraint.owner_space = member.owner_space
+    for letter in AXES:
+        for switch in ("use_min_{}", "use_max_{}"):
+            setattr(constraint, switch.format(letter), True)
+    return constraint, LIMITS
+
+
+def _drive(constraint, path, system, group, hub, slot):
+    drivers.copy_value(constraint, path, Variable('MESH', hub.data, outbox.out_path(system, slot, group.key)))

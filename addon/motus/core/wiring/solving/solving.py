@@ -1,0 +1,317 @@
+"""What a solver driver does at each frame with the evaluated mesh that it sits on.
+
+A Solver, or RowsSolver of a hub that owners share, is prepared once, and kept for as long as Blender keeps the evaluated copies
+it was prepared for (core/evaluated/copies.py): what is read of the hub is checked then, and each frame only solves. References to
+evaluated datablocks are kept too: they are good for as long as these lie where they are, and raise ReferenceError after.
+"""
+
+import logging
+
+from ... import native
+from ...declare import Context, Setting, System, groups_of, of_owner, registered
+from ...evaluated import copies, read_keys
+from ...file import stored
+from ...file.stored import Damaged, Newer
+from ...lazy import numpy as np
+from ...measures import finite
+from ..attaching import sharing
+from ..healing import heal
+from ..hubs import outbox, outputs
+from ..sinks import attribute_sink, geometry_sink, property_sink
+
+log = logging.getLogger(__name__)
+
+
+def called(name):
+    """The system and the group's key that a driver names. Raises Damaged."""
+    name, _, key = name.partition(".") if isinstance(name, str) else ("", "", "")
+    system = registered.get(name)
+    if not isinstance(system, System):
+        raise Damaged("no system")
+    return system, key
+
+
+def solver_of(carrier, name):
+    """The Solver or RowsSolver for an evaluated carrier and what its driver names. Raises Damaged."""
+    system, key = called(name)
+    if not outbox.is_in_place(system, carrier, key):
+        raise Damaged("no outbox")
+    copy = copies.of(carrier)
+    found = None if copy is None else copy.found.get(name)
+    if found is None or not found.is_current():
+        kind = RowsSolver if outbox.SHARED_KEY in carrier else Solver
+        found = kind(system, key, carrier)
+        if copy is not None:
+            copy.found[name] = found
+    return found
+
+
+class Solver:
+    """Solves one group of a system for the owner of the carrier."""
+
+    def __init__(self, system, key, carrier):
+        found = outbox.opened(system, carrier, key)
+        owner = outbox.owner_of(system, carrier)
+        settings, layout = of_owner(system, owner), found.layout
+        self._system, self._carrier, self._owner = system, carrier, owner
+        self._copy = copies.of(owner)
+        # What is kept of the settings, unless they are animated.
+        self._memo = None if self._copy is None else self._copy.found.setdefault(("memo", system.name, key), {})
+        self._slots, self._box, self._layout = found.slots, np.frombuffer(found.slots), layout
+        self._outlet = outputs.outlet(system, owner)
+        self._poses = _Poses(layout.members)
+        self._drives_properties = property_sink.KEY in carrier
+        self._reading = read_keys.reading_of(carrier, system.name) if system.reads_keys or self._drives_properties else None
+        # Whether settings are animated counts for outlets and driven properties alone.
+        self._counts = bool(system.outputs) or self._drives_properties
+        self._place = None if owner.library else (system.name, owner.name)
+        self._reads_mesh, self._reads_several = system.reads_mesh, system.reads_several
+        self._settings = [one for one in system.inputs if isinstance(one, Setting)]
+        self._inputs = _inputs(system)
+        self._context = Context(
+            settings=settings, owner=owner, locations=self._poses.locations, rotations=self._poses.rotations,
+            scales=self._poses.scales, outputs=self._box[outbox.FIRST_OUTPUT:layout.base],
+            member_data=_member_data(system, carrier, owner, layout.members), group=key,
+            data={} if found.info is None else found.info.data)
+
+    def is_current(self):
+        """Whether the owner is still the same evaluated copy."""
+        try:
+            return self._copy is not None and copies.of(self._owner) is self._copy
+        except ReferenceError:  # the owner is gone
+            return False
+
+    def solve(self, frame, depsgraph, values):
+        """Solve into the carrier; returns the status. values: of the inputs, as the driver gives them."""
+        if self._reading is None or not self._reading.is_edit(frame):
+            return self._solve(frame, depsgraph, values)
+        with self._reading:
+            return self._solve(frame, depsgraph, values)
+
+    def _solve(self, frame, depsgraph, values):
+        system, carrier, owner, box = self._system, self._carrier, self._owner, self._slots
+        heal.note_use()
+        if native.module is None:
+            self._do_nothing(frame)
+            return box[outbox.STATUS]
+        moves = self._copy.has_animated_settings if self._copy else copies.has_moving_settings(owner)
+        context = self._context
+        context.begin(frame, depsgraph, None if moves else self._memo)
+        self._poses.reset()
+        inputs = self._read(values)
+        room = geometry_sink.room(system, carrier, inputs, context) if system.has_modifier else None
+        if self._drives_properties:
+            property_sink.clear(carrier, self._box)
+        problem = system.solve(context, **inputs)
+        is_finite = self._is_finite(room)
+        is_blocked = not is_finite or problem is not None and problem.blocking
+        box[outbox.STATUS] = outbox.NOT_FINITE if not is_finite else 0.0 if problem is None else system.problems.index(problem) + 1.0
+        influence = finite.share(context.settings.influence)
+        if self._drives_properties:
+            property_sink.blend(carrier, owner, self._box, frame, 0.0 if is_blocked else influence)
+        # Where members are relative the solver applies the influence, and then to the absolute ones among them too.
+        weight = 0.0 if is_blocked else 1.0 if self._layout.is_relative else influence
+        box[outbox.WEIGHT] = weight
+        if is_blocked:
+            self._poses.reset()
+        if room is None:
+            self._store(weight)
+        else:
+            room.write(weight)
+            if room.is_full and problem is None:
+                box[outbox.STATUS] = outbox.FULL
+            if context.wants_to_settle:
+                heal.ask_to_settle(system, owner)
+        if self._outlet is not None:
+            self._outlet[:] = box[:len(self._outlet)]
+        self._tell_healing(moves)
+        return box[outbox.STATUS]
+
+    def _is_finite(self, room):
+        """Whether what was found may reach the sinks. Outputs that may not are 0; those of properties that are left alone are NaN."""
+        outputs = self._context.outputs
+        if len(outputs) and not self._drives_properties and not finite.is_finite(outputs):
+            outputs[~(np.abs(outputs) < finite.INFINITE)] = 0.0
+            return False
+        return finite.is_finite(self._poses.block) if room is None else room.is_finite()
+
+    def _read(self, values):
+        """The arguments of solve by their names."""
+        context = self._context
+        found = context.kept("settings", None, self._read_settings) if self._settings else {}
+        return found | _arguments(self._inputs, values, context.settings) if self._inputs else found
+
+    def _read_settings(self):
+        return {declared.name: declared.read(0.0, self._context.settings) for declared in self._settings}
+
+    def _store(self, weight):
+        """Let the members' sinks have what was found."""
+        context, layout = self._context, self._layout
+        if layout.has_attribute:
+            attribute_sink.write(
+                self._carrier, lambda: groups_of(self._system, self._owner)[0].members, context.locations, context.rotations,
+                context.scales if layout.has_scales else None, weight)
+        elif weight > 0.0 or layout.is_relative:
+            end = layout.base + outbox.POSE_SIZE * layout.members
+            poses = self._box[layout.base:end].reshape(layout.members, outbox.POSE_SIZE)
+            poses[:, :3] = context.locations
+            poses[:, 3:] = native.module.euler_xyz(context.rotations)
+            if layout.has_scales:
+                self._box[end:] = context.scales.ravel()
+
+    def _tell_healing(self, moves):
+        if self._drives_properties:
+            heal.note_properties(self._carrier)
+        if self._place is None:
+            return
+        if self._reads_mesh:
+            heal.watch(self._place)
+        if self._reads_several:
+            heal.watch_collections(self._place)
+        if not self._system.moves_points:
+            drivers = copies.drivers_on(self._owner) if self._copy is None else self._copy.drivers
+            heal.note_state(self._place, (drivers, self._counts and moves))
+
+    def _do_nothing(self, frame):
+        do_nothing(self._box, self._layout)
+        property_sink.blend(self._carrier, self._owner, self._box, frame, 0.0)
+        if self._system.has_modifier:
+            geometry_sink.write_nothing(self._system, self._carrier)
+
+
+class RowsSolver:
+    """Solves every row of a hub that owners share, for as long as Blender keeps that evaluated copy of it."""
+
+    def __init__(self, system, _key, mesh):
+        self._system, self._mesh = system, mesh
+        self._layout = layout = outbox.row_layout(system, mesh)
+        slots = np.frombuffer(stored.doubles(mesh.get(outbox.out_key(system))))
+        count = len(slots) // layout.size
+        if count == 0 or count * layout.size != len(slots) or layout.has_attribute and count != len(mesh.vertices):
+            raise Damaged("another number of rows")
+        self._table, self._poses = slots.reshape(count, layout.size), _Poses(count)
+        self._inputs = _inputs(system)
+        self._rows = [sharing.row(system, mesh, index) for index in range(count)]
+        self._contexts = [self._context(index, row) for index, row in enumerate(self._rows)]
+        self._name = mesh.name if not mesh.library else None
+
+    def _context(self, index, row):
+        """Context of a row that somebody has; None for others."""
+        slots, here = self._table[index], slice(index, index + 1)
+        if isinstance(row, sharing.Row):
+            return Context(
+                settings=row.settings, owner=None, locations=self._poses.locations[here], rotations=self._poses.rotations[here],
+                outputs=slots[outbox.FIRST_OUTPUT:self._layout.base], member_data=row.member_data)
+        return None
+
+    @staticmethod
+    def is_current():
+        """Whether all is there that it was prepared for: it reads nothing but the hub."""
+        return True
+
+    def solve(self, frame, depsgraph, values):
+        """Solve into the hub's mesh; returns the status of the first row, on which the driver sits."""
+        table, layout, poses = self._table, self._layout, self._poses
+        heal.note_use()
+        table[:, outbox.WEIGHT] = 0.0
+        if native.module is None:
+            return table[0, outbox.STATUS]
+        poses.reset()
+        inputs = _arguments(self._inputs, values, None)
+        common, targets = {}, sharing.targets(self._system, self._mesh)
+        if self._name is not None:
+            heal.watch_rows(self._system, self._name, self._rows)
+        for row, context, slots in zip(self._rows, self._contexts, table):
+            if context is not None:
+                context.begin(frame, depsgraph, row.memo, common, targets)
+                self._solve_row(context, inputs | row.inputs, slots)
+            elif row is Damaged:
+                slots[outbox.STATUS] = outbox.DAMAGED
+        if layout.has_attribute:
+            attribute_sink.write(self._mesh, None, poses.locations, poses.rotations, None, 1.0)
+        else:
+            table[:, layout.base:layout.base + 3] = poses.locations
+            table[:, layout.base + 3:] = native.module.euler_xyz(poses.rotations)
+        return table[0, outbox.STATUS]
+
+    def _solve_row(self, context, inputs, slots):
+        system = self._system
+        try:
+            problem = system.solve(context, **inputs)
+        except Exception as error:
+            slots[outbox.STATUS] = status_of(error, self._mesh, system.name, None)
+        else:
+            slots[outbox.STATUS] = 0.0 if problem is None else system.problems.index(problem) + 1.0
+            if not (finite.is_finite(context.locations) and finite.is_finite(context.rotations) and finite.is_finite(context.outputs)):
+                slots[outbox.STATUS] = outbox.NOT_FINITE
+                context.outputs[:] = 0.0
+            elif problem is None or not problem.blocking:
+                slots[outbox.WEIGHT] = finite.share(context.settings.influence)
+                return
+        context.locations[:] = 0.0
+        context.rotations[:] = (1.0, 0.0, 0.0, 0.0)
+
+
+def _inputs(system):
+    """(place among the driver's arguments, input) of those inputs that a solver does not read of the settings."""
+    return [(index, one) for index, one in enumerate(system.inputs) if not isinstance(one, Setting)]
+
+
+def _arguments(inputs, values, settings):
+    """What the driver gave for these inputs, by their names."""
+    if inputs and len(values) <= inputs[-1][0]:
+        raise Damaged("too few arguments")
+    return {declared.name: declared.read(values[index], settings) for index, declared in inputs}
+
+
+class _Poses:
+    """Room for what a solver finds: locations (n, 3), rotations (n, 4), scales (n, 3) in one `block` of memory."""
+
+    def __init__(self, count):
+        self.block, self._neutral = np.empty(10 * count), np.zeros(10 * count)
+        self.locations, self.rotations, self.scales = self._parts(self.block)
+        _, rotations, scales = self._parts(self._neutral)
+        rotations[:, 0] = 1.0
+        scales.fill(1.0)
+
+    @staticmethod
+    def _parts(block):
+        locations, rotations, scales = np.split(block, [3 * len(block) // 10, 7 * len(block) // 10])
+        return locations.reshape(-1, 3), rotations.reshape(-1, 4), scales.reshape(-1, 3)
+
+    def reset(self):
+        """Let nothing turn or move."""
+        self.block[:] = self._neutral
+
+
+def do_nothing(box, layout):
+    """Values of an outbox that leave the members where they stand by themselves."""
+    box[outbox.WEIGHT] = 0.0
+    if layout.is_relative and not layout.has_attribute:
+        end = layout.base + outbox.POSE_SIZE * layout.members
+        box[layout.base:end] = 0.0
+        box[end:] = 1.0
+
+
+def _member_data(system, carrier, owner, count):
+    if system.member_data is None:
+        return None
+    if count == 0 and not carrier.get(outbox.MEMBER_DATA_KEY):  # no custom property holds an empty list of floats
+        return np.empty(0)
+    if carrier != owner:
+        return np.frombuffer(stored.doubles(carrier.get(outbox.MEMBER_DATA_KEY), count))
+    data = system.member_data(owner)
+    if len(data) != count:
+        raise Damaged("another number of members")
+    return data
+
+
+def status_of(error, carrier, name, settings):
+    """The status of what could not be computed, which is written down unless the file is damaged. settings: the owner's, or None."""
+    # What is damaged in a file is said in the panel; here it would be said at every frame.
+    if isinstance(error, Damaged):
+        return float(outbox.NEWER if isinstance(error, Newer) else outbox.DAMAGED)
+    if settings is not None and finite.has_bad_settings(settings):
+        return float(outbox.NOT_FINITE)
+    log.error("Motus: %s could not be computed on %s", name, getattr(carrier, "name", carrier), exc_info=error)
+    return float(outbox.INTERNAL)

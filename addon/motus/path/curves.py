@@ -1,0 +1,212 @@
+"""Reads Blender's curves, of any kind, into native ones."""
+
+import threading
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from ..core import native, rigs
+from ..core.declare import Problem
+from ..core.evaluated import copies
+from ..core.evaluated.per_thread import aside
+from ..core.lazy import numpy as np
+
+ALL_SPLINES = -1
+MAX_DEGREE = 64
+MAX_ORDER = 6
+CONTROL_POLYGON_KEY = "motus_bezier"
+"""Custom property of a curve: the points of each poly spline are the control points of one Bézier curve."""
+
+NO_SPLINES = Problem("The curve has no splines")
+NO_SUCH_SPLINE = Problem("The curve has no spline of this index")
+TOO_FEW_POINTS = Problem("A spline needs two points at least")
+TOO_MANY_POINTS = Problem("A Bézier curve of more than 65 control points is not supported")
+RATIONAL = Problem("NURBS splines with different weights cannot be followed: make the weights equal")
+HIGH_ORDER = Problem("NURBS splines of an order above 6 cannot be followed: lower the order")
+PROBLEMS = (NO_SPLINES, NO_SUCH_SPLINE, TOO_FEW_POINTS, TOO_MANY_POINTS, RATIONAL, HIGH_ORDER)
+
+# A second to_curve() on an object frees the first one's result, and drivers run in several threads. Within to_curve() Blender
+# may evaluate another driver in the same thread (modifiers are computed in parallel), which is then done before it returns.
+_temporary_curve = threading.RLock()
+
+
+class Unreadable(Exception):
+    """A curve that cannot be read; `problem` says why."""
+
+    def __init__(self, problem):
+        super().__init__(problem.sentence)
+        self.problem = problem
+
+
+@dataclass(frozen=True)
+class WorldCurve:
+    """A native curve in world space, and the tilt (rad) at its segments' joints, an array."""
+
+    curve: Any
+    tilt: Any
+
+
+def read_evaluated(curve_object, depsgraph, index):
+    """The WorldCurve of an evaluated curve object. Raises Unreadable."""
+    return read(curve_object, curve_object.data.splines, depsgraph, index, curve_object.matrix_world)
+
+
+def read(curve_object, splines, depsgraph, index, matrix):
+    """The WorldCurve of spline `index` (or ALL_SPLINES) of an evaluated curve object. Raises Unreadable.
+
+    splines: of its evaluated data; where the object has modifiers or shape keys, the deformed ones are read instead. Others
+    are read once for each evaluated copy of the data, and brought into the world once for each place of the object. In Edit Mode
+    Blender keeps a copy in which the points move, so they are read each time.
+    """
+    data = curve_object.data
+    is_edited = data.is_editmode  # which shows one shape key alone
+    is_deformed = bool(curve_object.modifiers or data.shape_keys and not is_edited)
+    copy = None if is_deformed or is_edited else copies.of(splines.id_data)  # that of a hidden object is its original one
+    if copy is None or copy.has_animated_splines:
+        return _in_world(*_read(curve_object, splines, depsgraph, index, is_deformed), matrix)  # type: ignore[call-arg]
+    local = copy.found.get(index)
+    if local is None:
+        local = copy.found[index] = _read(curve_object, splines, depsgraph, index, is_deformed)
+    name, place = ("in world", index), rigs.columns(matrix).tobytes()
+    found = copy.found.get(name)
+    if found is None or found[0] != place:
+        found = copy.found[name] = place, _in_world(*local, matrix)  # type: ignore[call-arg]
+    return found[1]
+
+
+def _in_world(curve, tilt, matrix):
+    # A mirror image turns to the other side about the direction of travel.
+    return WorldCurve(curve.transformed(np.array(matrix, dtype=float)), -tilt if matrix.is_negative else tilt)
+
+
+def _read(curve_object, splines, depsgraph, index, is_deformed):
+    is_polygon = CONTROL_POLYGON_KEY in curve_object.data
+    if not is_deformed:
+        return _read_splines(splines, index, is_polygon)
+    with _temporary_curve:
+        if curve_object.data.is_editmode:
+            return _read_shown(curve_object, splines, index, is_polygon)
+        try:
+            with aside():
+                deformed = curve_object.to_curve(depsgraph, apply_modifiers=True)
+            return _read_splines(deformed.splines, index, is_polygon)
+        finally:
+            curve_object.to_curve_clear()
+
+
+def _read_shown(curve_object, splines, index, is_polygon):
+    """In Edit Mode to_curve() knows neither what is edited nor modifiers: the line that is drawn, or, of a curve with a surface, the
+    points as they are edited."""
+    try:
+        with aside():
+            mesh = curve_object.to_mesh()
+        strips = None if mesh is None or len(mesh.polygons) else _strips(mesh)
+    finally:
+        curve_object.to_mesh_clear()
+    return _read_splines(splines if strips is None else strips, index, is_polygon)
+
+
+class _Strip(NamedTuple):
+    """A line of a mesh, as a spline of points."""
+
+    points: Any  # (n, 3)
+    use_cyclic_u: bool
+    type: str = 'STRIP'
+
+
+def _strips(mesh):
+    """The lines of a mesh without faces, whose edges join vertices in succession."""
+    points = _vectors(mesh.vertices, "co", 3)
+    edges = set(map(tuple, np.sort(_whole_pairs(mesh.edges), axis=1).tolist()))
+    starts = [at for at in range(len(points)) if (at - 1, at) not in edges]
+    ends = [*starts[1:], len(points)]
+    return [_Strip(points[start:end], end - start > 2 and (start, end - 1) in edges) for start, end in zip(starts, ends)]
+
+
+def _whole_pairs(edges):
+    found = np.empty(2 * len(edges), np.int32)
+    edges.foreach_get("vertices", found)
+    return found.reshape(-1, 2)
+
+
+def _read_splines(splines, index, is_polygon):
+    count = len(splines)
+    if count == 0:
+        raise Unreadable(NO_SPLINES)
+    if index != ALL_SPLINES:
+        if not 0 <= index < count:
+            raise Unreadable(NO_SUCH_SPLINE)
+        return _read_spline(splines[index], is_polygon)
+    long = long_splines(splines) or splines[:1]
+    if len(long) == 1:
+        return _read_spline(long[0], is_polygon)
+    return _joined([_read_spline(spline, is_polygon) for spline in long])
+
+
+def long_splines(splines):
+    """Those that are more than a single point, which has no length: who rides all splines passes over it."""
+    return [one for one in splines if len(one.bezier_points if one.type == 'BEZIER' else one.points) > 1]
+
+
+def _read_spline(spline, is_polygon):
+    if spline.type == 'BEZIER':
+        return _read_bezier(spline)
+    points, weights, tilt = _read_points(spline)
+    if spline.type == 'NURBS':
+        return _read_nurbs(spline, points, weights, tilt)
+    if is_polygon:
+        if len(points) > MAX_DEGREE + 1:
+            raise Unreadable(TOO_MANY_POINTS)
+        return native.module.Bezier(points), tilt[[0, -1]]
+    return native.module.PolyLine(points, spline.use_cyclic_u), tilt
+
+
+def _read_bezier(spline):
+    points = spline.bezier_points
+    _require_points(points)
+    arrays = [_vectors(points, name, 3) for name in ("co", "handle_left", "handle_right")]
+    return native.module.Spline(*arrays, spline.use_cyclic_u), _vectors(points, "tilt", 1)
+
+
+def _read_nurbs(spline, points, weights, tilt):
+    if np.ptp(weights) > 1e-6 * weights.max():
+        raise Unreadable(RATIONAL)
+    if spline.order_u > MAX_ORDER:
+        raise Unreadable(HIGH_ORDER)
+    options = spline.order_u, spline.use_cyclic_u, spline.use_endpoint_u, spline.use_bezier_u
+    curve = native.module.BSpline(points, *options)
+    # Tilt is blended by the same basis functions as the position.
+    tilts = native.module.BSpline(np.column_stack((tilt, tilt, tilt)), *options)
+    joints = np.arange(curve.segment_count + (not curve.cyclic), dtype=float)
+    return curve, tilts.position(joints)[:, 0]
+
+
+def _read_points(spline):
+    points = spline.points
+    _require_points(points)
+    if spline.type == 'STRIP':
+        return points, None, np.zeros(len(points), np.float32)
+    homogeneous = _vectors(points, "co", 4)
+    return homogeneous[:, :3], homogeneous[:, 3], _vectors(points, "tilt", 1)
+
+
+def _require_points(points):
+    if len(points) < 2:
+        raise Unreadable(TOO_FEW_POINTS)
+
+
+def _vectors(points, name, size):
+    buffer = np.empty(len(points) * size, np.float32)
+    points.foreach_get(name, buffer)
+    return buffer.reshape(-1, size) if size > 1 else buffer
+
+
+def _joined(parts):
+    """One chain of several curves, with gaps between them."""
+    degree = max(curve.degree for curve, _ in parts)
+    segments = np.concatenate([
+        curve.elevate(degree - curve.degree).control_points.reshape(-1, degree + 1, 3) for curve, _ in parts])
+    # A joint belongs to the segment that begins there: at a gap the tilt of the spline before is not reached.
+    last, last_tilt = parts[-1]
+    end = last_tilt[0 if last.cyclic else -1]
+    tilt = np.concatenate([*(values[:curve.segment_count] for curve, values in parts), [end]])
+    return native.module.Chain(segments, False), tilt
