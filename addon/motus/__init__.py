@@ -5,9 +5,9 @@ from .core import registration
 
 def register():
     """Called by Blender when the add-on is enabled."""
-    from . import demo
+    from . import demo, translations
     from .systems import SYSTEMS
-    registration.register(SYSTEMS, extra_classes=demo.classes, extra_add_menu=demo.ADD_MENU)
+    registration.register(SYSTEMS, translations.LANGUAGES, extra_classes=demo.classes, extra_add_menu=demo.ADD_MENU)
 
 
 def unregister():

@@ -3,10 +3,12 @@
 import bpy
 
 from . import bake, declare, settings, tracks, translations, wiring
-from .blender import handlers, teardown
+from .blender import handlers
 from .evaluated import read_keys
 from .file import deleted
-from .interface import bone_entries, menus, overlay, panels, preferences, ui
+from .interface import baking, bone_entries, menus, overlay, panels, ui
+from .interface.tracks import operators as track_operators
+from .interface.tracks import panel as track_panel
 from .interface.view import playback, viewports
 from .scenery import meshes
 
@@ -14,10 +16,13 @@ _undo = []
 _FORGETTING = handlers.Forgetting(tracks.forget), handlers.Forgetting(meshes.forget)
 
 
-def register(systems, extra_classes=(), extra_add_menu=()):
-    """Register all systems and the shared classes. On an error what was registered is taken back."""
+def register(systems, languages, extra_classes=(), extra_add_menu=()):
+    """Register all systems and the shared classes. On an error what was registered is taken back.
+
+    languages: {language: {context: {English: translation}}}.
+    """
     try:
-        _register(systems, tuple(extra_classes), tuple(extra_add_menu))
+        _register(systems, languages, tuple(extra_classes), tuple(extra_add_menu))
     except Exception:
         unregister()
         raise
@@ -26,10 +31,10 @@ def register(systems, extra_classes=(), extra_add_menu=()):
 def unregister():
     """Take back what register() did, last first."""
     while _undo:
-        teardown.run(_undo.pop())
+        handlers.take_back(_undo.pop())
 
 
-def _register(systems, extra_classes, extra_add_menu):
+def _register(systems, languages, extra_classes, extra_add_menu):
     # Property groups before the groups that point to them, and all of them before the panels that draw them.
     _register_classes(settings.classes)
     for one in systems:
@@ -37,12 +42,13 @@ def _register(systems, extra_classes, extra_add_menu):
         _undo.append(lambda name=one.name: declare.registered.pop(name))
         _register_classes(one.classes)
     _register_classes(
-        preferences.classes + ui.classes + bake.classes + tracks.classes + panels.classes_of_core + bone_entries.classes + menus.classes + extra_classes)
+        overlay.classes + ui.classes + bake.classes + baking.classes + track_operators.classes + panels.classes_of_core + bone_entries.classes + menus.classes
+        + extra_classes)
     _register_settings(systems)
     _call(deleted.register, deleted.unregister)
     _call(wiring.register, wiring.unregister)
     _call(read_keys.register, read_keys.unregister)
-    _call(tracks.register, tracks.unregister)
+    _call(track_panel.register, track_panel.unregister)
     for one in _FORGETTING:
         _call(one.register, one.unregister)
     _call(viewports.register, viewports.unregister)
@@ -50,7 +56,7 @@ def _register(systems, extra_classes, extra_add_menu):
     _call(lambda: None, playback.unregister)  # read-outs that are drawn begin to follow playback
     _call(lambda: menus.register(systems, extra_add_menu), menus.unregister)
     _call(lambda: panels.menus_of_scenes.extend(extra_add_menu), panels.menus_of_scenes.clear)
-    _call(translations.register, translations.unregister)
+    _call(lambda: translations.register(languages), translations.unregister)
     for one in systems:
         for extra in one.extras:
             _call(extra.register, extra.unregister)
@@ -77,10 +83,10 @@ def _register_settings(systems):
     _register_classes((group,))
     for one in systems:
         if one.scene_settings is not None:
-            _register_pointer(preferences.MOTUS_PG_scene, one.name, one.scene_settings)
+            _register_pointer(overlay.MOTUS_PG_scene, one.name, one.scene_settings)
         for name, switch in overlay.properties_of(one).items():
-            _register_property(preferences.MOTUS_PG_scene, name, switch)
-    for owner, kind in ((bpy.types.Object, group), (bpy.types.Scene, preferences.MOTUS_PG_scene)):
+            _register_property(overlay.MOTUS_PG_scene, name, switch)
+    for owner, kind in ((bpy.types.Object, group), (bpy.types.Scene, overlay.MOTUS_PG_scene)):
         _register_pointer(owner, "motus", kind, name="Motus", override={'LIBRARY_OVERRIDABLE'})
 
 

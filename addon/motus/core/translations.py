@@ -1,23 +1,18 @@
-"""Collects the languages in translations/ for Blender."""
-
-import importlib
+"""Hands the add-on's translations to Blender, and gives sentences in the user's language."""
 
 import bpy
 
-LANGUAGES = ("es",)
 OWN_SENSE = "Motus"
 """Context of words that Blender has too, in another sense: without it they come out in Blender's translation."""
 
 
-def register():
-    """Register all languages. Each module has CONTEXTS: context -> {English: translation}."""
-    catalogue = {}
-    for language in LANGUAGES:
-        module = importlib.import_module(f"...translations.{language}", __package__ + ".x")
-        catalogue[language] = {
+def register(languages):
+    """Register languages: {language: {context: {English: translation}}}."""
+    bpy.app.translations.register(_KEY, {
+        language: {
             (context, english): translated
-            for context, messages in module.CONTEXTS.items() for english, translated in messages.items()}
-    bpy.app.translations.register(_KEY, catalogue)
+            for context, messages in contexts.items() for english, translated in messages.items()}
+        for language, contexts in languages.items()})
 
 
 def tr(text):

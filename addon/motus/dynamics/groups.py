@@ -5,11 +5,10 @@ from typing import NamedTuple
 
 import bpy
 
-from ..core import rigs
+from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Property, Transform
 from ..core.settings.entries import unwired
 from ..core.tracks import transforms
-from ..core.wiring.attaching import levels
 from . import inputs
 
 PLAN = "plan"
@@ -120,7 +119,7 @@ def is_missing(owner, entry):
 def groups(owner):
     """One group for the object, one for the bones of each level, and one for properties: they are solved by one call."""
     present = units(owner)
-    levels = levels.levels(owner)
+    levels = wiring.levels(owner)
     placed = [(levels.get(("dynamics", unit.name)), unit) for unit in present if unit.kind != 'PROPERTY']
     by_key = {}
     for level, unit in placed:

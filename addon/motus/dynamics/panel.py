@@ -2,9 +2,10 @@
 
 import bpy
 
-from ..core import native, tracks
+from ..core import native
 from ..core.interface import bone_entries, panels, ui
 from ..core.interface.view import graph, widths
+from ..core.interface.tracks import panel as track_panel
 from ..core.lazy import numpy as np
 from ..core.translations import OWN_SENSE, counted, tr
 from . import filters, presets, rows, styles, told
@@ -108,7 +109,7 @@ def draw_input(layout, context):
         return
     unknown = source.unknown
     for track, keywords in unknown:
-        tracks.draw(layout, track, **keywords)
+        track_panel.draw(layout, track, **keywords)
     if not unknown:
         moves = source.extent is not None
         ui.draw_message(layout, tr("Exact at any frame") if moves else tr("Nothing moves here yet that could be followed"), 'INFO')

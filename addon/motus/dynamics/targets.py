@@ -9,7 +9,6 @@ from ..core.file import libraries
 from ..core.measures import scene_time
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
-from ..core.wiring.attaching import levels
 from . import inputs, setup
 from .groups import unit_reads
 
@@ -180,7 +179,7 @@ def check_no_loop(owner, names, follow):
     for name in names:
         if name and follow == 'WORLD':
             for obj, bone in unit_reads(owner, name):
-                if levels.depends(obj, bone, owner, [name]):
+                if wiring.depends(obj, bone, owner, [name]):
                     raise Refused(tr("What {bone} hangs on moves with it").format(bone=name))
 
 

@@ -1,7 +1,7 @@
 """Inverse kinematics: chains of bones that reach for targets, with weights, poles, limits, softness and stretch."""
 
 from ..core.declare import System
-from . import groups, operators, over_time, overlay, panel, presets, properties, solve
+from . import groups, offers, operators, over_time, overlay, panel, presets, properties, solve
 from .checking import operators as checking_operators
 from .dragging import operators as dragging_operators
 from .dragging import tool as dragging_tool
@@ -27,6 +27,7 @@ SYSTEM = System(
     bone_renamed=groups.bone_renamed,
     over_time=over_time.over_time,
     overlay=overlay.overlay,
+    offers=offers,
     extras=(dragging_tool,),
     object_menu=("motus.ik_add", "motus.ik_remove"),
     pose_menu=(

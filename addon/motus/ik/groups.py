@@ -6,11 +6,10 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from ..core import rigs
+from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.file.pointers import pointed
 from ..core.settings.entries import unwired
-from ..core.wiring.attaching import levels
 from . import chains
 
 OUTPUTS = ("residual", "angle", "reason", "distance", "reach")
@@ -45,7 +44,7 @@ def entries(owner):
 
 def groups(owner):
     """One group for the entries of each level: they are solved by one call."""
-    levels = levels.levels(owner)
+    levels = wiring.levels(owner)
     by_level = {}
     for found in survey(owner):
         level = levels.get(("ik", found.entry.name))

@@ -1,9 +1,9 @@
 """Setting chains up and taking them back: plain functions behind the operators."""
 
+from ..core import wiring
 from ..core.declare import registered
 from ..core.declare.forgetting import forget
 from ..core.settings import entries
-from ..core.wiring.attaching import levels
 
 
 def system():
@@ -36,7 +36,7 @@ def would_wait_for_itself(rig, bone, changes):
         kept = {name: getattr(before, name) for name in changes} if before else {}
         chosen = settings.chosen_entry
         add(rig, bone, changes)
-        level = levels.levels(rig).get(("ik", bone), 0)
+        level = wiring.levels(rig).get(("ik", bone), 0)
         if before:
             add(rig, bone, kept)
         else:

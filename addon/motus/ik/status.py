@@ -8,7 +8,6 @@ from ..core.file import deleted
 from ..core.file.pointers import pointed
 from ..core.interface.ui import length
 from ..core.translations import tr
-from ..core.wiring.attaching import levels
 from . import chains, reasons
 from .goals import stations
 from .goals import places as goal_places
@@ -86,7 +85,7 @@ def _unwired(owner, entry):
         label, other = others[shared[0]]
         return tr("{bone} is driven by {system} of {other} already: shorten the chain").format(
             bone=shared[0], system=tr(label), other=other)
-    if levels.levels(owner).get(("ik", entry.name), 0) is None:
+    if wiring.levels(owner).get(("ik", entry.name), 0) is None:
         return tr("The target moves with the chain itself: choose another one")
     return ""
 

@@ -2,10 +2,9 @@
 
 import json
 
-from ..core import rigs
+from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.wiring import driven_bones
-from ..core.wiring.attaching import levels
 from . import mask
 
 PLAN = "plan"
@@ -37,7 +36,7 @@ def entries(owner):
 
 def groups(owner):
     """One group for the bones of each level."""
-    driven, levels = driven_bones(owner), levels.levels(owner)
+    driven, levels = driven_bones(owner), wiring.levels(owner)
     by_level, looped = {0: []}, 0
     found = masked(owner)
     for name in found:

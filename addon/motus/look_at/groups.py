@@ -2,12 +2,11 @@
 
 import json
 
-from ..core import rigs
+from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.file.choices import chosen
 from ..core.file.pointers import pointed
 from ..core.measures import axes
-from ..core.wiring.attaching import levels
 from . import anatomy
 
 OUTPUTS = ("angle", "reason", "yaw", "pitch")
@@ -33,7 +32,7 @@ def entries(owner):
 
 def groups(owner):
     """One group for the heads of each level: they are solved by one call."""
-    levels = levels.levels(owner)
+    levels = wiring.levels(owner)
     by_level, looped = {0: []}, 0
     for entry, bones in present(owner):
         level = levels.get(("look_at", entry.name))

@@ -5,7 +5,6 @@ from ..core.declare import systems
 from ..core.file import libraries
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named
 from ..core.translations import tr
-from ..core.wiring.attaching import levels
 from . import anatomy, names
 from .properties import ANY_BODY_LENGTH
 
@@ -132,7 +131,7 @@ def _is_constrained(bone):
 
 def check_loop(rig, head, driven, target, target_bone):
     """Refuse a target that moves with the bones that turn."""
-    if target and levels.depends(target, target_bone, rig, driven):
+    if target and wiring.depends(target, target_bone, rig, driven):
         raise Refused(tr("{target} moves with {head}, so {head} cannot look at it").format(
             target=f"{target.name}: {target_bone}" if target_bone else target.name, head=head))
 

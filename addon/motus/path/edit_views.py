@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import bpy
 from mathutils import Euler, Quaternion, Vector
 
-from ..core.blender import teardown
+from ..core.blender import handlers
 from ..core.interface.operators import Operator
 from ..core.interface.rows import Rows
 from ..core.interface.view import viewports
@@ -134,7 +134,7 @@ def register():
 
 def unregister():
     """Let all viewports be what they were."""
-    teardown.run(_leave_all, partial(bpy.types.VIEW3D_MT_editor_menus.remove, _draw_header))
+    handlers.take_back(_leave_all, partial(bpy.types.VIEW3D_MT_editor_menus.remove, _draw_header))
 
 
 def _draw_header(menus, context):

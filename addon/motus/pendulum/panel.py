@@ -2,9 +2,10 @@
 
 import math
 
-from ..core import native, tracks, wiring
+from ..core import native, wiring
 from ..core.declare import Problem
 from ..core.interface import panels, ui
+from ..core.interface.tracks import panel as track_panel
 from . import parts, pivot_motion, presets, rows, solve, trail
 from .build import system
 
@@ -37,7 +38,7 @@ def draw_forces(layout, context):
     settings = pivot.motus.pendulum
     rows.FORCES.draw(ui.split(layout), settings)
     if settings.use_pivot_motion:
-        tracks.draw(layout, pivot_motion.track(pivot, context.scene), datablock=pivot.name)
+        track_panel.draw(layout, pivot_motion.track(pivot, context.scene), datablock=pivot.name)
 
 
 def draw_time(layout, context):

@@ -4,7 +4,7 @@ import functools
 
 from ..core import native
 from ..core.declare import Problem
-from ..core.evaluated.scratch import scratch
+from ..core.evaluated.per_thread import scratch
 from ..core.file.choices import chosen
 from ..core.lazy import numpy as np
 from ..core.refusals import INFINITE

@@ -1,8 +1,8 @@
 """The panel of snow: in the sidebar's tab and in the object's constraint properties, on the emitter."""
 
-from ..core import tracks
 from ..core.file.pointers import pointed
 from ..core.interface import panels, ui
+from ..core.interface.tracks import panel as track_panel
 from ..core.translations import tr
 from . import births, colliders, flakes, landings, presets, rows, solve
 from .build import is_emitter, system
@@ -31,7 +31,7 @@ def draw_emitter(layout, context):
         return
     moved = births.track(source, context.scene)
     if not moved.is_known or moved.extent is not None:
-        tracks.draw(layout, moved, datablock=source.name)
+        track_panel.draw(layout, moved, datablock=source.name)
 
 
 def draw_random(layout, context):
@@ -56,7 +56,7 @@ def draw_air(layout, context):
         moved = [(axis, one) for axis, one in enumerate(births.wind_tracks(emitter)) if not one.is_constant]
         # One that has to be recorded first; what is known of one is known of all.
         for axis, one in sorted(moved, key=lambda pair: pair[1].is_known)[:1]:
-            tracks.draw(layout, one, datablock=emitter.name, data_path=births.WIND, index=axis)
+            track_panel.draw(layout, one, datablock=emitter.name, data_path=births.WIND, index=axis)
 
 
 def draw_landing(layout, context):

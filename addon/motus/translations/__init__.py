@@ -1,1 +1,6 @@
-"""One module a language; core/translations.py collects them."""
+"""Translations of the interface, a package a language."""
+
+from . import es
+
+LANGUAGES = {"es": es.CONTEXTS}
+"""Language -> {context: {English: translation}}, which registration hands to Blender."""

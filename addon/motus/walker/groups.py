@@ -4,11 +4,10 @@ import functools
 import json
 from typing import Any, NamedTuple
 
-from ..core import rigs
+from ..core import rigs, wiring
 from ..core.declare import BonesOwn, Entry, Group, Member, Transform
 from ..core.file import stored
 from ..core.lazy import numpy as np
-from ..core.wiring.attaching import levels
 from . import legs
 
 PLAN = "plan"
@@ -43,7 +42,7 @@ def _is_foot(body, feet):
 
 def groups(owner):
     """One group for the feet, one for the body. What would wait for itself is left out."""
-    levels = levels.levels(owner)
+    levels = wiring.levels(owner)
     feet, body = legs.feet(owner), legs.body(owner)
     looped = {name for name in (FEET, BODY) if levels.get(("walker", name), 0) is None}
     if body is not None and _is_foot(body, feet):

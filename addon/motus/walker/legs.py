@@ -4,7 +4,7 @@ from typing import Any, NamedTuple
 
 import bpy
 
-from ..core.declare import has_settings, is_owner, leader_of, of_owner, registered
+from ..core.declare import leader_of, offered, registered
 from ..core.file import deleted, libraries
 from ..core.file.pointers import pointed
 
@@ -53,13 +53,10 @@ def _thing(owner, leg):
 
 def stretches(owner, leg):
     """Whether a leg becomes as long as it has to be: its chain of Inverse Kinematics stretches all the way to the foot."""
-    system = registered["ik"]
-    if not (has_settings(system, owner) and is_owner(system, owner)):
-        return False
     foot = owner if leg.name else pointed(leg, "foot")
-    found = [(entry, pointed(entry, "target")) for entry in of_owner(system, owner).entries if entry.stretch >= 1.0]
     return foot is not None and any(
-        target and target.original == foot.original and (not leg.name or entry.target_bone == leg.name) for entry, target in found)
+        target.original == foot.original and (not leg.name or bone == leg.name)
+        for target, bone in offered("ik").stretching_targets(owner))
 
 
 def names_body(owner):

@@ -1,8 +1,8 @@
 """The panel of a walker: in the sidebar's tab and in the object's constraint properties, on the body and on feet that are objects."""
 
-from ..core import tracks
 from ..core.declare import Problem, is_owner, leader_of
 from ..core.interface import panels, ui
+from ..core.interface.tracks import panel as track_panel
 from ..core.translations import tr
 from . import legs, plan, presets, rows, told
 from .setup import system
@@ -32,7 +32,7 @@ def draw_main(layout, context):
     problem = ui.draw_problem(layout, context, system(), owner, lambda one: told.sentence(context, owner, one))
     track = plan.body_track(owner, context.scene)
     if not track.is_known or problem == plan.UNKNOWN or told.is_moved(context, owner):
-        tracks.draw(layout, track, datablock=owner.name)
+        track_panel.draw(layout, track, datablock=owner.name)
     rows.GAIT.draw(ui.split(layout), owner.motus.walker)
 
 

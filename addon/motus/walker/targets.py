@@ -2,7 +2,7 @@
 
 from mathutils import Vector
 
-from ..core.declare import is_owner, leader_of, of_owner, registered
+from ..core.declare import is_owner, leader_of, offered
 from ..core.file.pointers import pointed
 from ..core.refusals import Refused, check_bone, check_local, check_unbaked, named, named_mesh
 from ..core.translations import tr
@@ -110,31 +110,15 @@ def _legs_of_chains(owner):
 def _chains(owner):
     """(last bone, Leg) of each chain of Inverse Kinematics that has a target: an object, or a bone of the armature itself."""
     found = []
-    system = registered["ik"]
-    if not is_owner(system, owner):
-        return found
-    for entry in system.entries(owner):
-        settings = of_owner(system, owner).entries[entry.name]
-        target = pointed(settings, "target")
-        own = target == owner and settings.target_bone in owner.pose.bones
-        if target is None or settings.is_muted or (target.pose and not own):
+    for name, chain in offered("ik").chains(owner).items():
+        target = chain.target
+        own = target == owner and chain.target_bone in owner.pose.bones
+        if target is None or chain.is_muted or (target.pose and not own):
             continue
-        bones = _upwards(owner, entry)
-        found.append((entry.name, setup.Leg(
-            settings.target_bone if own else "", None if own else target, bones[-1].head_local,
-            sum(bone.length for bone in bones))))
+        found.append((name, setup.Leg(
+            chain.target_bone if own else "", None if own else target, chain.bones[-1].head_local,
+            sum(bone.length for bone in chain.bones))))
     return found
-
-
-def _upwards(owner, entry):
-    """The bones of a chain, from the end on."""
-    bone = owner.data.bones[entry.name]
-    found = [bone]
-    while bone.parent and bone.parent.name in entry.drives:
-        bone = bone.parent
-        found.append(bone)
-    driven = [one for one in found if one.name in entry.drives]
-    return driven or found
 
 
 def body_for(owner, name, feet):
@@ -171,9 +155,7 @@ def _usual_body(owner):
 
 def _common_bone(owner):
     """Name of the lowest bone that all chains hang on; "" where there is none."""
-    if not is_owner(registered["ik"], owner):
-        return ""
-    above = [[one.name for one in _upwards(owner, entry)[-1].parent_recursive] for entry in registered["ik"].entries(owner)]
+    above = [[one.name for one in chain.bones[-1].parent_recursive] for chain in offered("ik").chains(owner).values()]
     shared = [name for name in above[0] if all(name in one for one in above)] if above else []
     return shared[0] if shared else ""
 

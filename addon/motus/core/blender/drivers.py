@@ -72,3 +72,22 @@ def driven_bones(obj):
     animation = obj.animation_data
     matches = (actions.OWN_CHANNEL.match(curve.data_path) for curve in (animation.drivers if animation else ()))
     return {bpy.utils.unescape_identifier(match["bone"]) for match in matches if match and match["bone"]}
+
+
+def targets_on(read):
+    """(datablock, driver, variable, index of the target) of all that drivers in the file read of a set of datablocks."""
+    for holder, curve in _drivers_of(set().union(*bpy.data.user_map(subset=read).values())):
+        for variable in curve.driver.variables:
+            for index, target in enumerate(variable.targets):
+                if target.id in read:
+                    yield holder, curve, variable, index
+
+
+def _drivers_of(users):
+    """(datablock, driver) of datablocks and of their own node trees, if they may be written."""
+    for user in users:
+        for holder in (user, getattr(user, "node_tree", None)):
+            animation = getattr(holder, "animation_data", None)
+            if animation and not holder.library:
+                for curve in animation.drivers:
+                    yield holder, curve

@@ -1,7 +1,11 @@
-"""Appends functions to Blender's lists of handlers, and takes them out again whatever other scripts have done to the lists."""
+"""Registers handlers and takes back whatever was registered, whatever other scripts have done to it meanwhile."""
+
+import logging
 
 import bpy
 from bpy.app.handlers import persistent
+
+log = logging.getLogger(__name__)
 
 
 def add(pairs):
@@ -35,3 +39,13 @@ class Forgetting:
         """Forget for the last time."""
         remove(self._pairs)
         self._forget()
+
+
+def take_back(*steps):
+    """Call each step. One that fails because its thing is gone already does not keep the others from being called."""
+    for step in steps:
+        try:
+            step()
+        except Exception as error:
+            # Blender says that something is gone by errors of every kind, plain Exception among them.
+            log.warning("Motus: something was gone already when the add-on was disabled: %s", error)

@@ -15,6 +15,11 @@ def systems():
     return [feature for feature in registered.values() if isinstance(feature, System)]
 
 
+def offered(name):
+    """What a registered feature offers others (Feature.offers)."""
+    return registered[name].offers
+
+
 def of_owner(system, owner):
     """Settings of `system` on an object."""
     return getattr(owner.motus, system.name)

@@ -1,7 +1,7 @@
 """What a folder declares: its interface (Feature), and how its settings are solved (System). The wiring does the rest."""
 
 from dataclasses import dataclass
-from typing import Callable, Optional
+from typing import Any, Callable, Optional
 
 from .inputs import Geometries, Vertices
 from .members import Points
@@ -12,6 +12,7 @@ class Feature:
     """What a folder adds to the interface: settings of objects, operators, panels, menus; see docs/systems.md.
 
     settings: a PropertyGroup that becomes Object.motus.<name>. scene_settings: one that becomes Scene.motus.<name>.
+    offers: a module or object with what other systems may call, which they have by registry.offered().
     extras: with register() and unregister() of their own.
     """
 
@@ -22,6 +23,7 @@ class Feature:
     scene_settings: Optional[type] = None
     extras: tuple = ()
     overlay: Optional[Callable] = None
+    offers: Any = None
     add_menu: tuple = ()
     object_menu: tuple = ()
     pose_menu: tuple = ()

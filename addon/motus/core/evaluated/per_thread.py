@@ -8,6 +8,7 @@ import threading
 from contextlib import contextmanager
 
 from .. import native
+from ..lazy import numpy as np
 
 LARGEST = 64  # threads
 
@@ -50,3 +51,15 @@ def aside():
         _kept.pop(thread, None)
         if mine is not None:
             _kept[thread] = mine
+
+
+def scratch(name, shape, dtype):
+    """An array of this shape whose content is undefined; valid until the thread asks for the same name again.
+
+    For arrays of every solve: the memory of fresh ones would be mapped anew on each frame.
+    """
+    arrays = kept("scratch", dict)
+    array = arrays.get(name)
+    if array is None or array.shape != shape:
+        array = arrays[name] = np.empty(shape, dtype)
+    return array

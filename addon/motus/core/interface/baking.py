@@ -92,3 +92,6 @@ class MOTUS_OT_unbake(Operator, bpy.types.Operator):
         if partial:
             self.report({'WARNING'}, tr("Not all that these were before baking is in the file any more: {objects}").format(
                 objects=", ".join(one.name for one in partial)))
+
+
+classes = (MOTUS_OT_bake, MOTUS_OT_unbake)

@@ -15,6 +15,16 @@ from .view import drawing
 log = logging.getLogger(__name__)
 
 
+class MOTUS_PG_scene(bpy.types.PropertyGroup):
+    """Settings that belong to the scene: what the viewport shows. Systems add the switches of their overlays, and the settings of their tools."""
+
+    show_overlay: bpy.props.BoolProperty(
+        name="Overlay", description="Show what the systems compute in the viewport", default=True, options=set())
+
+
+classes = (MOTUS_PG_scene,)
+
+
 class Batch(NamedTuple):
     """Lines or points in world space.
 

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 from mathutils import Matrix
 
 from ..evaluated import copies
-from ..evaluated.scratch import scratch
+from ..evaluated.per_thread import scratch
 from ..lazy import numpy as np
 
 _INHERIT_SCALE = {"FULL": 0, "FIX_SHEAR": 1, "ALIGNED": 2, "AVERAGE": 3, "NONE": 4, "NONE_LEGACY": 5}

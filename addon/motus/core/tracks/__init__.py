@@ -4,19 +4,14 @@
     moving_numbers                           what keys make of some properties on one frame
     kept, kept_by, forget                    keeps what a solver made of a Track until the keys change, or another file is opened
     keys_stamp                               when these do, of properties that nothing but keys animates
-    animation, keys                          which F-curve animates a property, and its integral and bounds
-    draw, classes, register                  for the panel: what kind it is, and the buttons that record it
 
 A Track is EXACT (read from keys, NLA strips and parents), SOLVED (a system of Motus's is asked), or RECORDED: an operator goes
 through the frames and keeps samples in the file. See docs/tracks.md.
 """
 
 from ..animation.strips import keys_stamp
-from ..interface.tracks.operators import classes
-from ..interface.tracks.panel import draw, is_outdated, register, unregister
 from .track import Kind, Track, forget, kept, kept_by, moving_numbers, own_track, property_track, world_track
 
 __all__ = (
-    "Kind", "Track", "classes", "draw", "forget", "is_outdated", "kept", "kept_by", "keys_stamp", "moving_numbers", "own_track", "property_track", "register",
-    "unregister", "world_track",
+    "Kind", "Track", "forget", "kept", "kept_by", "keys_stamp", "moving_numbers", "own_track", "property_track", "world_track",
 )

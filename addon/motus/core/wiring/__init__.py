@@ -4,11 +4,12 @@ The only module that knows how results reach Blender. A system never looks insid
 detached here. See docs/wiring.md for the way of the data and docs/gotchas.md for why it is this way.
 """
 
-from ..blender.drivers import driven_bones
+from ..blender.drivers import driven_bones, targets_on
 from ..declare import is_owner as is_attached
 from .attaching.attach import attach, detach, refresh, set_muted, touch
-from .attaching.order import waited_for
-from .attaching.readers import absent_path, targets_on
+from .attaching.waiting import waited_for
+from .attaching.levels import depends, hanging, levels
+from .attaching.readers import absent_path
 from .healing.heal import evaluation
 from .hubs.outputs import output, output_path, outputs_of
 from .problems import problem, report_problems
@@ -23,7 +24,7 @@ from .sinks.property_sink import place as property_place
 from .solving.namespace import register, unregister
 
 __all__ = (
-    "abandoned", "absent_path", "attach", "check_property", "detach", "driven_bones", "driven_properties", "evaluation", "has_sinks", "is_attached",
-    "is_sink", "on_object", "output", "output_path", "outputs_of", "points_place", "problem", "property_place", "refresh", "register", "release", "set_muted",
-    "set_points_collection", "set_points_material", "set_points_object", "sinks", "targets_on", "touch", "unregister",
+    "abandoned", "absent_path", "attach", "check_property", "depends", "detach", "driven_bones", "driven_properties", "evaluation", "hanging", "has_sinks", "is_attached",
+    "is_sink", "levels", "on_object", "output", "output_path", "outputs_of", "points_place", "problem", "property_place", "refresh", "register", "release", "report_problems", "set_muted",
+    "set_points_collection", "set_points_material", "set_points_object", "sinks", "targets_on", "touch", "unregister", "waited_for",
 )

@@ -8,14 +8,13 @@ from typing import Any, NamedTuple
 
 from mathutils import Matrix, Vector
 
-from ...core import rigs
+from ...core import rigs, wiring
 from ...core.blender.frames import Kept, as_text, go_to
 from ...core.file.pointers import pointed
 from ...core.lazy import numpy as np
 from ...core.measures import scene_time
 from ...core.refusals import Refused, check_no_tweak_mode, check_posed
 from ...core.translations import tr
-from ...core.wiring.attaching import levels
 from .. import forward, groups, reading, targets
 from ..goals import controls
 from ..keying import Channels, KeyWriter
@@ -200,7 +199,7 @@ class _Wanted:
         """The controls, those that hang on others after these."""
         depth = {}
         by_place = {(control.object, control.bone): control for control in self._places}
-        above = levels.hanging(self._rig, by_place)
+        above = wiring.hanging(self._rig, by_place)
 
         def depth_of(control):
             if control not in depth:

@@ -11,7 +11,6 @@ from ...core.declare import System, of_owner, registered
 from ...core.file.pointers import pointed
 from ...core.refusals import Refused
 from ...core.translations import tr
-from ...core.wiring.attaching import levels
 from .. import chains, setup
 from . import blend_keys
 
@@ -75,7 +74,7 @@ def _refuse_own(rig):
 
 def _entry_count(owner):
     """How many entries wait for one another at most."""
-    return len(levels.levels(owner)) if owner.type == 'ARMATURE' else 0
+    return len(wiring.levels(owner)) if owner.type == 'ARMATURE' else 0
 
 
 def property_source(owner, path):
@@ -196,7 +195,7 @@ def _add_variable(driver, name, source):
 
 
 def _loops(rig):
-    return {address for address, level in levels.levels(rig).items() if level is None}
+    return {address for address, level in wiring.levels(rig).items() if level is None}
 
 
 def _take_back(rig, entry, added, expression, name):

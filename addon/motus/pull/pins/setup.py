@@ -3,6 +3,7 @@
 import bpy
 
 from ...core import wiring
+from ...core.declare import registered
 from ...core.file import libraries
 from ...core.lazy import numpy as np
 from ...core.refusals import Refused
@@ -12,11 +13,9 @@ from ..mesh import arrays
 from . import binding, keys
 
 
-
 def system():
     """The system that this folder declares."""
-    from .. import SYSTEM
-    return SYSTEM
+    return registered["pull"]
 
 
 def check(obj):

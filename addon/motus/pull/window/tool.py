@@ -4,7 +4,7 @@ from pathlib import Path
 
 import bpy
 
-from ...core.blender import teardown
+from ...core.blender import handlers
 from ...core.interface.view import toolbar
 from ..panel import draw_accumulate, draw_radius, draw_strength
 from . import cursor, hover, inset, keymap, stage
@@ -67,5 +67,5 @@ def register():
 
 def unregister():
     """Take the tool back."""
-    teardown.run(stage.clear, inset.stop, cursor.unregister, hover.unregister)
+    handlers.take_back(stage.clear, inset.stop, cursor.unregister, hover.unregister)
     toolbar.unregister(TOOLS)

@@ -3,8 +3,7 @@
 import bpy
 from mathutils import Vector
 
-from ...core.declare import registered
-from ...core.settings import entries
+from ...core.declare import offered
 from . import anatomy
 
 BODY, ABDOMEN, KNEES = "body", "abdomen", "knees"
@@ -53,10 +52,5 @@ def _add_bones(bones, count, size):
 
 def reach(rig, count):
     """Let the legs reach for their feet by the system ik, with the knees up."""
-    system = registered["ik"]
-    with entries.at_once(system, rig) as settings:
-        for leg in anatomy.legs(count):
-            entry = settings.entries.add()
-            entry.name, entry.softness = LOWER + leg.name, SOFTNESS
-            entry.target, entry.target_bone = rig, FOOT + leg.name
-            entry.pole, entry.pole_bone = rig, KNEES
+    ik = offered("ik")
+    ik.add(rig, [ik.NewChain(LOWER + leg.name, rig, FOOT + leg.name, rig, KNEES, SOFTNESS) for leg in anatomy.legs(count)])

@@ -4,7 +4,7 @@ from functools import partial
 
 import bpy
 
-from ...blender import teardown
+from ...blender import handlers
 
 RESTING = {'OBJECT': "builtin.select_box", 'EDIT_MESH': "builtin.select_box", 'POSE': "builtin.select_box", 'SCULPT': "builtin.move"}
 """Blender's tools by mode."""
@@ -23,10 +23,10 @@ def register(tools, keys):
 
 def unregister(tools):
     """Take them back."""
-    teardown.run(partial(_put_down, {one.bl_idname for one in tools}))
+    handlers.take_back(partial(_put_down, {one.bl_idname for one in tools}))
     for one in [one for one in reversed(_registered) if one in tools]:
         _registered.remove(one)
-        teardown.run(partial(bpy.utils.unregister_tool, one))
+        handlers.take_back(partial(bpy.utils.unregister_tool, one))
 
 
 def in_hand(context):

@@ -9,7 +9,7 @@ from ...evaluated import copies
 from ..hubs import hub_lookup, outbox, outputs
 from ..sinks import attribute_sink, geometry_sink, property_sink, proxy_sink, transform_sink
 from ..sinks.finding import has_strays, led_by, remove, remove_orphans, renamed_bones, sinks
-from . import order, override_drivers, overrides, readers, sharing, signature, solver_driver
+from . import waiting, override_drivers, overrides, readers, sharing, signature, solver_driver
 
 AIMING = {'TRACK_TO', 'DAMPED_TRACK', 'LOCKED_TRACK'}
 
@@ -28,7 +28,7 @@ def _attach(system, owner, before):
     settings.is_active = True
     if settings.is_released:
         settings.is_released = False
-    order.set_proxy(system, settings)
+    waiting.set_proxy(system, settings)
     copies.prepare(owner)
     copies.mark(*solver_driver.curves_for(system, owner))
     groups = groups_of(system, owner)
@@ -45,7 +45,7 @@ def _attach(system, owner, before):
 
 
 def _wire(system, owner, group):
-    hub = signature.make_hub(system, owner, group)
+    hub = hub_lookup.make_hub(system, owner, group)
     uses_attribute = signature.uses_attribute(system)
     if uses_attribute:
         attribute_sink.prepare(system, hub.data, owner, group)
@@ -53,7 +53,7 @@ def _wire(system, owner, group):
         geometry_sink.prepare(system, hub.data, of_owner(system, owner))
     outbox.create(system, hub.data, group, uses_attribute)
     copies.mark(hub.data)
-    if signature.has_outlet(system, owner):
+    if signature.wants_outlet(system, owner):
         outputs.create_outlet(system, owner, hub.data)
     solver_driver.add(system, owner, group, hub)
     property_sink.add(system, owner, group, hub, is_off=of_owner(system, owner).is_baked)
@@ -121,7 +121,7 @@ def _wire_row(system, owner, group):
     if is_new and partner is None:
         return owner
     if is_new:
-        hub = signature.new_hub(system.label)
+        hub = hub_lookup.new_hub(system.label)
         outbox.create_shared(system, hub.data, uses_attribute)
         for name, target in sharing.pointers(system, owner).items():
             hub.data[sharing.target_key(name)] = target
@@ -184,7 +184,7 @@ def _detach(system, owner):
     owner.pop(wait_key, None)
     outbox.remove(system, owner)
     overrides.unmark(system, owner)
-    order.release(settings)
+    waiting.release_proxy(settings)
     settings.is_active = False
     settings.wired = ""
     if not any(is_owner(one, owner) for one in systems()):

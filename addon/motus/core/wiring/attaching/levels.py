@@ -12,7 +12,7 @@ import bpy
 from ...declare import of_owner, registered, systems
 from ..hubs import marks, outbox
 from ..sinks import proxy_sink
-from . import order
+from . import waiting
 
 TRANSFORM, BONE, POSE, GEOMETRY, DRIVERS, ENTRY = "transform", "bone", "pose", "geometry", "drivers", "entry"
 
@@ -125,7 +125,7 @@ class _Graph:
         entry = self._entries[ENTRY, owner, system, name]
         for obj, bone in entry.reads:
             yield from _place(obj, bone)
-        for obj in order.geometries(registered[system], of_owner(registered[system], owner)):
+        for obj in waiting.geometries(registered[system], of_owner(registered[system], owner)):
             yield GEOMETRY, obj
         # A bone's animation below the entry is read as it is after its own drivers.
         for bone in [thing for thing in entry.drives if isinstance(thing, str)]:

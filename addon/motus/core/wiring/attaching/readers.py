@@ -9,13 +9,11 @@ from typing import NamedTuple
 
 import bpy
 
+from ...blender import drivers
 from ...declare import is_owner
 from ..hubs import hub_lookup, outbox, outputs
+from ..sinks import property_sink
 from . import sharing
-
-
-SINK = "motus"
-"""Name of the variable of drivers that are sinks (property_sink), which the wiring makes anew."""
 
 
 class Reader(NamedTuple):
@@ -40,10 +38,10 @@ def of(system, owner):
     borrowed = {carrier for _, carrier in carriers if _is_borrowed(system, owner, carrier)}
     slot, waiting = outbox.slot_pattern(system), re.compile(rf'\["motus_{system.name}:(.*)"\]$')
     found = []
-    for holder, curve, variable, index in targets_on(read):
+    for holder, curve, variable, index in drivers.targets_on(read):
         target = variable.targets[index]
         is_outlet = slot.match(f"{curve.data_path}[{curve.array_index}]")
-        if variable.name == SINK or is_outlet or (target.id in borrowed and holder != owner):
+        if variable.name == property_sink.VARIABLE or is_outlet or (target.id in borrowed and holder != owner):
             continue
         at, absent = slot.match(target.data_path), waiting.match(target.data_path)
         first = 0 if target.id == owner else hub_lookup.first_slot(system, owner)
@@ -69,28 +67,9 @@ def _is_borrowed(system, owner, carrier):
     return isinstance(first, bpy.types.Object) and first != owner and is_owner(system, first)
 
 
-def targets_on(read):
-    """(datablock, driver, variable, index of the target) of all that users' drivers read of a set of datablocks."""
-    for holder, curve in _drivers(set().union(*bpy.data.user_map(subset=read).values())):
-        for variable in curve.driver.variables:
-            for index, target in enumerate(variable.targets):
-                if target.id in read:
-                    yield holder, curve, variable, index
-
-
 def absent_path(system, output):
     """Data path of a property that is never there."""
     return f'["motus_{system.name}:{output}"]'
-
-
-def _drivers(users):
-    """(datablock, driver) of datablocks and of their own node trees, where they may be written."""
-    for user in users:
-        for holder in (user, getattr(user, "node_tree", None)):
-            animation = getattr(holder, "animation_data", None)
-            if animation and not holder.library:
-                for curve in animation.drivers:
-                    yield holder, curve
 
 
 def _output(names, carrier, slot, first):

@@ -5,8 +5,8 @@ from typing import Any
 
 import bpy
 
-from ...blender import capabilities, drivers, helpers
-from ...declare import OwnMatrix, input_variables, of_owner
+from ...blender import capabilities, drivers
+from ...declare import OwnMatrix, input_variables
 from ...evaluated import copies
 from ..hubs import hub_lookup, outbox
 from ..sinks import proxy_sink
@@ -33,25 +33,7 @@ def _is_strange(system, owner, hub):
     return not hub_lookup.is_own_hub(hub, owner)
 
 
-def new_hub(*names):
-    """A hidden object that stands in no collection, with an empty mesh."""
-    return helpers.make(" ".join(filter(None, ("Motus", *names))), bpy.data.meshes.new("Hub"))
-
-
-def make_hub(system, owner, group):
-    """A new hub for one owner alone."""
-    hub = new_hub(system.label, owner.name, group.key)
-    hub.data[outbox.OWNER_KEY] = owner
-    settings = of_owner(system, owner)
-    if group.key:
-        entry = settings.more_hubs.add()
-        entry.name, entry.object = group.key, hub
-    else:
-        settings.hub = hub
-    return hub
-
-
-def has_outlet(system, owner):
+def wants_outlet(system, owner):
     """Whether the owner is to have an outlet: see outputs.create_outlet.
 
     To Blender the outlet is one with the owner's settings, for which the solvers of its other systems wait, and by those its
@@ -101,7 +83,7 @@ def signature(system, owner, groups):
                member.is_relative, _bone(member.thing) in driven) for member in group.members],
              [(type(one).__name__, _name(one.object, owner), one.bone) for one in group.inputs])
             for group in (groups if system.groups is not None else ())]
-    ways: tuple[Any, ...] = uses_attribute(system), has_outlet(system, owner), sharing.can_share(system, owner)
+    ways: tuple[Any, ...] = uses_attribute(system), wants_outlet(system, owner), sharing.can_share(system, owner)
     properties = [(group.key, one.output, _name(one.object, owner), one.path, one.index)
                   for group in groups for one in group.properties]
     if waits_apart(owner, groups):

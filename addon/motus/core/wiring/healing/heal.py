@@ -27,7 +27,7 @@ from ...declare import has_settings, is_owner, leader_of, of_owner, registered, 
 from ...evaluated import copies, read_keys
 from ...file import deleted
 from ...measures.handedness import is_mirrored
-from ..attaching import attach, order, overrides, sharing, signature
+from ..attaching import attach, waiting, overrides, sharing, signature
 from ..attaching.solver_driver import waits
 from ..hubs import hub_lookup, outbox
 from ..sinks import geometry_sink, property_sink, proxy_sink
@@ -203,7 +203,7 @@ def _heal_gathered():
         system, owner = _find(*place)
         if owner is None:
             _gathering.discard(place)
-        elif order.is_stale(system, of_owner(system, owner)):
+        elif waiting.is_stale(system, of_owner(system, owner)):
             attach.refresh(system, owner)
 
 

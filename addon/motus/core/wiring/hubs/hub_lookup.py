@@ -2,6 +2,7 @@
 
 import bpy
 
+from ...blender import helpers
 from ...declare import of_owner
 from ...file.pointers import pointed
 from ...file.stored import Damaged
@@ -72,3 +73,21 @@ def first_slot(system, owner):
         return 0 if row is None else row * outbox.row_layout(system, hub.data).size
     except Damaged:
         return 0
+
+
+def new_hub(*names):
+    """A hidden object that stands in no collection, with an empty mesh."""
+    return helpers.make(" ".join(filter(None, ("Motus", *names))), bpy.data.meshes.new("Hub"))
+
+
+def make_hub(system, owner, group):
+    """A new hub for one owner alone."""
+    hub = new_hub(system.label, owner.name, group.key)
+    hub.data[outbox.OWNER_KEY] = owner
+    settings = of_owner(system, owner)
+    if group.key:
+        entry = settings.more_hubs.add()
+        entry.name, entry.object = group.key, hub
+    else:
+        settings.hub = hub
+    return hub

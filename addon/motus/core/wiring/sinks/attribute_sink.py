@@ -16,7 +16,7 @@ from bpy.app.handlers import persistent
 from ... import native
 from ...blender import drivers
 from ...declare import Variable, groups_of, systems
-from ...evaluated.scratch import scratch
+from ...evaluated.per_thread import scratch
 from ...file import stored
 from ...file.stored import Damaged
 from ...lazy import numpy as np

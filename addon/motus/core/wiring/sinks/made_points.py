@@ -11,7 +11,7 @@ import bmesh
 
 from ... import native
 from ...blender import capabilities, node_groups
-from ...evaluated.scratch import scratch
+from ...evaluated.per_thread import scratch
 from ...file.stored import Damaged
 from ...lazy import numpy as np
 from ...measures import finite

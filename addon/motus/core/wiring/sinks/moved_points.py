@@ -2,7 +2,7 @@
 
 from ...blender import node_groups
 from ...declare import Vertices
-from ...evaluated.scratch import scratch
+from ...evaluated.per_thread import scratch
 from ...lazy import numpy as np
 from ...measures import finite
 from . import attributes

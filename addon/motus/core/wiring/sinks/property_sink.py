@@ -24,9 +24,10 @@ from ...evaluated import copies
 from ...file import stored
 from ...refusals import INFINITE, Refused, check_local
 from ...translations import tr
-from ..attaching import readers
 from ..hubs import hub_lookup, outbox
 
+VARIABLE = "motus"
+"""Name of the variable of drivers that are sinks, which the wiring makes anew."""
 KEY = "motus_properties"
 """Custom property of a hub's mesh: a Note of each property, as text."""
 REST_KEY = "motus_resting"
@@ -114,7 +115,7 @@ def add(system, owner, group, hub, is_off=False):
 def _drive(system, group, found, mesh, slot):
     source = Variable('MESH', mesh, outbox.out_path(system, slot, group.key))
     index = found.number.index
-    drivers.copy_value(found.id_data, found.data_path, source, None if index < 0 else index, readers.SINK)
+    drivers.copy_value(found.id_data, found.data_path, source, None if index < 0 else index, VARIABLE)
     found.id_data.update_tag()
 
 
@@ -197,7 +198,7 @@ def wake(system, owner, mesh):
                    if curve.data_path == _REST_PATH and _is_of(curve, owner, mesh) and _reads(system, curve, note)]
         for curve in resting:
             if _hub_of(curve) != mesh:
-                curve.driver.variables[readers.SINK].targets[0].id = mesh
+                curve.driver.variables[VARIABLE].targets[0].id = mesh
             notes[order] = note._replace(base=found.number.present)  # which somebody may have edited since
             curve.data_path, curve.array_index, curve.mute = found.data_path, max(note.index, 0), False
             if not found.id_data.library:
@@ -328,14 +329,14 @@ def _found(obj, note):
 def _sinks(meshes):
     """(datablock, driver, hub's mesh) of all sinks of these hubs."""
     with_notes = {mesh for mesh in meshes if KEY in mesh}
-    found = readers.targets_on(with_notes) if with_notes else ()
-    return [(holder, curve, variable.targets[0].id) for holder, curve, variable, _ in found if variable.name == readers.SINK]
+    found = drivers.targets_on(with_notes) if with_notes else ()
+    return [(holder, curve, variable.targets[0].id) for holder, curve, variable, _ in found if variable.name == VARIABLE]
 
 
 def _hub_of(curve):
     """The hub's mesh that a sink reads; None of any other driver."""
     for variable in curve.driver.variables:
-        if variable.name == readers.SINK and variable.type == 'SINGLE_PROP':
+        if variable.name == VARIABLE and variable.type == 'SINGLE_PROP':
             hub = variable.targets[0].id
             return hub if isinstance(hub, bpy.types.Mesh) and KEY in hub else None
     return None
@@ -352,7 +353,7 @@ def _is_of(curve, owner, mesh):
 
 def _reads(system, curve, note):
     """Whether a sink reads the slot of a note."""
-    found = outbox.slot_pattern(system).match(curve.driver.variables[readers.SINK].targets[0].data_path)
+    found = outbox.slot_pattern(system).match(curve.driver.variables[VARIABLE].targets[0].data_path)
     return found is not None and int(found["slot"]) == note.slot
 
 
