@@ -3,7 +3,7 @@
 import bpy
 
 from ..blender import capabilities
-from . import of_owner
+from .registry import of_owner
 
 
 def forget(system, owner):
