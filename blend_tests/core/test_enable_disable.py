@@ -114,11 +114,11 @@ class EnableDisable(unittest.TestCase):
 
     def test_translations_can_be_registered_again(self):
         """Registering a second catalogue under the same name fails where the first was left behind."""
-        translations = support.addon("core.translations")
+        translations, languages = support.addon("core.translations"), support.addon("translations").LANGUAGES
         with self.assertRaises(ValueError):
-            translations.register()
+            translations.register(languages)
         support.disable()
-        translations.register()
+        translations.register(languages)
         translations.unregister()
 
 

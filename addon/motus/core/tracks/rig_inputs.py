@@ -81,7 +81,7 @@ class RigInputs:
         return [goal and columns(goal.values(times), len(times)) for goal in self._goals]
 
     def rows(self, times, names):
-        """Yields for each time (poses, basis) of all bones, (B, 16) float32 column by column, as core/rigs/rigs.py reads them.
+        """Yields for each time (poses, basis) of all bones, (B, 16) float32 column by column, as core/rigs/arrays.py reads them.
 
         Right for the bones that were named; the arrays are the same each time. names: of all bones, in the order of the pose.
         """
