@@ -5,7 +5,7 @@ import types
 
 import bpy
 from core import test_habits
-from core.wiring import damaged_cases
+from core.wiring.hubs import damaged_cases
 import live_scenes
 import support
 

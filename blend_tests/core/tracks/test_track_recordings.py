@@ -10,7 +10,7 @@ import bpy
 import numpy as np
 import support
 from core.tracks import toy_echo_system
-from core.test_over_frames import Recorder, stand_in
+from core.interface.test_over_frames import Recorder, stand_in
 from core.tracks.track_cases import TrackTestCase
 
 WITHIN = (1.0, 2.0, 17.0, 40.0)

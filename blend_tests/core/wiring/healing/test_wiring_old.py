@@ -6,7 +6,7 @@ They go on working, and what is local is wired as today when the file is opened.
 from unittest import mock
 
 import bpy
-from core.wiring import old_wiring
+from core.wiring.healing import old_wiring
 import support
 import toy_bone_system
 import toy_system

@@ -5,7 +5,7 @@ import numpy as np
 import toy_faces_system as toy
 import toy_points_system
 import toy_system
-from core.wiring.test_wiring_points import FRAMES, PointsTestCase
+from core.wiring.sinks.test_wiring_points import FRAMES, PointsTestCase
 from core.wiring.wiring_cases import frame_set
 
 PLACE = (1.0, 2.0, 3.0)

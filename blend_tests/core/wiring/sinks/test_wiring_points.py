@@ -5,7 +5,7 @@ import numpy as np
 import support
 import toy_points_system as toy
 import toy_system
-from core.wiring import damaged_cases
+from core.wiring.hubs import damaged_cases
 from core.wiring.wiring_cases import frame_set
 
 nodes = support.addon("core.blender.node_groups")
@@ -26,7 +26,7 @@ import support, toy_points_system as toy
 support.register_systems(toy.SPARKS, toy.TRAILS)
 import bpy
 bpy.ops.wm.open_mainfile(filepath={path!r}, use_scripts=False)
-from core.wiring.test_wiring_points import assert_sparks
+from core.wiring.sinks.test_wiring_points import assert_sparks
 for frame in (90, 30.25):
     assert_sparks(bpy.data.objects["Owner"], frame)
 """

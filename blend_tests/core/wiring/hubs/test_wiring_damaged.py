@@ -8,7 +8,7 @@ import random
 import bpy
 import numpy as np
 import support
-from core.wiring.damaged_cases import (
+from core.wiring.hubs.damaged_cases import (
     CASES, INFO, OUTBOX, are_same, carrier_of, chain, damages, drawn, evaluated, long_chain, problem, raised)
 
 SHARE, LINKED_SHARE = 26, 6
