@@ -1,5 +1,7 @@
 """Systems that make points: at any frame, in files, in copies, taken away, and damaged."""
 
+from unittest import mock
+
 import bpy
 import numpy as np
 import support
@@ -278,6 +280,20 @@ class PointsFilesTest(PointsTestCase):
             bpy.ops.wm.open_mainfile(filepath=path, use_scripts=use_scripts)
             self.assertEqual(len(bpy.data.objects["Owner"].motus.sparks.hub.data.vertices), 0)
             self.assert_all_frames(bpy.data.objects["Owner"])
+
+    def test_rotations_of_a_file_of_an_older_blender(self):
+        """They are Euler angles in a file that was saved before Blender 4.0."""
+        owner = self.sparks()
+        attributes = owner.motus.sparks.hub.data.attributes
+        attributes.remove(attributes["turn"])
+        attributes.new("turn", 'FLOAT_VECTOR', 'POINT')
+        path = self.save()
+        with mock.patch.dict(support.addon("core.wiring.made_points")._forms, clear=True):  # as in a session that has seen no other file
+            bpy.ops.wm.open_mainfile(filepath=path)
+            owner = bpy.data.objects["Owner"]
+            self.assert_all_frames(owner)
+            self.assertIsNone(self.problem(owner))
+            self.assertEqual(points_of(owner)["turn"].shape[1], 3)
 
     def test_the_file_is_small(self):
         owner = self.sparks(rate=150_000.0)

@@ -30,8 +30,8 @@ RADIUS = "radius"
 
 _forms = {}
 """(system's name, (name, kind) of its attributes) -> an empty BMesh with them, of which meshes are made that have them."""
-_TYPES = {'FLOAT': 'FLOAT', 'INT': 'INT', 'VECTOR': 'FLOAT_VECTOR', 'COLOR': 'FLOAT_COLOR', 'QUATERNION': 'QUATERNION'}
-"""Kind of an attribute -> its type, in Blenders that have it."""
+_TYPES = {'FLOAT': 'FLOAT', 'INT': 'INT', 'VECTOR': 'FLOAT_VECTOR', 'COLOR': 'FLOAT_COLOR', 'QUATERNION': 'QUATERNION', 'EULER': 'FLOAT_VECTOR'}
+"""Kind of an attribute -> its type. EULER: what quaternions are to Blenders without attributes of these."""
 
 
 class Room:
@@ -55,7 +55,7 @@ class Room:
         if self._made.shape == 'FACES':
             self._found |= _faces(self._carrier, int(edges), int(triangles))
         for name, kind in present:
-            self._found[name] = self._rotations(name, count) if _is_staged(kind) else attributes.memory(
+            self._found[name] = self._rotations(name, count) if kind == 'EULER' else attributes.memory(
                 self._carrier, name, _TYPES[kind])
         return self._found
 
@@ -95,7 +95,7 @@ def prepare(system, mesh, settings):
     unneeded = system.makes_points.unneeded(settings)
     for name, kind in system.makes_points.attributes:
         if name not in unneeded:
-            mesh.attributes.new(name, _type(kind), 'POINT')
+            mesh.attributes.new(name, _TYPES[_made_as(kind)], 'POINT')
 
 
 def write_nothing(_system, carrier):
@@ -143,7 +143,7 @@ def _as_instances(made, group, start, mesh, form):
     group.links.new(info.outputs[-1], node.inputs["Instance"])
     for name, kind in made.attributes:
         if kind == 'QUATERNION':
-            group.links.new(node_groups.named_attribute(group, name, _type(kind)), node.inputs["Rotation"])
+            group.links.new(node_groups.named_attribute(group, name, _TYPES[_made_as(kind)]), node.inputs["Rotation"])
     _link_radius(made, group, node, "Scale")
     return node.outputs["Instances"]
 
@@ -190,13 +190,14 @@ def _link_radius(made, group, node, name):
         group.links.new(node_groups.add_node(group, "GeometryNodeInputRadius").outputs[0], node.inputs[name])
 
 
-def _type(kind):
-    return 'FLOAT_VECTOR' if _is_staged(kind) else _TYPES[kind]
+def _made_as(kind):
+    """The kind as which this Blender is given an attribute."""
+    return 'EULER' if kind == 'QUATERNION' and not capabilities.has_quaternion_attributes() else kind
 
 
-def _is_staged(kind):
-    """Whether Blender has no attribute of that kind, so that it gets Euler angles."""
-    return kind == 'QUATERNION' and not capabilities.has_quaternion_attributes()
+def _found_as(mesh, name, kind):
+    """The kind as which the hub's mesh has an attribute: rotations are Euler angles still if an older Blender has saved the file."""
+    return 'EULER' if kind == 'QUATERNION' and mesh.attributes[name].data_type == _TYPES['EULER'] else kind
 
 
 def _resize(system, carrier, count, settings):
@@ -206,7 +207,7 @@ def _resize(system, carrier, count, settings):
     """
     mesh, made = carrier.original, system.makes_points
     names = mesh.attributes.keys()
-    present = tuple(one for one in made.attributes if one[0] in names)
+    present = tuple((name, _found_as(mesh, name, kind)) for name, kind in made.attributes if name in names)
     if len(present) < len(made.attributes):
         missing = {name for name, _ in made.attributes}.difference(names)
         if not missing.issubset(made.unneeded(settings)):
@@ -226,7 +227,7 @@ def _form_of(mesh, present):
     if len(mesh.vertices) or not own.union(declared).issuperset(mesh.attributes.keys()):
         raise Damaged("another form than that of the points")
     for name, kind in declared.items():
-        attributes.memory(mesh, name, _type(kind))
+        attributes.memory(mesh, name, _TYPES[kind])
     form = bmesh.new()
     form.from_mesh(mesh)
     return form
