@@ -15,17 +15,17 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from chroma import chroma_cases  # noqa: E402  (found by the line above)
-from dynamics import dynamics_cases  # noqa: E402
-from ik import ik_cases  # noqa: E402
-from lattice import lattice_cases  # noqa: E402
-from layers import layer_cases  # noqa: E402
-from look_at import look_at_cases  # noqa: E402
-from path import path_cases  # noqa: E402
-from pull.pins import pin_cases  # noqa: E402
-from saved import saved_cases  # noqa: E402
-import support  # noqa: E402
-from walker import walker_cases  # noqa: E402
+from chroma import chroma_cases
+from dynamics import dynamics_cases
+from ik import ik_cases
+from lattice import lattice_cases
+from layers import layer_cases
+from look_at import look_at_cases
+from path import path_cases
+from pull.pins import pin_cases
+from saved import saved_cases
+import support
+from walker import walker_cases
 
 motus = bpy.ops.motus
 
@@ -84,8 +84,9 @@ def path():
         motus.path_pin_add(object="Stopping", frame=frame, fraction=fraction)
     motus.path_follow_add(object="Keyed", curve="Course", timing='MANUAL', orientation='CURVATURE', influence=0.75)
     key(bpy.data.objects["Keyed"].motus.path, "distance_factor", {1: 0.1, 50: 0.8})
-    motus.path_follow_add(object="Leaning", curve="Course", timing='SPEED', speed=2.0, orientation='BANKING', bank_strength=0.8, extend='LOOP',
-                          lag_rate=0.5)
+    motus.path_follow_add(
+        object="Leaning", curve="Course", timing='SPEED', speed=2.0, orientation='BANKING', bank_strength=0.8, extend='LOOP', lag_rate=0.5
+    )
     driver = bpy.data.objects["Gauge"].driver_add("location", 0).driver
     variable = driver.variables.new()
     variable.name = "v"
@@ -106,13 +107,18 @@ def train():
 
 def ik():
     """An arm with a pole, keyed weights and two targets; and a long chain that stretches, on a rig that is turned and scaled."""
+
     def bones(edit_bones):
         ik_cases.add_chain(edit_bones, "Arm", ik_cases.ARM, None)
         ik_cases.add_chain(edit_bones, "Tentacle", ik_cases.tentacle(8, 0.2), None)
+
     made = rig("Rig", bones)
     made.rotation_euler, made.scale = (0.1, 0.2, 0.3), (1.5, 1.5, 1.5)
-    for name, places in (("Target", {1: (0.9, 0.5, 2.0), 60: (0.3, 1.0, 1.5)}), ("Second", {1: (1.4, 0.0, 1.0)}),
-                         ("Far", {1: (0.5, 0.0, 1.5), 50: (2.0, 1.0, 2.5)})):
+    for name, places in (
+        ("Target", {1: (0.9, 0.5, 2.0), 60: (0.3, 1.0, 1.5)}),
+        ("Second", {1: (1.4, 0.0, 1.0)}),
+        ("Far", {1: (0.5, 0.0, 1.5), 50: (2.0, 1.0, 2.5)}),
+    ):
         key(link(name), "location", places)
     link("Pole", None, (0.5, -2.0, 1.5))
     motus.ik_add(object="Rig", bone="Arm 1", target="Target", pole="Pole", softness=0.1)
@@ -135,10 +141,12 @@ def look_at():
 
 def layers():
     puppet = look_at_cases.build_rig(name="Puppet")
-    support.addon("core.actions").assign(puppet, layer_cases.turning("Walk", layer_cases.WALKING))
+    support.addon("core.blender.actions").assign(puppet, layer_cases.turning("Walk", layer_cases.WALKING))
     layer_cases.turning("Wave", layer_cases.THROWING)
     motus.layer_add(object="Puppet", action="Wave", bones="Chest", start=5.0, after='REPEAT', in_armature=True, feather=1)
-    motus.layer_add(object="Puppet", action="Walk", layer="More", mode='ADDITIVE', start=1.0, after='HOLD', speed=0.5, mask='ALL', blend_in=4.0)
+    motus.layer_add(
+        object="Puppet", action="Walk", layer="More", mode='ADDITIVE', start=1.0, after='HOLD', speed=0.5, mask='ALL', blend_in=4.0
+    )
     key(puppet.motus.layers.entries[0], "weight", {1: 0.3, 40: 1.0})
 
 
@@ -274,7 +282,25 @@ def baked():
     motus.bake(object=arm.name, frame_start=1, frame_end=60, step=4)
 
 
-SCENES = (path, train, ik, look_at, layers, dynamics, pull, lattice, pendulum, drivers, snow, snow_cover, stereo, chroma, walker, together, baked)
+SCENES = (
+    path,
+    train,
+    ik,
+    look_at,
+    layers,
+    dynamics,
+    pull,
+    lattice,
+    pendulum,
+    drivers,
+    snow,
+    snow_cover,
+    stereo,
+    chroma,
+    walker,
+    together,
+    baked,
+)
 
 
 def make(build, blend):
@@ -294,7 +320,10 @@ def main(folder, *names):
     support.enable()
     folder = saved_cases.HERE / folder
     folder.mkdir()
-    with tempfile.TemporaryDirectory(prefix="motus-saved-") as place, tarfile.open(folder / saved_cases.ARCHIVE, "w:xz", preset=9) as archive:
+    with (
+        tempfile.TemporaryDirectory(prefix="motus-saved-") as place,
+        tarfile.open(folder / saved_cases.ARCHIVE, "w:xz", preset=9) as archive,
+    ):
         for build in SCENES:
             if not names or build.__name__ in names:
                 blend = Path(place, f"{build.__name__}.blend")
@@ -303,4 +332,4 @@ def main(folder, *names):
 
 
 if __name__ == "__main__":
-    main(*sys.argv[sys.argv.index("--") + 1:])
+    main(*sys.argv[sys.argv.index("--") + 1 :])

@@ -21,8 +21,8 @@ REMOVALS = {
     "ik": [("ik_remove", {"object": "Rig"})],
     "look_at": [("look_at_remove", {"object": "Figure"})],
     "layers": [("layer_remove", {"object": "Puppet", "layer": name}) for name in ("Wave", "More")],
-    "dynamics": [("dynamics_remove", {"object": name}) for name in ("Parcel", "Ribbon", "Rope", "Turning")] + [
-        ("dynamics_remove", {"object": "Balloon", "data_path": "scale"})],
+    "dynamics": [("dynamics_remove", {"object": name}) for name in ("Parcel", "Ribbon", "Rope", "Turning")]
+    + [("dynamics_remove", {"object": "Balloon", "data_path": "scale"})],
     "pull": [("pin_remove", {"object": "Grid", "all": True})],
     "lattice": [("lattice_remove", {"objects": "Ball"})],
     "pendulum": [("pendulum_remove", {"object": name}) for name in ("Hook", "Crane", "Pendulum")],
@@ -32,10 +32,14 @@ REMOVALS = {
     "stereo": [("stereo_rig_remove", {"object": name}) for name in ("Eyes", "Looking")],
     "chroma": [("chroma_key_remove", {})],
     "walker": [("walker_remove", {"object": "Spider"}), ("ik_remove", {"object": "Spider"}), ("walker_remove", {"object": "Robot"})],
-    "together": [(f"{name}_remove", {"object": "Puppet"}) for name in ("dynamics", "ik", "look_at", "path_follow")] + [
-        ("layer_remove", {"object": "Puppet", "layer": name}) for name in ("Wave", "More")],
-    "baked": [("unbake", {"object": "Car"}), ("path_follow_remove", {"object": "Car"}),
-              ("unbake", {"object": "Arm"}), ("ik_remove", {"object": "Arm"})],
+    "together": [(f"{name}_remove", {"object": "Puppet"}) for name in ("dynamics", "ik", "look_at", "path_follow")]
+    + [("layer_remove", {"object": "Puppet", "layer": name}) for name in ("Wave", "More")],
+    "baked": [
+        ("unbake", {"object": "Car"}),
+        ("path_follow_remove", {"object": "Car"}),
+        ("unbake", {"object": "Arm"}),
+        ("ik_remove", {"object": "Arm"}),
+    ],
 }
 """What takes the system off a file again: operators with their keywords."""
 
@@ -83,7 +87,9 @@ def numbers(frame):
         for bone in evaluated.pose.bones if evaluated.pose else ():
             found[f"{obj.name} bone {bone.name}"] = rows(evaluated.matrix_world @ bone.matrix)
         found |= {f"{obj.name} {what}": values for what, values in _of_data(obj, evaluated)}
-        found |= {f"{obj.name}[{key}]": [evaluated[key]] for key in obj.keys() if isinstance(obj[key], float) and not key.startswith("motus")}
+        found |= {
+            f"{obj.name}[{key}]": [evaluated[key]] for key in obj.keys() if isinstance(obj[key], float) and not key.startswith("motus")
+        }
     found |= _instances(depsgraph)
     found |= _nodes()
     return {what: [float(number) for number in values] for what, values in sorted(found.items())}
@@ -183,8 +189,12 @@ def contents():
 def _hangs_on(obj):
     animated = [obj, *([obj.data] if obj.data else [])]
     bones = obj.pose.bones if obj.pose else ()
-    drivers = [f"{curve.data_path} {curve.array_index}: {curve.driver.expression}"
-               for block in animated if block.animation_data for curve in block.animation_data.drivers]
+    drivers = [
+        f"{curve.data_path} {curve.array_index}: {curve.driver.expression}"
+        for block in animated
+        if block.animation_data
+        for curve in block.animation_data.drivers
+    ]
     constraints = [f"{getattr(owner, 'name', '')}: {one.type} {one.name}" for owner in (obj, *bones) for one in owner.constraints]
     found = {"drivers": sorted(drivers), "constraints": constraints, "modifiers": [f"{one.type} {one.name}" for one in obj.modifiers]}
     return {kind: names for kind, names in found.items() if names}
@@ -203,4 +213,6 @@ def _text(value, indent=""):
         inner = indent + " "
         lines = [f"{inner}{json.dumps(name)}: {_text(value[name], inner)}" for name in sorted(value)]
         return "{\n" + ",\n".join(lines) + f"\n{indent}}}"
-    return json.dumps([round(one, 7) if isinstance(one, float) else one for one in value] if isinstance(value, list) else value, sort_keys=True)
+    return json.dumps(
+        [round(one, 7) if isinstance(one, float) else one for one in value] if isinstance(value, list) else value, sort_keys=True
+    )

@@ -24,7 +24,11 @@ def version(text):
 def folders():
     """Those with files that this Blender can read."""
     own = version(cases.own_version())
-    return [archive.parent for archive in sorted(cases.HERE.glob(f"*/{cases.ARCHIVE}")) if version(archive.parent.name.rpartition("-")[2]) <= own]
+    return [
+        archive.parent
+        for archive in sorted(cases.HERE.glob(f"*/{cases.ARCHIVE}"))
+        if version(archive.parent.name.rpartition("-")[2]) <= own
+    ]
 
 
 class Records(logging.Handler):

@@ -288,7 +288,7 @@ class PointsFilesTest(PointsTestCase):
         attributes.remove(attributes["turn"])
         attributes.new("turn", 'FLOAT_VECTOR', 'POINT')
         path = self.save()
-        with mock.patch.dict(support.addon("core.wiring.made_points")._forms, clear=True):  # as in a session that has seen no other file
+        with mock.patch.dict(support.addon("core.wiring.sinks.made_points")._forms, clear=True):  # as in a session that has seen no other file
             bpy.ops.wm.open_mainfile(filepath=path)
             owner = bpy.data.objects["Owner"]
             self.assert_all_frames(owner)
