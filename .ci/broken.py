@@ -9,7 +9,7 @@ _RUNNERS = ("suite.py", "run.py")
 
 def what_broke(output):
     """Lines that name failed tests, and where Python and Blender stood when a signal ended the process."""
-    return re.findall(r"^FAILED .*", output, re.MULTILINE) + _python_stacks(output) + _native_stack(output)
+    return re.findall(r"^(?:FAILED|SUBFAILED|ERROR \S+::).*", output, re.MULTILINE) + _python_stacks(output) + _native_stack(output)
 
 
 def _python_stacks(output):

@@ -5,19 +5,18 @@ said and counted. With --fix the tools that can mend what they find do so, one a
 """
 
 import argparse
-import fcntl
-import hashlib
 import os
 import re
 import shutil
 import subprocess
 import sys
 import time
-import tomllib
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import NamedTuple
+
+import pinned
 
 CI = Path(__file__).resolve().parent
 
@@ -97,24 +96,6 @@ def files_of(clone):
     return [name for name in dict.fromkeys(names) if name and (clone / name).is_file()]
 
 
-def installed(places):
-    """(the folder with the programs of pyproject.toml's group `lint`, ""), or (None, why they cannot be had)."""
-    wanted = tomllib.loads((places.clone / "pyproject.toml").read_text(encoding="utf-8"))["dependency-groups"]["lint"]
-    folder = places.programs / hashlib.sha256(" ".join((sys.version, *wanted)).encode()).hexdigest()[:16]
-    folder.parent.mkdir(parents=True, exist_ok=True)
-    with open(folder.parent / "lock", "w", encoding="utf-8") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)  # another clone may be installing the same
-        if not (folder / "complete").exists():
-            print(f"motus: installing by pip: {' '.join(wanted)}", file=sys.stderr)
-            shutil.rmtree(folder, ignore_errors=True)
-            for command in ((sys.executable, "-m", "venv", folder), (folder / "bin" / "pip", "install", "--quiet", *wanted)):
-                done = subprocess.run(command, check=False, capture_output=True, text=True)
-                if done.returncode:
-                    return None, (done.stderr.strip() or done.stdout.strip() or "no reason was given").splitlines()[-1]
-            (folder / "complete").touch()
-    return folder / "bin", ""
-
-
 def run(tool, places, files, programs, why_not, fix):
     """The Outcome of one tool. programs: the folder of those that pip has installed, or None, for the reason `why_not`."""
     began = time.monotonic()
@@ -135,7 +116,7 @@ def lint(places, names=(), fix=False):
     """Runs the tools of these names, or all, two at a time; prints what they find, and returns the exit status."""
     tools = [tool for tool in TOOLS if not names or tool.name in names]
     files = files_of(places.clone)
-    programs, why_not = installed(places) if any(tool.by_pip for tool in tools) else (None, "")
+    programs, why_not = pinned.installed("lint", places.programs, places.clone) if any(tool.by_pip for tool in tools) else (None, "")
     counts = dict.fromkeys(("passed", "FAILED", "SKIPPED"), 0)
     with ThreadPoolExecutor(1 if fix else os.cpu_count()) as pool:
         for outcome in pool.map(lambda tool: run(tool, places, files, programs, why_not, fix), tools):

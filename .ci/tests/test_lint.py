@@ -13,7 +13,7 @@ from unittest import mock
 import lint
 
 CLONE = Path(__file__).resolve().parents[2]
-PROGRAMS = Path(os.environ.get("MOTUS_CACHE") or Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "motus"), "linters")
+PROGRAMS = Path(os.environ.get("MOTUS_CACHE") or Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache", "motus"), "programs")
 FAULTS = {  # tool: the file in which it finds one, and the file's text
     "ruff": ("addon/motus/fault.py", '"""Imports what is not used."""\n\nimport os\n'),
     "ruff-format": ("addon/motus/fault.py", '"""Has no space where one belongs."""\n\nVALUE=1\n'),

@@ -166,7 +166,3 @@ class LimitedChainTest(unittest.TestCase):
         solution = native.solve_chain(joints, [0.0, 2.2, 0.5], limits=limits)
         self.assertIs(solution.reason, native.Reason.REACHED)
         np.testing.assert_allclose(solution.joints[:, 0], 0.0, atol=1e-12)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -57,7 +57,3 @@ class ColourTest(unittest.TestCase):
                 call()
         with self.assertRaisesRegex(TypeError, "^picture: "):
             native.screen_color(np.zeros((2, 2, 4), bool))
-
-
-if __name__ == "__main__":
-    unittest.main()

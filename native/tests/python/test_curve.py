@@ -283,7 +283,3 @@ class Documentation(unittest.TestCase):
             for name, member in vars(cls).items():
                 if not name.startswith("_"):
                     self.assertGreater(len(member.__doc__.strip().splitlines()[-1]), 20, f"{cls.__name__}.{name}")
-
-
-if __name__ == "__main__":
-    unittest.main()

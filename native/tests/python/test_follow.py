@@ -126,7 +126,3 @@ class FollowTest(unittest.TestCase):
         fresh = native.follow(self.curve, self.timing, 1.0, [0.0, 1.0], "minimal")
         np.testing.assert_array_equal(beside[0], fresh[0])
         np.testing.assert_array_equal(beside[1], fresh[1])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -152,7 +152,3 @@ class PoseTest(unittest.TestCase):
             native.pack_matrices(locations, self.rotations, np.empty((100, 16)))
         with self.assertRaisesRegex(ValueError, "rotations"):
             native.pack_matrices(locations, self.rotations[:50])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -152,7 +152,3 @@ class Errors(unittest.TestCase):
             with self.subTest(name=name, value=value), self.assertRaises(error) as caught:
                 native.box_around(**{"points": [(0, 0, 0)], name: value})
             self.assertIn(name, str(caught.exception))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -128,7 +128,3 @@ class MasksAndMoments(unittest.TestCase):
         np.testing.assert_allclose(native.layer_moments(row, 8.0), [[5.0, 1.0]])
         with self.assertRaisesRegex(ValueError, "^settings: "):
             native.layer_moments(row[:, :5].copy(), 1.0)
-
-
-if __name__ == "__main__":
-    unittest.main()

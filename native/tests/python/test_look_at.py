@@ -213,7 +213,3 @@ class Plan(unittest.TestCase):
             with self.subTest(name=name, arguments=arguments), self.assertRaises((TypeError, ValueError)) as caught:
                 native.LookAtPlan(*arguments)
             self.assertTrue(str(caught.exception).startswith(name), caught.exception)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -174,7 +174,3 @@ class ChangingArraysTest(unittest.TestCase):
             return True
 
         self.assertNotIn(False, self.spoil(triangles, 2**31 - 1, call, calls=30))
-
-
-if __name__ == "__main__":
-    unittest.main()

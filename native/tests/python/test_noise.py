@@ -33,7 +33,3 @@ class NoiseTest(unittest.TestCase):
                 call()
         with self.assertRaisesRegex(TypeError, "^x: "):
             native.noise1("a")
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -185,7 +185,3 @@ class PickerTest(unittest.TestCase):
         for thread in threads:
             thread.join()
         self.assertEqual(wrong, [])
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -253,7 +253,3 @@ class ScaledMatricesTest(unittest.TestCase):
             native.pack_matrices(locations, rotations, scales=scales[:4])
         empty = native.pack_matrices(np.zeros((0, 3)), np.zeros((0, 4)), scales=np.zeros((0, 3)))
         self.assertEqual(empty.shape, (0, 16))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -265,7 +265,3 @@ class SnowTest(unittest.TestCase):
             native.Snow(rate=1e12)
         with self.assertRaisesRegex(ValueError, "^rate must be lower"):
             native.Snow(lifetime=1e12)
-
-
-if __name__ == "__main__":
-    unittest.main()

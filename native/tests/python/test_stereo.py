@@ -88,7 +88,3 @@ class StereoTest(unittest.TestCase):
                 function(**{**good, key: value})
         with self.assertRaises(TypeError):
             native.parallax("near", **EYES)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -85,7 +85,3 @@ class TimingTest(unittest.TestCase):
         ):
             with self.assertRaisesRegex(TypeError, f"^{name}:"):
                 call()
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -190,7 +190,3 @@ class ReasonTest(unittest.TestCase):
         self.assertEqual(native.Reason(2), native.Reason.TOO_NEAR)
         self.assertTrue((np.array([1, 0]) == native.Reason.TOO_FAR).tolist() == [True, False])
         self.assertIs(pickle.loads(pickle.dumps(native.Reason.LIMIT)), native.Reason.LIMIT)
-
-
-if __name__ == "__main__":
-    unittest.main()

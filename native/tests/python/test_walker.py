@@ -161,7 +161,3 @@ class WalkerTest(unittest.TestCase):
         for call in (walker().feet, walker().body, walker().phase):
             with self.assertRaisesRegex(ValueError, "times"):
                 call(np.nan)
-
-
-if __name__ == "__main__":
-    unittest.main()

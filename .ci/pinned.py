@@ -1,0 +1,49 @@
+"""Programs from PyPI, with the versions that pyproject.toml pins: pinned.py --programs FOLDER GROUP prints the folder in which those of a group are.
+
+They are installed below FOLDER, which clones share, when they are first asked for.
+"""
+
+import argparse
+import fcntl
+import hashlib
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+CLONE = Path(__file__).resolve().parents[1]
+
+
+def installed(group, programs, clone=CLONE):
+    """(the folder with the programs of a group of pyproject.toml's dependencies, ""), or (None, why they cannot be had)."""
+    wanted = tomllib.loads((clone / "pyproject.toml").read_text(encoding="utf-8"))["dependency-groups"][group]
+    folder = programs / hashlib.sha256(" ".join((sys.version, group, *wanted)).encode()).hexdigest()[:16]
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with open(folder.parent / "lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)  # another clone may be installing the same
+        if not (folder / "complete").exists():
+            print(f"motus: installing by pip: {' '.join(wanted)}", file=sys.stderr)
+            shutil.rmtree(folder, ignore_errors=True)
+            for command in ((sys.executable, "-m", "venv", folder), (folder / "bin" / "pip", "install", "--quiet", *wanted)):
+                done = subprocess.run(command, check=False, capture_output=True, text=True)
+                if done.returncode:
+                    return None, (done.stderr.strip() or done.stdout.strip() or "no reason was given").splitlines()[-1]
+            (folder / "complete").touch()
+    return folder / "bin", ""
+
+
+def main():
+    """Reads the command line."""
+    parser = argparse.ArgumentParser(prog="pinned.py")
+    parser.add_argument("--programs", type=Path, required=True)
+    parser.add_argument("group")
+    options = parser.parse_args()
+    folder, why_not = installed(options.group, options.programs.resolve())
+    if not folder:
+        sys.exit(f"motus: the programs of the group {options.group} could not be installed by pip: {why_not}")
+    print(folder)
+
+
+if __name__ == "__main__":
+    main()
