@@ -102,6 +102,30 @@ class Add(PathTestCase):
         self.assertRefused("linked", bpy.ops.motus.path_follow_add, object="Car", curve="Course")
 
 
+class Replaced(PathTestCase):
+    def test_animation_of_its_own_that_the_path_replaces_is_told(self):
+        """The place does not change by what is told, and does by what is not."""
+        replaces = support.addon("path.panel").replaces_animation
+        self.cubic()
+        car = self.link("Car")
+        self.follow(orientation='NONE')
+        self.assertFalse(replaces(car))
+        for number, (path, orientation, influence, is_told) in enumerate((
+                ("location", 'NONE', 1.0, True), ("location", 'NONE', 0.5, False), ("scale", 'BANKING', 1.0, False),
+                ("rotation_euler", 'NONE', 1.0, False), ("rotation_euler", 'BANKING', 1.0, True)), 1):
+            with self.subTest(path=path, orientation=orientation, influence=influence):
+                car.motus.path.orientation, car.motus.path.influence = orientation, influence
+                self.at(car, 1)
+                before = car.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world.copy()
+                driver = car.driver_add(path, 0).driver
+                driver.expression = f"0.1 * {number}"
+                self.assertEqual(replaces(car), is_told)
+                self.at(car, 1)
+                after = car.evaluated_get(bpy.context.evaluated_depsgraph_get()).matrix_world
+                self.assertEqual(np.allclose(before, after, atol=1e-6), is_told)
+                car.driver_remove(path, 0)
+
+
 class Presets(PathTestCase):
     def test_kept_and_taken_up_again(self):
         self.line(10.0)

@@ -3,6 +3,7 @@
 import bpy
 
 from ..core import wiring
+from ..core.blender import actions
 from ..core.declare import Problem
 from ..core.file.pointers import pointed
 from ..core.interface import panels, ui
@@ -10,13 +11,14 @@ from ..core.translations import tr
 from . import edit_views, members, presets, rows, targets
 from .setup import is_stray, system
 
-MOST_SHOWN = 6  # followers of a curve
+MOST_SHOWN = 6  # most followers of a curve that the panel lists
 COPY_OF_A_WAGON = Problem("A copy of a wagon: it stands where the wagon stands", blocking=False)
 LEADER_GONE = Problem("The leader of this wagon is gone")
+REPLACED = Problem("While Influence is 1, keys and drivers of what the path sets have no effect: animate a child of this object", blocking=False)
 
 
 def draw_main(layout, context):
-    """What is wrong, the curve, and what to do with a wagon."""
+    """Draw what is wrong, the curve, and for a wagon its train."""
     obj = context.object
     settings = obj.motus.path
     if members.is_wagon(obj):
@@ -25,13 +27,24 @@ def draw_main(layout, context):
         _draw_stray(layout, obj, pointed(settings, "leader"))
     else:
         ui.draw_problem(layout, context, system(), obj)
+        if replaces_animation(obj):
+            ui.draw_message(layout, REPLACED.sentence, 'INFO')
         column = ui.split(layout)
         column.prop(settings, "curve")
         rows.PATH.draw(column, settings)
 
 
+def replaces_animation(follower):
+    """Whether keys or drivers of a follower's own transform have no effect, since the path alone says where the follower is."""
+    settings, animation = follower.motus.path, follower.animation_data
+    if animation is None or settings.influence < 1.0:
+        return False
+    replaced = tuple(members.channels(settings))
+    return any(curve.data_path.startswith(replaced) for curve in (*actions.fcurves(follower), *animation.drivers))
+
+
 def draw_add(layout, context):
-    """A curve, and the buttons that make one or let what is selected follow it; a curve can be looked at."""
+    """Draw the curve field, the buttons that make a curve or a follower, and the button for the edit views."""
     obj = context.object
     column = layout.column(align=True)
     column.operator("motus.path_new_bezier", icon='CURVE_BEZCURVE')
@@ -47,7 +60,7 @@ def draw_add(layout, context):
 
 
 def draw_about(layout, context):
-    """Who follows the active curve."""
+    """Draw the list of objects that follow the active curve."""
     curve = context.object
     if curve.type != 'CURVE':
         return
@@ -63,8 +76,8 @@ def draw_about(layout, context):
 
 
 def draw_actions(layout, context):
-    """Baking, looking and removing."""
-    column = layout.column(align=True)  # a row would be too narrow in a narrow editor
+    """Draw the buttons for baking, edit views and removing."""
+    column = layout.column(align=True)  # as a row the buttons would be cut off in a narrow editor
     ui.draw_bake(column)
     edit_views.draw_buttons(column, context)
     column.operator("motus.path_follow_remove", text="Remove", icon='X').object = context.object.name
@@ -88,7 +101,7 @@ def _draw_stray(layout, stray, leader):
 
 
 def draw_readouts(layout, context):
-    """Where the object is on its path."""
+    """Draw length, distance, speed and fraction of the follower at the present frame."""
     depsgraph, owner = context.view_layer.depsgraph, context.object
     values = {name: wiring.output(system(), owner, name, depsgraph)
               for name in ("length", "distance", "speed", "fraction")}
@@ -102,7 +115,7 @@ def draw_readouts(layout, context):
 
 
 def draw_timing(layout, context):
-    """What sets the place at a time."""
+    """Draw the settings that give the place at a time."""
     settings = context.object.motus.path
     rows.TIMING.draw(ui.split(layout), settings)
     if settings.timing == 'PINS':
@@ -111,12 +124,12 @@ def draw_timing(layout, context):
 
 
 def draw_orientation(layout, context):
-    """Which way the object looks, and what is up."""
+    """Draw the settings of the orientation."""
     rows.ORIENTATION.draw(ui.split(layout), context.object.motus.path)
 
 
 def draw_train(layout, context):
-    """The wagons and their gaps."""
+    """Draw the list of wagons and their gaps."""
     settings = context.object.motus.path
     _, _, buttons = ui.draw_list(
         layout, "MOTUS_UL_path_wagons", settings, "wagons", "active_wagon", "motus.path_wagon_add",
